@@ -1,0 +1,67 @@
+/* The hybrid automaton: guards, resets, and the chains of events that happen in zero time.
+ *
+ * A run is tdmf_start, then, as often as it takes: integrate tdmf_derivatives until one of tdmf_guards
+ * reaches zero, and let tdmf_resolve take the transition. The caller owns all memory; nothing here allocates.
+ */
+#ifndef TDMF_SLIP_AUTOMATON_H
+#define TDMF_SLIP_AUTOMATON_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+#include "tdmf_slip/stride.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
+ * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
+ * so that it is positive even where its event has just happened. */
+typedef enum {
+    TDMF_GUARD_TOUCHDOWN,           /* flight: the foot's height */
+    TDMF_GUARD_APEX,                /* off the ground, retract: the centre of mass's vertical velocity */
+    TDMF_GUARD_CLAMP,               /* flight, retract: the clamp of (12) opens or closes */
+    TDMF_GUARD_LIFT_OFF,            /* contact: vertical ground force */
+    TDMF_GUARD_SLIP_ONSET_POSITIVE, /* stick: distance to the edge of the friction cone */
+    TDMF_GUARD_SLIP_ONSET_NEGATIVE,
+    TDMF_GUARD_SLIP_VELOCITY_ZERO, /* slip: speed in the direction of slip */
+    TDMF_GUARD_MID_STANCE,         /* contact, drive: the leg angle */
+    TDMF_GUARD_FORCE_PEAK,         /* contact: rate of the vertical ground force, up or down */
+    TDMF_GUARD_GRAZE_TO_CONTACT,   /* graze: the stance law presses the foot down */
+    TDMF_GUARD_GRAZE_TO_FLIGHT,    /* graze: the flight law lifts it */
+    TDMF_GUARD_BODY_DOWN,          /* fall: the body's height */
+    TDMF_GUARD_LEG_TOO_SHORT,      /* fall: leg length above its minimum */
+    TDMF_GUARD_COUNT
+} tdmf_guard;
+
+/* In units of the guarded quantity's scale: far above rounding, far below any solver's tolerance. */
+#define TDMF_GUARD_MARGIN 1e-13
+
+typedef struct {
+    bool state_changed; /* some element of the state jumped */
+    bool mode_changed;  /* contact, phase, clamp or fall: the right-hand side is another */
+    bool unresolved;    /* the chain of events did not come to rest within its bound; see tdmf_resolve */
+} tdmf_resolution;
+
+/* Begins a run at `time` from `state`: checks the start, finds contact mode and hip phase (an impact, if the
+ * foot moves down at the ground), sets theta_LO = theta and clears the record. On refusal (the foot or body
+ * below the ground, the leg too short, a value out of range or not finite) nothing is written. */
+tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                        double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+
+/* Values of all guards in the present mode. */
+void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                 const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
+
+/* Takes every transition that is due at `time`, in order, until no guard is at or below zero. Goes by the
+ * guards' values alone, so it may be called at any time: at an event, after an input jumped, or with nothing
+ * due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported. */
+tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+
+enum { TDMF_CHAIN_LIMIT = 64 };
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,30 @@
+/* Ground forces of a sticking, slipping or absent contact. */
+#ifndef TDMF_SLIP_CONTACT_H
+#define TDMF_SLIP_CONTACT_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    double fx, fy; /* N, of the ground on the foot */
+} tdmf_ground_force;
+
+/* The force the ground would have to apply to hold the foot still under a hip torque (10). */
+tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
+                                      const double state[TDMF_STATE_COUNT]);
+
+/* The force in the present mode: (10) in stick, f_x = -mu sgn(vx) f_y in slip, zero in flight and graze. */
+tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+
+/* Whether friction can hold the foot: |f_x| <= mu f_y  (2). */
+bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,24 @@
+/* The right-hand side: one formula for all contact modes. */
+#ifndef TDMF_SLIP_DYNAMICS_H
+#define TDMF_SLIP_DYNAMICS_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Time derivative of the state in the given mode (8). A frozen run (mode->fallen) gives zeros. Finite for
+ * leg lengths at or below zero too, as a solver may probe beyond an event. */
+void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                      const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
+
+/* Rate of the vertical ground force in a contact mode, N/s, both inputs held. */
+double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                              const double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

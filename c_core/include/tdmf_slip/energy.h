@@ -1,0 +1,24 @@
+/* Mechanical energy. With the integrals of a run it closes: change = work - damper - friction - impact. */
+#ifndef TDMF_SLIP_ENERGY_H
+#define TDMF_SLIP_ENERGY_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    double kinetic;   /* J, body and foot */
+    double potential; /* J, zero at the ground */
+    double elastic;   /* J, in the leg's spring */
+    double total;     /* J */
+} tdmf_energy;
+
+tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

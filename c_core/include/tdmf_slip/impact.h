@@ -1,0 +1,20 @@
+/* Touchdown: a perfectly inelastic impact of the foot under Coulomb friction. */
+#ifndef TDMF_SLIP_IMPACT_H
+#define TDMF_SLIP_IMPACT_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Applies the impact map (4)-(6) to a state whose foot moves down: the foot is put to y = 0 and stops
+ * vertically; horizontally it sticks inside the friction cone and is slowed outside; the body's velocity is
+ * unchanged. Returns the energy lost, J, never negative. */
+double tdmf_impact(const tdmf_model *model, double friction, double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

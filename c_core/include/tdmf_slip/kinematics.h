@@ -1,0 +1,28 @@
+/* Positions and velocities of the body and of the centre of mass. */
+#ifndef TDMF_SLIP_KINEMATICS_H
+#define TDMF_SLIP_KINEMATICS_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    double x, y, vx, vy; /* m, m/s */
+} tdmf_point;
+
+/* The body: x_m = x - r sin(theta), y_m = y + r cos(theta)  (7), and its rate. */
+tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
+
+/* The centre of mass of body and foot. */
+tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
+
+/* Gives the foot a new velocity and keeps the body's: the leg's rates take up the difference. */
+void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,48 @@
+/* Everything a user reads off a run that is not a state. Member paths are the FMU's variable names. */
+#ifndef TDMF_SLIP_OUTPUTS_H
+#define TDMF_SLIP_OUTPUTS_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+#include "tdmf_slip/stride.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    struct {
+        double x, y, vx, vy; /* m, m/s */
+    } body, com;
+    struct {
+        double fx, fy; /* N */
+        int mode;      /* tdmf_contact_mode */
+        int mode_index;
+    } contact;
+    struct {
+        double torque;        /* N.m, total */
+        double liftoff_angle; /* rad */
+        int phase;            /* tdmf_hip_phase */
+        int phase_index;
+    } hip;
+    struct {
+        double kinetic, potential, elastic, total, impact_loss; /* J */
+    } energy;
+    struct {
+        int count;
+        double last_time; /* s */
+    } event;
+    struct {
+        int fallen;
+    } status;
+    tdmf_stride stride;
+    tdmf_apex apex;
+} tdmf_outputs;
+
+tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                             const tdmf_record *record, const double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

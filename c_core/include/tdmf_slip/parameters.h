@@ -1,0 +1,92 @@
+/* What is given: the runner's parameters, the two inputs, and the model made of them. */
+#ifndef TDMF_SLIP_PARAMETERS_H
+#define TDMF_SLIP_PARAMETERS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
+ * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
+typedef struct {
+    struct {
+        double mass; /* m, kg */
+    } body;
+    struct {
+        double mass; /* m_f, kg */
+    } foot;
+    struct {
+        double stiffness;   /* k, N/m */
+        double damping;     /* c, N.s/m */
+        double free_length; /* l0, m */
+        double min_length;  /* m; a shorter leg ends the run as a fall */
+    } leg;
+    double gravity; /* g, m/s2 */
+    struct {
+        double stance_torque;        /* tau0, N.m; its negative drives the first half of a stance */
+        double touchdown_angle;      /* theta0, rad */
+        double kp;                   /* N.m/rad */
+        double kd;                   /* N.m.s/rad */
+        double liftoff_angle_factor; /* eta */
+    } hip;
+} tdmf_parameters;
+
+/* What may change during a run. */
+typedef struct {
+    struct {
+        double friction; /* mu, of stick and slip alike */
+    } ground;
+    struct {
+        double external_torque; /* N.m, added to the hip law */
+    } hip;
+} tdmf_inputs;
+
+/* The units of a scaled runner; every tolerance of the model is a pure number times one of these. */
+typedef struct {
+    double length; /* l0 */
+    double time;   /* sqrt(m/k) */
+    double speed;  /* l0 sqrt(k/m) */
+    double force;  /* k l0 */
+    double energy; /* k l0^2, also of torque */
+} tdmf_scales;
+
+/* Accepted parameters with what is derived from them once. Treat as read-only; made by tdmf_model_create. */
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_scales scales;
+    double inverse_body_mass;
+    double inverse_foot_mass;
+    double total_mass;
+} tdmf_model;
+
+/* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */
+typedef struct {
+    const char *variable; /* name as in the FMU, "leg.length" */
+    const char *unit;
+    double value;
+    double minimum;       /* allowed from */
+    double maximum;       /* allowed to */
+    const char *bound_by; /* the variable or rule that sets the violated limit, or NULL */
+} tdmf_refusal;
+
+/* The defaults: Table 1 and friction 0.6, which make a periodic gait from tdmf_default_state. */
+tdmf_parameters tdmf_default_parameters(void);
+tdmf_inputs tdmf_default_inputs(void);
+
+/* Checks every parameter (NaN and infinity included) and derives the constants. On refusal `model` is left
+ * as it was and the first offending parameter is returned. */
+tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters);
+
+/* Checks friction and external torque against their ranges. */
+tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
+
+/* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
+ * decimal point whatever the locale. Always terminated; returns `text`. */
+char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

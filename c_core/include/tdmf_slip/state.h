@@ -1,0 +1,68 @@
+/* The continuous state of a run and its discrete companion, the mode. */
+#ifndef TDMF_SLIP_STATE_H
+#define TDMF_SLIP_STATE_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
+ * of the paper's q = (x, y, r, theta); the rest are integrals along the run. */
+enum {
+    TDMF_FOOT_X,               /* x, m */
+    TDMF_FOOT_Y,               /* y, m above the ground */
+    TDMF_LEG_LENGTH,           /* r, m */
+    TDMF_LEG_ANGLE,            /* theta, rad from the vertical, positive with the foot ahead of the body */
+    TDMF_FOOT_VX,              /* m/s */
+    TDMF_FOOT_VY,              /* m/s */
+    TDMF_LEG_LENGTH_RATE,      /* m/s */
+    TDMF_LEG_ANGLE_RATE,       /* rad/s */
+    TDMF_HIP_WORK,             /* W, integral of the total torque's power, J */
+    TDMF_ENERGY_DAMPER_LOSS,   /* J */
+    TDMF_ENERGY_FRICTION_LOSS, /* J */
+    TDMF_HIP_POSITIVE_WORK,    /* the part of W done at positive power, J */
+    TDMF_STATE_COUNT,
+    TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK
+};
+
+typedef enum {
+    TDMF_CONTACT_FLIGHT = 1,
+    TDMF_CONTACT_STICK,
+    TDMF_CONTACT_SLIP_POSITIVE,
+    TDMF_CONTACT_SLIP_NEGATIVE,
+    TDMF_CONTACT_GRAZE /* the foot rests on the ground without force, see graze.h */
+} tdmf_contact_mode;
+
+typedef enum {
+    TDMF_PHASE_DRIVE = 1, /* touchdown to mid-stance: torque -tau0 */
+    TDMF_PHASE_COAST,     /* the rest of the stance: no torque */
+    TDMF_PHASE_RETRACT,   /* off the ground, centre of mass rising */
+    TDMF_PHASE_PLACE      /* off the ground, from the apex on */
+} tdmf_hip_phase;
+
+/* Everything discrete that the motion depends on. */
+typedef struct {
+    tdmf_contact_mode contact;
+    tdmf_hip_phase phase;
+    double liftoff_angle;     /* theta_LO, rad */
+    bool mid_stance_pending;  /* this stance began with theta >= 0 and has not passed upright yet */
+    bool clamp_closed;        /* flight, retract: the clamp in (12) holds the torque at 0 */
+    bool ground_force_rising; /* contact: f_y grows; it peaks when this turns false */
+    bool fallen;              /* the run is over and the motion frozen */
+} tdmf_mode;
+
+/* Foot on the ground and loaded: stick or slip. */
+bool tdmf_in_contact(const tdmf_mode *mode);
+
+/* +1 or -1 in a slip mode, the sign of the foot's velocity; 0 in every other mode. */
+double tdmf_slip_sign(const tdmf_mode *mode);
+
+/* The apex of the default parameters' periodic gait at friction 0.6, integrals zero. */
+void tdmf_default_state(double state[TDMF_STATE_COUNT]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

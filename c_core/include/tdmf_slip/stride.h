@@ -1,0 +1,67 @@
+/* What is remembered of a run: events, the stride under way, the last completed stride, the last apex. */
+#ifndef TDMF_SLIP_STRIDE_H
+#define TDMF_SLIP_STRIDE_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Room for a gait word and its terminator. A longer word keeps its first letters and ends in '~'. */
+enum { TDMF_WORD_CAPACITY = 64 };
+
+/* A completed stride, apex to apex; all zero and the word empty until one closes. */
+typedef struct {
+    int count;                /* completed strides so far */
+    double period;            /* T, s */
+    double length;            /* travel of the centre of mass, m */
+    double speed;             /* length / period, m/s */
+    double work;              /* W, net work of the total hip torque, J */
+    double positive_work;     /* the part done at positive power, J */
+    double cost_of_transport; /* W / ((m + m_f) g length)  (13); 0 where length is 0 */
+    int touchdowns;           /* every impact counts */
+    double stance_time;       /* time in stick and slip, s */
+    double duty_factor;       /* stance_time / period */
+    double slip_distance;     /* path the foot slid, m */
+    double peak_force;        /* largest vertical ground force, N */
+    char word[TDMF_WORD_CAPACITY];
+    int word_code; /* the word in base 4 ('|' 0, '-' 1, '0' 2, '+' 3, first letter most significant); -1 where
+                      it has more than 15 letters */
+} tdmf_stride;
+
+/* The section of the return map: where an apex found the runner. */
+typedef struct {
+    double time;            /* s */
+    double com_height;      /* m */
+    double com_speed;       /* m/s */
+    double leg_length;      /* m */
+    double leg_angle;       /* rad */
+    double leg_length_rate; /* m/s */
+    double leg_angle_rate;  /* rad/s */
+} tdmf_apex;
+
+/* Sums over the stride under way; of use to the automaton only. */
+typedef struct {
+    bool began_at_apex;
+    bool flew_since_letter; /* the next letter belongs to a new stance */
+    double start_time, start_com_x, start_work, start_positive_work;
+    double contact_start_time, contact_start_x; /* of the present contact mode */
+    double stance_time, slip_distance, peak_force;
+    int touchdowns;
+    char word[TDMF_WORD_CAPACITY];
+} tdmf_open_stride;
+
+typedef struct {
+    int event_count;        /* contact and phase changes since the start */
+    double last_event_time; /* s; the start time while there was none */
+    double impact_loss;     /* J, since the start */
+    tdmf_stride stride;
+    tdmf_apex apex;
+    tdmf_open_stride open;
+} tdmf_record;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,19 @@
+/* TDMF-SLIP: a legged runner whose foot can slip. This header brings in the whole library. */
+#ifndef TDMF_SLIP_TDMF_SLIP_H
+#define TDMF_SLIP_TDMF_SLIP_H
+
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/contact.h"
+#include "tdmf_slip/dynamics.h"
+#include "tdmf_slip/energy.h"
+#include "tdmf_slip/graze.h"
+#include "tdmf_slip/hip.h"
+#include "tdmf_slip/impact.h"
+#include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/outputs.h"
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+#include "tdmf_slip/stride.h"
+#include "tdmf_slip/version.h"
+
+#endif

@@ -1,0 +1,135 @@
+/* Start of a run, and the resolution of events. */
+#include "tdmf_slip/automaton.h"
+
+#include "ranges.h"
+#include "record.h"
+#include "tdmf_slip/kinematics.h"
+#include "transitions.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* In units of l0 sqrt(k/m): a start in flight this near to vy_c = 0 is an apex. */
+static const double apex_at_start = 1e-12;
+
+static tdmf_refusal check_time(double time) {
+    const tdmf_refusal refusal = {.variable = isfinite(time) ? NULL : "time",
+                                  .unit = "s",
+                                  .value = time,
+                                  .minimum = -DBL_MAX,
+                                  .maximum = DBL_MAX};
+    return refusal;
+}
+
+static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        if (!tdmf_in_range(&tdmf_state_ranges[i], state[i])) {
+            return tdmf_out_of_range(&tdmf_state_ranges[i], state[i]);
+        }
+    }
+    const tdmf_refusal accepted = {0};
+    return accepted;
+}
+
+static tdmf_refusal check_posture(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+    tdmf_refusal refusal = {.unit = "m"};
+    const double length = state[TDMF_LEG_LENGTH];
+    const double height = tdmf_body(state).y;
+    if (length < model->parameters.leg.min_length) {
+        refusal.variable = "leg.length";
+        refusal.value = length;
+        refusal.minimum = model->parameters.leg.min_length;
+        refusal.maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum;
+        refusal.bound_by = "leg.min_length";
+    } else if (!(height > 0.0)) {
+        refusal.variable = "body.y";
+        refusal.value = height;
+        refusal.minimum = 0.0;
+        refusal.maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum;
+        refusal.bound_by = "above the ground; it follows from foot.y, leg.length and leg.angle";
+    }
+    return refusal;
+}
+
+static tdmf_refusal check_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                                const double state[TDMF_STATE_COUNT]) {
+    tdmf_refusal refusal = check_time(time);
+    if (refusal.variable == NULL) {
+        refusal = tdmf_check_inputs(inputs);
+    }
+    if (refusal.variable == NULL) {
+        refusal = check_ranges(state);
+    }
+    if (refusal.variable == NULL) {
+        refusal = check_posture(model, state);
+    }
+    return refusal;
+}
+
+static void begin_in_flight(tdmf_run *run) {
+    const double vy = tdmf_center_of_mass(run->model, run->state).vy;
+    if (fabs(vy) <= apex_at_start * run->model->scales.speed) {
+        tdmf_reach_apex(run);
+    } else {
+        run->mode->phase = vy > 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+        run->mode->clamp_closed = tdmf_clamp_holds(run);
+    }
+}
+
+static void begin(tdmf_run *run) {
+    const double y = run->state[TDMF_FOOT_Y];
+    const double vy = run->state[TDMF_FOOT_VY];
+    if (y > 0.0 || vy > 0.0) {
+        begin_in_flight(run);
+    } else if (vy < 0.0) {
+        tdmf_touch_down(run);
+    } else {
+        tdmf_come_to_ground(run);
+    }
+}
+
+tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                        double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
+    const tdmf_refusal refusal = check_start(model, inputs, time, state);
+    if (refusal.variable != NULL) {
+        return refusal;
+    }
+    memset(mode, 0, sizeof *mode);
+    mode->contact = TDMF_CONTACT_FLIGHT;
+    mode->phase = TDMF_PHASE_COAST; /* neither retract nor place: what comes first decides */
+    mode->liftoff_angle = state[TDMF_LEG_ANGLE];
+    tdmf_record_start(record, time, state);
+    tdmf_run run = {model, inputs, time, state, mode, record};
+    begin(&run);
+    tdmf_resolve(model, inputs, time, state, mode, record);
+    return refusal;
+}
+
+static bool same_mode(const tdmf_mode *a, const tdmf_mode *b) {
+    return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
+           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
+           a->fallen == b->fallen;
+}
+
+tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
+    const tdmf_mode mode_before = *mode;
+    double state_before[TDMF_STATE_COUNT];
+    memcpy(state_before, state, sizeof state_before);
+
+    tdmf_run run = {model, inputs, time, state, mode, record};
+    tdmf_observe_ground_force(&run);
+    int links = 0;
+    while (links < TDMF_CHAIN_LIMIT && tdmf_take_transition(&run)) {
+        ++links;
+    }
+    tdmf_observe_ground_force(&run);
+
+    const tdmf_resolution resolution = {
+        .state_changed = memcmp(state_before, state, sizeof state_before) != 0,
+        .mode_changed = !same_mode(&mode_before, mode),
+        .unresolved = links == TDMF_CHAIN_LIMIT,
+    };
+    return resolution;
+}

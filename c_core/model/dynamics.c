@@ -1,0 +1,81 @@
+/* The equations of motion (8)-(9), solved for the accelerations by writing Newton's law for each point mass.
+ * With u = (-sin, cos), t = (-cos, -sin) and the ground force (f_x, f_y) of the mode:
+ *
+ *     foot:  m_f ax = f_x + F_s sin + (tau/r) cos        m_f ay = f_y - F_s cos + (tau/r) sin - m_f g
+ *     body:  u.a_body = F_s/m - g cos                    t.a_body = tau/(m r) + g sin
+ *     leg:   rddot = r thetadot^2 + u.(a_body - a_foot)
+ *            r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot
+ *
+ * A foot on the ground has ay = 0, and one that sticks ax = 0, exactly and not by cancellation. */
+#include "tdmf_slip/dynamics.h"
+
+#include "leg.h"
+#include "tdmf_slip/contact.h"
+#include "tdmf_slip/hip.h"
+
+#include <string.h>
+
+typedef struct {
+    double ax, ay;
+} foot_acceleration;
+
+static foot_acceleration accelerate_foot(const tdmf_model *model, const tdmf_mode *mode, const tdmf_leg *leg,
+                                         double across, tdmf_ground_force force) {
+    foot_acceleration foot = {0.0, 0.0};
+    if (mode->contact != TDMF_CONTACT_STICK) {
+        foot.ax = (force.fx + leg->axial_force * leg->sine + across * leg->cosine) * model->inverse_foot_mass;
+    }
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        foot.ay = (-leg->axial_force * leg->cosine + across * leg->sine) * model->inverse_foot_mass -
+                  model->parameters.gravity;
+    }
+    return foot;
+}
+
+void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                      const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
+    if (mode->fallen) {
+        memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
+        return;
+    }
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    const double g = model->parameters.gravity;
+    const double torque = tdmf_hip_torque(model, inputs, mode, state);
+    const double across = torque * leg.inverse_length;
+    const tdmf_ground_force force = tdmf_contact_force(model, inputs, mode, state);
+    const foot_acceleration foot = accelerate_foot(model, mode, &leg, across, force);
+
+    const double body_along = leg.axial_force * model->inverse_body_mass - g * leg.cosine;
+    const double body_across = across * model->inverse_body_mass + g * leg.sine;
+    const double foot_along = -foot.ax * leg.sine + foot.ay * leg.cosine;
+    const double foot_across = -foot.ax * leg.cosine - foot.ay * leg.sine;
+    const double power = torque * leg.angle_rate;
+
+    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
+    derivatives[TDMF_LEG_LENGTH] = leg.length_rate;
+    derivatives[TDMF_LEG_ANGLE] = leg.angle_rate;
+    derivatives[TDMF_FOOT_VX] = foot.ax;
+    derivatives[TDMF_FOOT_VY] = foot.ay;
+    derivatives[TDMF_LEG_LENGTH_RATE] =
+        leg.length * leg.angle_rate * leg.angle_rate + body_along - foot_along;
+    derivatives[TDMF_LEG_ANGLE_RATE] =
+        (body_across - foot_across - 2.0 * leg.length_rate * leg.angle_rate) * leg.inverse_length;
+    derivatives[TDMF_HIP_WORK] = power;
+    derivatives[TDMF_ENERGY_DAMPER_LOSS] = model->parameters.leg.damping * leg.length_rate * leg.length_rate;
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.fx * state[TDMF_FOOT_VX];
+    derivatives[TDMF_HIP_POSITIVE_WORK] = fmax(power, 0.0);
+}
+
+double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                              const double state[TDMF_STATE_COUNT]) {
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(model, inputs, mode, state, derivatives);
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    const double axial_rate = -model->parameters.leg.stiffness * leg.length_rate -
+                              model->parameters.leg.damping * derivatives[TDMF_LEG_LENGTH_RATE];
+    const double across = tdmf_hip_torque(model, inputs, mode, state) * leg.inverse_length;
+    const double across_rate = -across * leg.length_rate * leg.inverse_length;
+    return axial_rate * leg.cosine - across_rate * leg.sine -
+           (leg.axial_force * leg.sine + across * leg.cosine) * leg.angle_rate;
+}

@@ -1,0 +1,65 @@
+/* Graze, or lift-off done exactly.
+ *
+ * When the contact force vanishes, the stance law would let the foot rise, while the flight law that takes
+ * over often presses it down again: stance says leave, flight says stay. Filippov's solution has no
+ * penetration and no chatter: while the laws disagree the foot stays at y = vy = 0 without ground force, and
+ * the torque has the value in between that keeps it there,
+ *
+ *     tau_eq = r (F_s cos(theta) + m_f g) / sin(theta).
+ *
+ * Let P(tau) be f_y of (10). A resting foot is pressed on the ground by a law if P > 0, and rises under it
+ * with ay = -P/m_f if P < 0; tau_eq is the zero of P. So with s: "P(stance law) > 0" and a: "P(flight law) <
+ * 0",
+ *
+ *     s: contact;     a and not s: flight;     neither: graze.
+ *
+ * The exits of graze are watched by P of either law, never by tau_eq, which is 0/0 at theta = 0. */
+#include "tdmf_slip/graze.h"
+
+#include "leg.h"
+#include "tdmf_slip/contact.h"
+#include "tdmf_slip/hip.h"
+
+/* At lift-off P(stance) is 0 up to rounding. Where the laws agree to within this (in units of k l0), a graze
+ * would have no width and the run would go round in it for ever. */
+static const double narrowest_graze = 1e-10;
+
+/* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
+static const double smallest_sine = 1e-12;
+
+double tdmf_graze_torque(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    const double press =
+        leg.axial_force * leg.cosine + model->parameters.foot.mass * model->parameters.gravity;
+    const double sine = copysign(fmax(fabs(leg.sine), smallest_sine), leg.sine);
+    return press / (sine * leg.inverse_length);
+}
+
+static double press_of(const tdmf_model *model, const tdmf_inputs *inputs, double law,
+                       const double state[TDMF_STATE_COUNT]) {
+    return tdmf_sticking_force(model, law + inputs->hip.external_torque, state).fy;
+}
+
+double tdmf_stance_press(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                         const double state[TDMF_STATE_COUNT]) {
+    return press_of(model, inputs, tdmf_hip_stance_law(model, mode), state);
+}
+
+double tdmf_flight_press(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                         const double state[TDMF_STATE_COUNT]) {
+    return press_of(model, inputs, tdmf_hip_flight_law(model, mode, state), state);
+}
+
+tdmf_foot_fate tdmf_fate_at_rest(const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
+    if (tdmf_stance_press(model, inputs, off_ground, state) > 0.0) {
+        return TDMF_FOOT_LOADED;
+    }
+    return tdmf_flight_press(model, inputs, off_ground, state) < 0.0 ? TDMF_FOOT_LEAVES : TDMF_FOOT_GRAZES;
+}
+
+tdmf_foot_fate tdmf_fate_at_lift_off(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
+    const double press = tdmf_flight_press(model, inputs, off_ground, state);
+    return press > narrowest_graze * model->scales.force ? TDMF_FOOT_GRAZES : TDMF_FOOT_LEAVES;
+}

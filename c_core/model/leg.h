@@ -1,0 +1,41 @@
+/* The leg at one instant: what every force and acceleration is made of, computed once. */
+#ifndef TDMF_MODEL_LEG_H
+#define TDMF_MODEL_LEG_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#include <math.h>
+
+typedef struct {
+    double length;         /* r */
+    double inverse_length; /* 1/r */
+    double length_rate;
+    double angle_rate;
+    double sine, cosine; /* of theta */
+    double axial_force;  /* F_s = k (l0 - r) - c rdot, pushing body and foot apart */
+} tdmf_leg;
+
+/* A solver may try lengths at or below zero on its way past a fall; 1/r stays finite there. A running leg is
+ * never shorter than its minimum, so the floor is out of reach of any accepted state. */
+static inline double tdmf_inverse_leg_length(const tdmf_model *model, double length) {
+    return 1.0 / fmax(length, 0.5 * model->parameters.leg.min_length);
+}
+
+static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_parameters *p = &model->parameters;
+    const double length = state[TDMF_LEG_LENGTH];
+    const double length_rate = state[TDMF_LEG_LENGTH_RATE];
+    const tdmf_leg leg = {
+        .length = length,
+        .inverse_length = tdmf_inverse_leg_length(model, length),
+        .length_rate = length_rate,
+        .angle_rate = state[TDMF_LEG_ANGLE_RATE],
+        .sine = sin(state[TDMF_LEG_ANGLE]),
+        .cosine = cos(state[TDMF_LEG_ANGLE]),
+        .axial_force = p->leg.stiffness * (p->leg.free_length - length) - p->leg.damping * length_rate,
+    };
+    return leg;
+}
+
+#endif

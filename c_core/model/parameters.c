@@ -1,0 +1,115 @@
+/* Parameters and inputs: defaults, ranges, refusals, and the constants derived once.
+ *
+ * Scales of the paper's normalisation (section 5): length l0, time sqrt(m/k), and what follows from them. */
+#include "tdmf_slip/parameters.h"
+
+#include "ranges.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const tdmf_refusal accepted = {0};
+
+static double value_at(const void *values, size_t offset) {
+    double value;
+    memcpy(&value, (const char *)values + offset, sizeof value);
+    return value;
+}
+
+static void fill_with_starts(void *values, const tdmf_range *ranges, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        memcpy((char *)values + ranges[i].offset, &ranges[i].start, sizeof(double));
+    }
+}
+
+static tdmf_refusal first_out_of_range(const void *values, const tdmf_range *ranges, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        const double value = value_at(values, ranges[i].offset);
+        if (!tdmf_in_range(&ranges[i], value)) {
+            return tdmf_out_of_range(&ranges[i], value);
+        }
+    }
+    return accepted;
+}
+
+tdmf_parameters tdmf_default_parameters(void) {
+    tdmf_parameters parameters = {0};
+    fill_with_starts(&parameters, tdmf_parameter_ranges, tdmf_parameter_count);
+    return parameters;
+}
+
+tdmf_inputs tdmf_default_inputs(void) {
+    tdmf_inputs inputs = {0};
+    fill_with_starts(&inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
+    return inputs;
+}
+
+static tdmf_scales scales_of(const tdmf_parameters *p) {
+    const double length = p->leg.free_length;
+    const double time = sqrt(p->body.mass / p->leg.stiffness);
+    const tdmf_scales scales = {
+        .length = length,
+        .time = time,
+        .speed = length / time,
+        .force = p->leg.stiffness * length,
+        .energy = p->leg.stiffness * length * length,
+    };
+    return scales;
+}
+
+tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters) {
+    tdmf_refusal refusal = first_out_of_range(parameters, tdmf_parameter_ranges, tdmf_parameter_count);
+    if (refusal.variable != NULL) {
+        return refusal;
+    }
+    if (parameters->leg.min_length > parameters->leg.free_length) {
+        refusal.variable = "leg.min_length";
+        refusal.unit = "m";
+        refusal.value = parameters->leg.min_length;
+        refusal.maximum = parameters->leg.free_length;
+        refusal.bound_by = "leg.free_length";
+        return refusal;
+    }
+    model->parameters = *parameters;
+    model->scales = scales_of(parameters);
+    model->inverse_body_mass = 1.0 / parameters->body.mass;
+    model->inverse_foot_mass = 1.0 / parameters->foot.mass;
+    model->total_mass = parameters->body.mass + parameters->foot.mass;
+    return accepted;
+}
+
+tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
+    return first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
+}
+
+/* printf takes the decimal separator from the locale; a message, like a file, should not. */
+static const char *number(double value, char text[32]) {
+    snprintf(text, 32, "%.9g", value);
+    for (char *c = text; *c != '\0'; ++c) {
+        if (*c == ',') {
+            *c = '.';
+        }
+    }
+    return text;
+}
+
+char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity) {
+    char value[32], minimum[32], maximum[32];
+    if (capacity == 0) {
+        return text;
+    }
+    if (refusal->variable == NULL) {
+        snprintf(text, capacity, "accepted");
+        return text;
+    }
+    const bool has_unit = refusal->unit != NULL && strcmp(refusal->unit, "1") != 0;
+    const char *space = has_unit ? " " : "";
+    const char *unit = has_unit ? refusal->unit : "";
+    const char *rule = refusal->bound_by;
+    snprintf(text, capacity, "%s = %s%s%s is refused: allowed from %s to %s%s%s%s%s%s", refusal->variable,
+             number(refusal->value, value), space, unit, number(refusal->minimum, minimum),
+             number(refusal->maximum, maximum), space, unit, rule ? " (" : "", rule ? rule : "",
+             rule ? ")" : "");
+    return text;
+}

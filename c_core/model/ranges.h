@@ -1,0 +1,41 @@
+/* The table of variables as the core needs it: ranges and start values. Its rows are generated from
+ * modelDescription.xml by scripts/generate_variables.py, in the order declared here. */
+#ifndef TDMF_MODEL_RANGES_H
+#define TDMF_MODEL_RANGES_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    const char *name;
+    const char *unit;
+    double minimum;
+    double maximum;
+    double start;
+    size_t offset; /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
+} tdmf_range;
+
+enum { TDMF_INPUT_COUNT = 2 };
+
+extern const tdmf_range tdmf_parameter_ranges[];
+extern const size_t tdmf_parameter_count;
+extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];
+extern const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT];
+
+/* NaN is in no range. */
+static inline bool tdmf_in_range(const tdmf_range *range, double value) {
+    return value >= range->minimum && value <= range->maximum;
+}
+
+static inline tdmf_refusal tdmf_out_of_range(const tdmf_range *range, double value) {
+    const tdmf_refusal refusal = {.variable = range->name,
+                                  .unit = range->unit,
+                                  .value = value,
+                                  .minimum = range->minimum,
+                                  .maximum = range->maximum};
+    return refusal;
+}
+
+#endif

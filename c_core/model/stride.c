@@ -1,0 +1,138 @@
+/* Stride quantities: T, dx, V = dx/T, W and the cost of transport W/((m + m_f) g dx) (13), and the gait word,
+ * one letter for every contact mode that lasts. */
+#include "record.h"
+
+#include "tdmf_slip/kinematics.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LONGEST_CODED_WORD = 15 }; /* letters of two bits in a 32-bit Integer */
+
+static void append(char word[TDMF_WORD_CAPACITY], char letter) {
+    const size_t length = strlen(word);
+    if (length + 2 < TDMF_WORD_CAPACITY) {
+        word[length] = letter;
+        word[length + 1] = '\0';
+    } else {
+        word[TDMF_WORD_CAPACITY - 2] = '~';
+        word[TDMF_WORD_CAPACITY - 1] = '\0';
+    }
+}
+
+static char letter_of(const tdmf_mode *mode) {
+    const double sign = tdmf_slip_sign(mode);
+    return sign > 0.0 ? '+' : sign < 0.0 ? '-' : '0';
+}
+
+/* A stance that was interrupted by graze goes on with its last letter; one that follows a flight is new. */
+static void write_letter(tdmf_open_stride *open, char letter) {
+    const size_t length = strlen(open->word);
+    if (length > 0 && open->flew_since_letter) {
+        append(open->word, '|');
+        append(open->word, letter);
+    } else if (length == 0 || open->word[length - 1] != letter) {
+        append(open->word, letter);
+    }
+    open->flew_since_letter = false;
+}
+
+static int code_of(const char *word) {
+    static const char digits[] = "|-0+";
+    int code = 0;
+    if (strlen(word) > LONGEST_CODED_WORD) {
+        return -1;
+    }
+    for (const char *letter = word; *letter != '\0'; ++letter) {
+        code = 4 * code + (int)(strchr(digits, *letter) - digits);
+    }
+    return code;
+}
+
+static void open_stride(tdmf_open_stride *open, double time, double com_x,
+                        const double state[TDMF_STATE_COUNT]) {
+    memset(open, 0, sizeof *open);
+    open->start_time = time;
+    open->start_com_x = com_x;
+    open->start_work = state[TDMF_HIP_WORK];
+    open->start_positive_work = state[TDMF_HIP_POSITIVE_WORK];
+    open->contact_start_time = time;
+    open->contact_start_x = state[TDMF_FOOT_X];
+}
+
+void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF_STATE_COUNT]) {
+    memset(record, 0, sizeof *record);
+    record->last_event_time = time;
+    /* Not begun at an apex, so never counted: the centre of mass may as well start at 0. */
+    open_stride(&record->open, time, 0.0, state);
+}
+
+void tdmf_record_event(tdmf_record *record, double time) {
+    ++record->event_count;
+    record->last_event_time = time;
+}
+
+void tdmf_record_impact(tdmf_record *record, double loss) {
+    record->impact_loss += loss;
+    ++record->open.touchdowns;
+}
+
+void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
+                                tdmf_contact_mode entered, const double state[TDMF_STATE_COUNT]) {
+    tdmf_open_stride *open = &record->open;
+    const double duration = time - open->contact_start_time;
+    if (tdmf_in_contact(left) && duration > 0.0) {
+        write_letter(open, letter_of(left));
+        open->stance_time += duration;
+        open->slip_distance += fabs(state[TDMF_FOOT_X] - open->contact_start_x);
+    }
+    if (entered == TDMF_CONTACT_FLIGHT) {
+        open->flew_since_letter = true;
+    }
+    open->contact_start_time = time;
+    open->contact_start_x = state[TDMF_FOOT_X];
+}
+
+void tdmf_record_force(tdmf_record *record, double force) {
+    record->open.peak_force = fmax(record->open.peak_force, force);
+}
+
+static double ratio_or_zero(double numerator, double denominator) {
+    return denominator == 0.0 ? 0.0 : numerator / denominator;
+}
+
+static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, const tdmf_model *model,
+                         double time, double com_x, const double state[TDMF_STATE_COUNT]) {
+    const double weight = model->total_mass * model->parameters.gravity;
+    ++stride->count;
+    stride->period = time - open->start_time;
+    stride->length = com_x - open->start_com_x;
+    stride->speed = ratio_or_zero(stride->length, stride->period);
+    stride->work = state[TDMF_HIP_WORK] - open->start_work;
+    stride->positive_work = state[TDMF_HIP_POSITIVE_WORK] - open->start_positive_work;
+    stride->cost_of_transport = ratio_or_zero(stride->work, weight * stride->length);
+    stride->touchdowns = open->touchdowns;
+    stride->stance_time = open->stance_time;
+    stride->duty_factor = ratio_or_zero(open->stance_time, stride->period);
+    stride->slip_distance = open->slip_distance;
+    stride->peak_force = open->peak_force;
+    memcpy(stride->word, open->word, sizeof stride->word);
+    stride->word_code = code_of(stride->word);
+}
+
+void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
+                      const double state[TDMF_STATE_COUNT]) {
+    const tdmf_point com = tdmf_center_of_mass(model, state);
+    if (record->open.began_at_apex) {
+        close_stride(&record->stride, &record->open, model, time, com.x, state);
+    }
+    open_stride(&record->open, time, com.x, state);
+    record->open.began_at_apex = true;
+    record->apex.time = time;
+    record->apex.com_height = com.y;
+    record->apex.com_speed = com.vx;
+    record->apex.leg_length = state[TDMF_LEG_LENGTH];
+    record->apex.leg_angle = state[TDMF_LEG_ANGLE];
+    record->apex.leg_length_rate = state[TDMF_LEG_LENGTH_RATE];
+    record->apex.leg_angle_rate = state[TDMF_LEG_ANGLE_RATE];
+}

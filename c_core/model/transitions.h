@@ -1,0 +1,35 @@
+/* The steps of the automaton that a start shares with a running one. */
+#ifndef TDMF_MODEL_TRANSITIONS_H
+#define TDMF_MODEL_TRANSITIONS_H
+
+#include "tdmf_slip/automaton.h"
+
+/* A run as its transitions see it: what is given, the instant, and what they may change. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    double time;
+    double *state;
+    tdmf_mode *mode;
+    tdmf_record *record;
+} tdmf_run;
+
+/* Whether the clamp of (12) holds the flight torque of the present phase at 0. */
+bool tdmf_clamp_holds(const tdmf_run *run);
+
+/* A foot at y = vy = 0 after an impact or at a start: contact, flight or graze. */
+void tdmf_come_to_ground(tdmf_run *run);
+
+/* The foot hits the ground. */
+void tdmf_touch_down(tdmf_run *run);
+
+/* The centre of mass is highest in flight. */
+void tdmf_reach_apex(tdmf_run *run);
+
+/* Takes the one transition that is due first, if any is. */
+bool tdmf_take_transition(tdmf_run *run);
+
+/* Notes the ground force and whether it grows; due before and after whatever may make it jump. */
+void tdmf_observe_ground_force(tdmf_run *run);
+
+#endif

@@ -1,0 +1,117 @@
+#include "integrate.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+runner runner_default(double friction) {
+    runner runner;
+    memset(&runner, 0, sizeof runner);
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.inputs = tdmf_default_inputs();
+    runner.inputs.ground.friction = friction;
+    tdmf_default_state(runner.state);
+    return runner;
+}
+
+void runner_start(runner *runner) {
+    runner->time = 0.0;
+    assert_null(
+        tdmf_start(&runner->model, &runner->inputs, 0.0, runner->state, &runner->mode, &runner->record)
+            .variable);
+}
+
+static void slope(const runner *runner, const double state[], double derivatives[]) {
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, state, derivatives);
+}
+
+static void runge_kutta(const runner *runner, double h, double after[TDMF_STATE_COUNT]) {
+    static const double reach[] = {0.0, 0.5, 0.5, 1.0};
+    static const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    double k[TDMF_STATE_COUNT] = {0.0};
+    memcpy(after, runner->state, sizeof runner->state);
+    for (int stage = 0; stage < 4; ++stage) {
+        double trial[TDMF_STATE_COUNT];
+        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+            trial[i] = runner->state[i] + h * reach[stage] * k[i];
+        }
+        slope(runner, trial, k);
+        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+            after[i] += h * weight[stage] * k[i];
+        }
+    }
+}
+
+static bool any_due(const runner *runner, const double state[TDMF_STATE_COUNT]) {
+    double guards[TDMF_GUARD_COUNT];
+    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, state, guards);
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        if (guards[i] <= 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The shortest step, to the last bit, after which some guard has fired. */
+static double step_to_event(const runner *runner, double step) {
+    double before = 0.0;
+    double after = step;
+    for (;;) {
+        const double middle = 0.5 * (before + after);
+        if (middle <= before || middle >= after) {
+            return after;
+        }
+        double state[TDMF_STATE_COUNT];
+        runge_kutta(runner, middle, state);
+        if (any_due(runner, state)) {
+            after = middle;
+        } else {
+            before = middle;
+        }
+    }
+}
+
+static bool all_finite(const double state[TDMF_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        if (!isfinite(state[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool runner_advance(runner *runner, double step) {
+    double after[TDMF_STATE_COUNT];
+    runge_kutta(runner, step, after);
+    const bool event = any_due(runner, after);
+    if (event) {
+        step = step_to_event(runner, step);
+        runge_kutta(runner, step, after);
+    }
+    if (!all_finite(after)) {
+        return false;
+    }
+    runner->time += step;
+    memcpy(runner->state, after, sizeof after);
+    if (event) {
+        ++runner->resolutions;
+        assert_false(tdmf_resolve(&runner->model, &runner->inputs, runner->time, runner->state, &runner->mode,
+                                  &runner->record)
+                         .unresolved);
+    }
+    return !runner->mode.fallen;
+}
+
+void runner_stride(runner *runner, double step) {
+    const int count = runner->record.stride.count;
+    while (runner->record.stride.count == count) {
+        assert_true(runner_advance(runner, step));
+    }
+}
