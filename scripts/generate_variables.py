@@ -175,6 +175,11 @@ def agreements(table):
     return lines
 
 
+def item_names(table, name):
+    names = ", ".join(f'"{item.get("name")}"' for item in table.by_name[name].items)
+    return f"const char *const unit_{name.replace('.', '_')}_names[] = {{{names}}};"
+
+
 def variables(table):
     return generated(
         [
@@ -189,6 +194,9 @@ def variables(table):
             *[variable_row(v, table) for v in table.variables],
             "};",
             "const size_t unit_variable_count = sizeof unit_variables / sizeof unit_variables[0];",
+            "",
+            item_names(table, "contact.mode"),
+            item_names(table, "hip.phase"),
         ]
     )
 

@@ -1,0 +1,64 @@
+/* Reading and writing variables by their row in the table. */
+#include "variables.h"
+
+#include <string.h>
+
+static const void *storage_of(const unit *unit, const unit_view *view, unit_storage storage) {
+    switch (storage) {
+    case STORED_TIME:
+        return &unit->time;
+    case STORED_PARAMETER:
+        return &unit->parameters;
+    case STORED_SETTING:
+        return &unit->settings;
+    case STORED_INPUT:
+        return &unit->inputs;
+    case STORED_STATE:
+        return unit->state;
+    case STORED_DERIVATIVE:
+        return view->derivatives;
+    default:
+        return &view->outputs;
+    }
+}
+
+/* State vectors are indexed by element, structs by byte. */
+static size_t byte_offset(const unit_variable *variable) {
+    const bool indexed = variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE;
+    return indexed ? variable->place * sizeof(double) : variable->place;
+}
+
+tdmf_refusal unit_refuse_value(const unit_variable *variable, double value) {
+    tdmf_refusal refusal = {
+        .unit = variable->unit, .value = value, .minimum = variable->minimum, .maximum = variable->maximum};
+    const bool allowed = value >= variable->minimum && value <= variable->maximum;
+    refusal.variable = allowed ? NULL : variable->name;
+    return refusal;
+}
+
+double unit_get_number(const unit *unit, const unit_view *view, const unit_variable *variable) {
+    const char *place = (const char *)storage_of(unit, view, variable->storage) + byte_offset(variable);
+    if (variable->type == VARIABLE_REAL) {
+        double value;
+        memcpy(&value, place, sizeof value);
+        return value;
+    }
+    int value;
+    memcpy(&value, place, sizeof value);
+    return value;
+}
+
+const char *unit_get_text(const unit_view *view, const unit_variable *variable) {
+    return (const char *)&view->outputs + variable->place;
+}
+
+void unit_set_number(unit *unit, const unit_variable *variable, double value) {
+    /* Settable variables live in the unit; the view is never written through here. */
+    char *place = (char *)(size_t)storage_of(unit, NULL, variable->storage) + byte_offset(variable);
+    if (variable->type == VARIABLE_REAL) {
+        memcpy(place, &value, sizeof value);
+    } else {
+        const int number = (int)value;
+        memcpy(place, &number, sizeof number);
+    }
+}

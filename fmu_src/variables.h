@@ -1,0 +1,52 @@
+/* The unit's table of variables. Its rows are generated from modelDescription.xml; a row's position is the
+ * variable's value reference. */
+#ifndef TDMF_UNIT_VARIABLES_H
+#define TDMF_UNIT_VARIABLES_H
+
+#include "unit.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum { VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_BOOLEAN, VARIABLE_STRING } unit_variable_type;
+
+typedef enum {
+    STORED_TIME,
+    STORED_PARAMETER,  /* offset in tdmf_parameters */
+    STORED_SETTING,    /* offset in unit_settings */
+    STORED_INPUT,      /* offset in tdmf_inputs */
+    STORED_STATE,      /* index in the state vector */
+    STORED_DERIVATIVE, /* index in the state vector */
+    STORED_OUTPUT      /* offset in tdmf_outputs */
+} unit_storage;
+
+typedef struct {
+    const char *name;
+    const char *unit;
+    unit_variable_type type;
+    unit_storage storage;
+    size_t place;
+    bool settable_before_start;
+    double minimum, maximum, start;
+} unit_variable;
+
+extern const unit_variable unit_variables[];
+extern const size_t unit_variable_count;
+
+/* Names of the enumerations' items, from value 1 on. */
+extern const char *const unit_contact_mode_names[];
+extern const char *const unit_hip_phase_names[];
+
+/* Why the variable may not have this value; `.variable` is NULL where it may. */
+tdmf_refusal unit_refuse_value(const unit_variable *variable, double value);
+
+/* A numeric variable's value; outputs and derivatives are read from `view`. */
+double unit_get_number(const unit *unit, const unit_view *view, const unit_variable *variable);
+
+/* The text of a String variable, owned by `view`. */
+const char *unit_get_text(const unit_view *view, const unit_variable *variable);
+
+/* Stores a value that was checked. */
+void unit_set_number(unit *unit, const unit_variable *variable, double value);
+
+#endif
