@@ -1,0 +1,51 @@
+# Set-up shared by scripts/run and scripts/test: sourced by them, run from the repository's root.
+
+say() {
+    printf '\n==> %s\n' "$*" >&2
+}
+
+fail() {
+    printf '\nerror: %s\n' "$*" >&2
+    exit 1
+}
+
+# need_debian_packages PACKAGE...: installs what is missing, or says how to.
+need_debian_packages() {
+    local missing=() package
+    command -v dpkg-query >/dev/null || return 0 # another system: cmake and python tell what they lack
+    for package in "$@"; do
+        dpkg-query --show --showformat='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        sudo -n true 2>/dev/null || fail "please run:  sudo apt-get install ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "Installing from Debian: ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq >&2
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# The virtual environment .venv, with everything pinned in pyproject.toml. Building without isolation lets the
+# C build go on where it stopped.
+make_environment() {
+    local python=.venv/bin/python
+    if ! "$python" -c 'import pip' 2>/dev/null; then
+        say "Making the virtual environment .venv"
+        python3 -m venv --clear .venv
+    fi
+    local wanted
+    wanted=$(sha256sum pyproject.toml)
+    if [ "$(cat .venv/installed 2>/dev/null)" != "$wanted" ]; then
+        say "Installing Python packages: those of pyproject.toml, pinned"
+        "$python" -c 'import tomllib
+project = tomllib.load(open("pyproject.toml", "rb"))
+wanted = project["build-system"]["requires"] + project["project"]["dependencies"]
+wanted += project["project"]["optional-dependencies"]["test"]
+print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-version-check -r /dev/stdin
+        printf '%s\n' "$wanted" >.venv/installed
+    fi
+    say "Building the unit and installing tdmf-slip into .venv"
+    "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall .
+}
