@@ -1,0 +1,31 @@
+/* The smallest importer that can tell what an FMI 2.0 unit said. */
+#ifndef TDMF_TESTS_FMI2_IMPORTER_H
+#define TDMF_TESTS_FMI2_IMPORTER_H
+
+#include "fmi2Functions.h"
+
+#include <stdbool.h>
+
+/* Messages of the unit since the last forget_messages. */
+extern int message_count;
+extern char last_message[1024];
+extern char last_category[64];
+void forget_messages(void);
+
+extern const fmi2CallbackFunctions importer_callbacks;
+
+/* A fresh Model Exchange instance with event logging off; asserts that there is one. */
+fmi2Component new_instance(void);
+
+/* Value reference of a variable; asserts that it exists. */
+fmi2ValueReference reference_of(const char *name);
+
+fmi2Status set_real(fmi2Component component, const char *name, double value);
+double get_real(fmi2Component component, const char *name);
+int get_integer(fmi2Component component, const char *name);
+
+/* Through initialization into event mode, and on into continuous-time mode; asserts fmi2OK. */
+void initialize(fmi2Component component);
+void start_running(fmi2Component component);
+
+#endif
