@@ -1,0 +1,138 @@
+"""What all tests of the unit share: the FMU, the reference gaits, and runs that start on a gait."""
+
+import ctypes
+import importlib.resources
+import json
+import math
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy.fmi2 import FMU2Model
+
+import tdmf_slip
+
+
+@pytest.fixture(scope="session")
+def fmu():
+    """The unit that is installed with the package."""
+    return str(tdmf_slip.fmu_path())
+
+
+@pytest.fixture(scope="session")
+def description(fmu):
+    return fmpy.read_model_description(fmu)
+
+
+@pytest.fixture(scope="session")
+def unpacked(fmu, tmp_path_factory):
+    return fmpy.extract(fmu, str(tmp_path_factory.mktemp("unit")))
+
+
+def reference_gaits():
+    text = importlib.resources.files("tdmf_slip").joinpath("data/gaits.json").read_text(encoding="utf-8")
+    return json.loads(text)["gaits"]
+
+
+def apex_start(apex, body_mass=1.0, foot_mass=0.1):
+    """Start values of a runner at an apex, from the section's six coordinates."""
+    height, speed, r, theta, r_rate, theta_rate = apex
+    share = body_mass / (body_mass + foot_mass)
+    sine, cosine = math.sin(theta), math.cos(theta)
+    return {
+        "foot.x": 0.0,
+        "foot.y": height - share * r * cosine,
+        "leg.length": r,
+        "leg.angle": theta,
+        "foot.vx": speed + share * (r_rate * sine + r * theta_rate * cosine),
+        "foot.vy": -share * (r_rate * cosine - r * theta_rate * sine),
+        "leg.length_rate": r_rate,
+        "leg.angle_rate": theta_rate,
+    }
+
+
+class Instance:
+    """A Model Exchange instance, driven call by call."""
+
+    def __init__(self, model, description):
+        self.model = model
+        self.description = description
+        self.references = {v.name: v.valueReference for v in description.modelVariables}
+        self.states = [unknown.variable.derivative.name for unknown in description.derivatives]
+
+    def set_values(self, values):
+        for name, value in values.items():
+            self.model.setReal([self.references[name]], [value])
+
+    def start(self):
+        self.model.setupExperiment()
+        self.model.enterInitializationMode()
+        self.model.exitInitializationMode()
+        self.model.newDiscreteStates()
+
+    def continuous_states(self):
+        values = (ctypes.c_double * len(self.states))()
+        self.model.getContinuousStates(values, len(self.states))
+        return np.array(values)
+
+    def set_continuous_states(self, values):
+        self.model.setContinuousStates((ctypes.c_double * len(self.states))(*values), len(self.states))
+
+    def real(self, *names):
+        return np.array(self.model.getReal([self.references[name] for name in names]))
+
+    def integer(self, name):
+        return self.model.getInteger([self.references[name]])[0]
+
+    def boolean(self, name):
+        return bool(self.model.getBoolean([self.references[name]])[0])
+
+    def text(self, name):
+        return self.model.getString([self.references[name]])[0].decode()
+
+
+@pytest.fixture
+def new_instance(unpacked, description):
+    """Makes instances; frees them at the end of the test."""
+    made = []
+
+    def make():
+        model = FMU2Model(
+            guid=description.guid,
+            unzipDirectory=unpacked,
+            modelIdentifier=description.modelExchange.modelIdentifier,
+            instanceName=f"runner{len(made)}",
+        )
+        model.instantiate()
+        made.append(model)
+        return Instance(model, description)
+
+    yield make
+    for model in made:
+        model.freeInstance()
+
+
+
+
+@pytest.fixture
+def run(unpacked, description, new_instance):
+    """Runs the unit through FMPy's CVODE; returns the recorded rows and the instance, still readable."""
+
+    def simulate(stop_time, start_values, tolerance=1e-9, output_interval=0.5, output=(), inputs=None):
+        instance = new_instance()
+        rows = fmpy.simulate_fmu(
+            unpacked,
+            model_description=description,
+            fmu_instance=instance.model,
+            fmi_type="ModelExchange",
+            stop_time=stop_time,
+            start_values=dict(start_values),
+            relative_tolerance=tolerance,
+            output_interval=output_interval,
+            output=list(output),
+            input=inputs,
+            terminate=False,
+        )
+        return rows, instance
+
+    return simulate

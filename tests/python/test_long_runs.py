@@ -1,0 +1,52 @@
+"""What must hold over many strides: no chatter, a closed ledger, a foot that stays above the ground."""
+
+import numpy as np
+from conftest import apex_start, reference_gaits
+
+PERIOD = 24.76444922801218
+LEDGER = (
+    "energy.total",
+    "hip.work",
+    "hip.positive_work",
+    "energy.damper_loss",
+    "energy.friction_loss",
+    "energy.impact_loss",
+)
+
+
+def test_two_thousand_strides_without_chatter(run):
+    rows, instance = run(
+        2000.5 * PERIOD, {}, tolerance=1e-6, output_interval=8.0, output=("stride.count", "event.count", "foot.y")
+    )
+    strides, first = np.unique(rows["stride.count"], return_index=True)
+    assert strides[-1] == 2000
+    assert set(np.diff(rows["event.count"][first])) == {9}
+    assert rows["foot.y"].min() > -1e-9
+    assert instance.text("stride.word") == "+0-0+"
+
+
+def test_ledger_closes_over_a_hundred_strides(run):
+    for gait in reference_gaits():
+        start = apex_start(gait["apex"]) | {"ground.friction": gait["friction"]}
+        rows, _ = run(100.2 * gait["period"], start, output=LEDGER, output_interval=2.0)
+        change = rows["energy.total"] - rows["energy.total"][0]
+        losses = [rows[name] for name in LEDGER[3:]]
+        gap = change - rows["hip.work"] + sum(losses)
+        assert np.abs(gap).max() < 1e-5 * rows["hip.positive_work"][-1], gait["friction"]
+        assert all(np.diff(loss).min() >= -1e-12 and loss[-1] > 0 for loss in losses)
+
+
+def test_center_of_mass_is_ballistic_in_flight(run):
+    rows, _ = run(3 * PERIOD, {}, output=("com.vx", "com.vy", "contact.mode_index", "event.count"))
+    off_ground = np.isin(rows["contact.mode_index"], (1, 5))
+    for event in np.unique(rows["event.count"]):
+        phase = rows[off_ground & (rows["event.count"] == event)]
+        if len(phase) > 1:
+            assert np.ptp(phase["com.vx"]) < 1e-7
+            assert np.ptp(phase["com.vy"] + 0.01 * phase["time"]) < 1e-7
+
+
+def test_foot_stays_above_the_ground(run):
+    for friction in (10.0, 0.2):
+        rows, _ = run(5 * PERIOD, {"ground.friction": friction}, output=("foot.y",), output_interval=0.02)
+        assert rows["foot.y"].min() > -1e-9

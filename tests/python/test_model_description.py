@@ -1,0 +1,99 @@
+"""The description inside the FMU: what schema and checkers see, and the faults that none of them notices."""
+
+import pathlib
+import shutil
+import subprocess
+from xml.etree import ElementTree
+
+import pytest
+from fmpy.validation import validate_fmu
+
+
+def number(text):
+    return None if text is None else float(text)
+
+
+def test_checker_finds_nothing(fmu):
+    assert validate_fmu(fmu) == []
+
+
+def test_ranges_are_not_empty_and_hold_the_starts(description):
+    for variable in description.modelVariables:
+        low, high = number(variable.min), number(variable.max)
+        assert low is None or high is None or low < high, variable.name
+        if variable.start is not None and variable.type in ("Real", "Integer"):
+            start = float(variable.start)
+            assert (low is None or low <= start) and (high is None or start <= high), variable.name
+
+
+def test_every_real_has_a_unit_and_every_angle_degrees(description):
+    units = {unit.name for unit in description.unitDefinitions}
+    for variable in description.modelVariables:
+        if variable.type == "Real":
+            unit = variable.unit or (variable.declaredType and variable.declaredType.unit)
+            assert unit in units, variable.name
+            if unit == "rad":
+                assert (variable.displayUnit or variable.declaredType.displayUnit) == "deg", variable.name
+
+
+def test_every_variable_is_described_once(description):
+    names = [variable.name for variable in description.modelVariables]
+    references = [variable.valueReference for variable in description.modelVariables]
+    assert len(set(names)) == len(names)
+    assert references == list(range(len(names)))
+    assert all(variable.description for variable in description.modelVariables)
+
+
+def test_causality_variability_and_initial(description):
+    variables = {variable.name: variable for variable in description.modelVariables}
+    for variable in description.modelVariables:
+        if variable.causality == "parameter":
+            assert (variable.variability, variable.initial) == ("fixed", "exact"), variable.name
+        if variable.causality == "input":
+            assert variable.variability == "continuous", variable.name
+        if variable.type != "Real" and variable.causality == "output":
+            assert variable.variability == "discrete", variable.name
+    states = [unknown.variable.derivative for unknown in description.derivatives]
+    assert [state.causality for state in states] == ["output"] * 12
+    assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 4
+    assert variables["time"].causality == "independent"
+
+
+def test_inputs_carry_no_initial(unpacked):
+    """Read from the file itself, because FMPy fills in a default."""
+    root = ElementTree.parse(f"{unpacked}/modelDescription.xml").getroot()
+    inputs = [element for element in root.find("ModelVariables") if element.get("causality") == "input"]
+    assert len(inputs) == 2
+    assert not any("initial" in element.attrib for element in inputs)
+
+
+PROMISED = """
+body.mass foot.mass leg.stiffness leg.damping leg.free_length leg.min_length gravity hip.stance_torque
+hip.touchdown_angle hip.kp hip.kd hip.liftoff_angle_factor status.terminate_on_fall
+ground.friction hip.external_torque
+foot.x foot.y leg.length leg.angle foot.vx foot.vy leg.length_rate leg.angle_rate hip.work energy.damper_loss
+energy.friction_loss
+body.x body.y body.vx body.vy com.x com.y com.vx com.vy contact.fx contact.fy hip.torque energy.kinetic
+energy.potential energy.elastic energy.total
+hip.liftoff_angle contact.mode hip.phase energy.impact_loss event.count event.last_time status.fallen
+contact.mode_index hip.phase_index
+stride.count stride.period stride.length stride.speed stride.work stride.cost_of_transport stride.touchdowns
+stride.word stride.word_code stride.stance_time stride.duty_factor stride.slip_distance stride.positive_work
+stride.peak_force
+apex.time apex.com_height apex.com_speed apex.leg_length apex.leg_angle apex.leg_length_rate apex.leg_angle_rate
+""".split()
+
+
+def test_promised_names_are_there(description):
+    names = {variable.name for variable in description.modelVariables}
+    assert set(PROMISED) <= names
+    states = {name for name in names if f"der({name})" in names}
+    assert len(states) == 12
+
+
+@pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
+def test_library_exports_fmi_functions_only(unpacked):
+    library = next(pathlib.Path(unpacked, "binaries").rglob("TDMF_SLIP.so"))
+    symbols = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True)
+    names = [line.split()[-1] for line in symbols.stdout.splitlines()]
+    assert len(names) > 25 and all(name.startswith("fmi2") for name in names)

@@ -1,0 +1,88 @@
+"""The five published gaits, run through FMPy's CVODE from the default start until they have settled."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from conftest import apex_start, reference_gaits
+
+SCALARS = ("period", "length", "speed", "work", "cost_of_transport")
+APEX = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length_rate", "leg_angle_rate")
+# The slowest gait, at friction 0.2, shrinks its distance by about 0.91 a stride.
+SETTLED = 220
+
+
+@dataclasses.dataclass
+class Settled:
+    """What the unit made of a gait: the apex it settled on, and one more stride from there."""
+
+    apex: np.ndarray
+    rows: np.ndarray
+    stride: dict
+    word: str
+    liftoff_angle: float
+
+
+def settle(reference, run):
+    """A long run, then one stride from its last apex.
+
+    A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one stride
+    1/(1 - 0.91) = 11 times at friction 0.2: the long run is the more exact one.
+    """
+    friction = {"ground.friction": reference["friction"]}
+    _, instance = run((SETTLED + 0.5) * reference["period"], friction, tolerance=1e-10, output_interval=5.0)
+    apex = instance.real(*(f"apex.{name}" for name in APEX))
+    counts = ("stride.count", "event.count")
+    rows, instance = run(2.1 * reference["period"], apex_start(apex) | friction, tolerance=1e-9, output=counts)
+    stride = dict(zip(SCALARS, instance.real(*(f"stride.{name}" for name in SCALARS)), strict=True))
+    return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
+
+
+@pytest.fixture(scope="module", params=reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+def reference(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def settled_runs():
+    return {}
+
+
+@pytest.fixture
+def settled(reference, run, settled_runs):
+    friction = reference["friction"]
+    if friction not in settled_runs:
+        settled_runs[friction] = settle(reference, run)
+    return settled_runs[friction]
+
+
+def test_word(settled, reference):
+    assert settled.word == reference["word"]
+
+
+@pytest.mark.parametrize("name", SCALARS)
+def test_stride(settled, reference, name):
+    assert settled.stride[name] == pytest.approx(reference[name], rel=1e-6)
+
+
+def test_apex(settled, reference):
+    assert settled.apex == pytest.approx(reference["apex"], abs=1e-5)
+
+
+def test_lift_off_angle(settled, reference):
+    assert settled.liftoff_angle == pytest.approx(reference["liftoff_angle"], abs=1e-6)
+
+
+def test_event_times(settled, reference):
+    """Every event of the reference is one that the importer was led into, at the same time after the apex."""
+    times, counts = np.unique(settled.rows["time"], return_counts=True)
+    events = times[counts > 1]
+    for name, time in reference["events"]:
+        assert np.min(np.abs(events - time)) <= 1e-6 * time, name
+
+
+def test_events_of_a_stride_are_counted(settled, reference):
+    """The clamp's release is a kink of the torque and no event."""
+    rows = settled.rows
+    listed = [name for name, _ in reference["events"] if name != "retract_clamp_release"]
+    assert rows["event.count"][rows["stride.count"] == 1][0] == len(listed)
