@@ -8,30 +8,40 @@
 #include "tdmf_slip/contact.h"
 
 #include "leg.h"
-#include "tdmf_slip/hip.h"
 
-tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
-                                      const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    const double across = torque * leg.inverse_length;
+tdmf_ground_force tdmf_leg_sticking_force(const tdmf_model *model, double torque, const tdmf_leg *leg) {
+    const double across = torque * leg->inverse_length;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const tdmf_ground_force force = {
-        .fx = -leg.axial_force * leg.sine - across * leg.cosine,
-        .fy = leg.axial_force * leg.cosine - across * leg.sine + weight,
+        .fx = -leg->axial_force * leg->sine - across * leg->cosine,
+        .fy = leg->axial_force * leg->cosine - across * leg->sine + weight,
     };
     return force;
 }
 
-tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                         const tdmf_mode *mode, double torque, const tdmf_leg *leg) {
     tdmf_ground_force force = {0.0, 0.0};
     if (tdmf_in_contact(mode)) {
-        force = tdmf_sticking_force(model, tdmf_hip_torque(model, inputs, mode, state), state);
+        force = tdmf_leg_sticking_force(model, torque, leg);
         if (mode->contact != TDMF_CONTACT_STICK) {
             force.fx = -tdmf_slip_sign(mode) * inputs->ground.friction * force.fy;
         }
     }
     return force;
+}
+
+tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
+                                      const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    return tdmf_leg_sticking_force(model, torque, &leg);
+}
+
+tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
+    return tdmf_leg_contact_force(model, inputs, mode, torque, &leg);
 }
 
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction) {

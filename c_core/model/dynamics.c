@@ -10,8 +10,6 @@
 #include "tdmf_slip/dynamics.h"
 
 #include "leg.h"
-#include "tdmf_slip/contact.h"
-#include "tdmf_slip/hip.h"
 
 #include <string.h>
 
@@ -40,9 +38,9 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
     }
     const tdmf_leg leg = tdmf_leg_of(model, state);
     const double g = model->parameters.gravity;
-    const double torque = tdmf_hip_torque(model, inputs, mode, state);
+    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
     const double across = torque * leg.inverse_length;
-    const tdmf_ground_force force = tdmf_contact_force(model, inputs, mode, state);
+    const tdmf_ground_force force = tdmf_leg_contact_force(model, inputs, mode, torque, &leg);
     const foot_acceleration foot = accelerate_foot(model, mode, &leg, across, force);
 
     const double body_along = leg.axial_force * model->inverse_body_mass - g * leg.cosine;
@@ -74,7 +72,7 @@ double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs
     const tdmf_leg leg = tdmf_leg_of(model, state);
     const double axial_rate = -model->parameters.leg.stiffness * leg.length_rate -
                               model->parameters.leg.damping * derivatives[TDMF_LEG_LENGTH_RATE];
-    const double across = tdmf_hip_torque(model, inputs, mode, state) * leg.inverse_length;
+    const double across = tdmf_leg_hip_torque(model, inputs, mode, state, &leg) * leg.inverse_length;
     const double across_rate = -across * leg.length_rate * leg.inverse_length;
     return axial_rate * leg.cosine - across_rate * leg.sine -
            (leg.axial_force * leg.sine + across * leg.cosine) * leg.angle_rate;

@@ -27,12 +27,16 @@ static const double narrowest_graze = 1e-10;
 /* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
 static const double smallest_sine = 1e-12;
 
+double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg) {
+    const double press =
+        leg->axial_force * leg->cosine + model->parameters.foot.mass * model->parameters.gravity;
+    const double sine = copysign(fmax(fabs(leg->sine), smallest_sine), leg->sine);
+    return press / (sine * leg->inverse_length);
+}
+
 double tdmf_graze_torque(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
     const tdmf_leg leg = tdmf_leg_of(model, state);
-    const double press =
-        leg.axial_force * leg.cosine + model->parameters.foot.mass * model->parameters.gravity;
-    const double sine = copysign(fmax(fabs(leg.sine), smallest_sine), leg.sine);
-    return press / (sine * leg.inverse_length);
+    return tdmf_leg_graze_torque(model, &leg);
 }
 
 static double press_of(const tdmf_model *model, const tdmf_inputs *inputs, double law,

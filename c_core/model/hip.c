@@ -12,7 +12,7 @@
  * The clamp's kink is located like an event: in flight the law is smooth while mode->clamp_closed stands. */
 #include "tdmf_slip/hip.h"
 
-#include "tdmf_slip/graze.h"
+#include "leg.h"
 
 #include <math.h>
 
@@ -47,14 +47,20 @@ static double hip_in_flight(const tdmf_model *model, const tdmf_mode *mode,
     return mode->clamp_closed ? 0.0 : tdmf_hip_retract_argument(model, mode, state);
 }
 
-double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                       const double state[TDMF_STATE_COUNT]) {
+double tdmf_leg_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                           const double state[TDMF_STATE_COUNT], const tdmf_leg *leg) {
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
         return hip_in_flight(model, mode, state) + inputs->hip.external_torque;
     case TDMF_CONTACT_GRAZE:
-        return tdmf_graze_torque(model, state);
+        return tdmf_leg_graze_torque(model, leg);
     default:
         return tdmf_hip_stance_law(model, mode) + inputs->hip.external_torque;
     }
+}
+
+double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                       const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    return tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
 }

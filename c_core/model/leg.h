@@ -2,6 +2,7 @@
 #ifndef TDMF_MODEL_LEG_H
 #define TDMF_MODEL_LEG_H
 
+#include "tdmf_slip/contact.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -37,5 +38,17 @@ static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[T
     };
     return leg;
 }
+
+/* The public functions of contact.h, hip.h and graze.h for a leg that is already at hand: one sine and cosine
+ * then serve a whole evaluation. */
+tdmf_ground_force tdmf_leg_sticking_force(const tdmf_model *model, double torque, const tdmf_leg *leg);
+
+tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                         const tdmf_mode *mode, double torque, const tdmf_leg *leg);
+
+double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg);
+
+double tdmf_leg_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                           const double state[TDMF_STATE_COUNT], const tdmf_leg *leg);
 
 #endif
