@@ -12,6 +12,7 @@ fmi2Status fmi2EnterEventMode(fmi2Component component) {
     if (!call_is_allowed(instance, "fmi2EnterEventMode", EVENT_MODE | CONTINUOUS_TIME_MODE)) {
         return fmi2Error;
     }
+    unit_observe(&instance->unit);
     instance->state = EVENT_MODE;
     return fmi2OK;
 }

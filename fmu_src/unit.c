@@ -66,6 +66,10 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]) {
     }
 }
 
+void unit_observe(unit *unit) {
+    tdmf_observe(&unit->model, &unit->inputs, unit->state, &unit->mode, &unit->record);
+}
+
 tdmf_resolution unit_update(unit *unit) {
     return tdmf_resolve(&unit->model, &unit->inputs, unit->time, unit->state, &unit->mode, &unit->record);
 }

@@ -46,6 +46,9 @@ void unit_event_indicators(const unit *unit, double indicators[TDMF_GUARD_COUNT]
 /* Typical magnitudes of the states, from the parameters; importers make absolute tolerances of them. */
 void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
 
+/* To be called before an input may jump. */
+void unit_observe(unit *unit);
+
 /* Resolves whatever is due at unit->time. */
 tdmf_resolution unit_update(unit *unit);
 

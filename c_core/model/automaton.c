@@ -3,6 +3,8 @@
 
 #include "ranges.h"
 #include "record.h"
+#include "tdmf_slip/contact.h"
+#include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/kinematics.h"
 #include "transitions.h"
 
@@ -67,25 +69,19 @@ static tdmf_refusal check_start(const tdmf_model *model, const tdmf_inputs *inpu
     return refusal;
 }
 
-static void begin_in_flight(tdmf_run *run) {
-    const double vy = tdmf_center_of_mass(run->model, run->state).vy;
-    if (fabs(vy) <= apex_at_start * run->model->scales.speed) {
-        tdmf_reach_apex(run);
-    } else {
-        run->mode->phase = vy > 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        run->mode->clamp_closed = tdmf_clamp_holds(run);
-    }
-}
-
 static void begin(tdmf_run *run) {
     const double y = run->state[TDMF_FOOT_Y];
     const double vy = run->state[TDMF_FOOT_VY];
     if (y > 0.0 || vy > 0.0) {
-        begin_in_flight(run);
+        tdmf_fly(run);
     } else if (vy < 0.0) {
         tdmf_touch_down(run);
     } else {
         tdmf_come_to_ground(run);
+    }
+    const double rise = tdmf_center_of_mass(run->model, run->state).vy;
+    if (run->mode->contact == TDMF_CONTACT_FLIGHT && fabs(rise) <= apex_at_start * run->model->scales.speed) {
+        tdmf_reach_apex(run);
     }
 }
 
@@ -99,11 +95,23 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
     mode->contact = TDMF_CONTACT_FLIGHT;
     mode->phase = TDMF_PHASE_COAST; /* neither retract nor place: what comes first decides */
     mode->liftoff_angle = state[TDMF_LEG_ANGLE];
+    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
+        state[i] = 0.0;
+    }
     tdmf_record_start(record, time, state);
     tdmf_run run = {model, inputs, time, state, mode, record};
     begin(&run);
     tdmf_resolve(model, inputs, time, state, mode, record);
     return refusal;
+}
+
+void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
+                  tdmf_mode *mode, tdmf_record *record) {
+    if (!tdmf_in_contact(mode)) {
+        return;
+    }
+    tdmf_record_force(record, tdmf_contact_force(model, inputs, mode, state).fy);
+    mode->ground_force_rising = tdmf_ground_force_rate(model, inputs, mode, state) > 0.0;
 }
 
 static bool same_mode(const tdmf_mode *a, const tdmf_mode *b) {
@@ -119,12 +127,12 @@ tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs,
     memcpy(state_before, state, sizeof state_before);
 
     tdmf_run run = {model, inputs, time, state, mode, record};
-    tdmf_observe_ground_force(&run);
+    tdmf_observe(model, inputs, state, mode, record);
     int links = 0;
     while (links < TDMF_CHAIN_LIMIT && tdmf_take_transition(&run)) {
         ++links;
     }
-    tdmf_observe_ground_force(&run);
+    tdmf_observe(model, inputs, state, mode, record);
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, state, sizeof state_before) != 0,

@@ -19,6 +19,22 @@ tdmf_ground_force tdmf_leg_sticking_force(const tdmf_model *model, double torque
     return force;
 }
 
+tdmf_ground_force tdmf_leg_sticking_force_rate(const tdmf_model *model, double torque, double torque_rate,
+                                               double length_acceleration, const tdmf_leg *leg) {
+    const double axial = leg->axial_force;
+    const double axial_rate = -model->parameters.leg.stiffness * leg->length_rate -
+                              model->parameters.leg.damping * length_acceleration;
+    const double across = torque * leg->inverse_length;
+    const double across_rate = (torque_rate - across * leg->length_rate) * leg->inverse_length;
+    const tdmf_ground_force rate = {
+        .fx = -axial_rate * leg->sine - across_rate * leg->cosine -
+              (axial * leg->cosine - across * leg->sine) * leg->angle_rate,
+        .fy = axial_rate * leg->cosine - across_rate * leg->sine -
+              (axial * leg->sine + across * leg->cosine) * leg->angle_rate,
+    };
+    return rate;
+}
+
 tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                          const tdmf_mode *mode, double torque, const tdmf_leg *leg) {
     tdmf_ground_force force = {0.0, 0.0};

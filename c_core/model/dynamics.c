@@ -30,6 +30,38 @@ static foot_acceleration accelerate_foot(const tdmf_model *model, const tdmf_mod
     return foot;
 }
 
+static void derivatives_of_leg(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                               const double state[TDMF_STATE_COUNT], const tdmf_leg *leg,
+                               double derivatives[TDMF_STATE_COUNT]) {
+    const double g = model->parameters.gravity;
+    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, leg);
+    const double across = torque * leg->inverse_length;
+    const tdmf_ground_force force = tdmf_leg_contact_force(model, inputs, mode, torque, leg);
+    const foot_acceleration foot = accelerate_foot(model, mode, leg, across, force);
+
+    const double body_along = leg->axial_force * model->inverse_body_mass - g * leg->cosine;
+    const double body_across = across * model->inverse_body_mass + g * leg->sine;
+    const double foot_along = -foot.ax * leg->sine + foot.ay * leg->cosine;
+    const double foot_across = -foot.ax * leg->cosine - foot.ay * leg->sine;
+    const double power = torque * leg->angle_rate;
+
+    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
+    derivatives[TDMF_LEG_LENGTH] = leg->length_rate;
+    derivatives[TDMF_LEG_ANGLE] = leg->angle_rate;
+    derivatives[TDMF_FOOT_VX] = foot.ax;
+    derivatives[TDMF_FOOT_VY] = foot.ay;
+    derivatives[TDMF_LEG_LENGTH_RATE] =
+        leg->length * leg->angle_rate * leg->angle_rate + body_along - foot_along;
+    derivatives[TDMF_LEG_ANGLE_RATE] =
+        (body_across - foot_across - 2.0 * leg->length_rate * leg->angle_rate) * leg->inverse_length;
+    derivatives[TDMF_HIP_WORK] = power;
+    derivatives[TDMF_ENERGY_DAMPER_LOSS] =
+        model->parameters.leg.damping * leg->length_rate * leg->length_rate;
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.fx * state[TDMF_FOOT_VX];
+    derivatives[TDMF_HIP_POSITIVE_WORK] = fmax(power, 0.0);
+}
+
 void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                       const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
     if (mode->fallen) {
@@ -37,43 +69,19 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
         return;
     }
     const tdmf_leg leg = tdmf_leg_of(model, state);
-    const double g = model->parameters.gravity;
-    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
-    const double across = torque * leg.inverse_length;
-    const tdmf_ground_force force = tdmf_leg_contact_force(model, inputs, mode, torque, &leg);
-    const foot_acceleration foot = accelerate_foot(model, mode, &leg, across, force);
+    derivatives_of_leg(model, inputs, mode, state, &leg, derivatives);
+}
 
-    const double body_along = leg.axial_force * model->inverse_body_mass - g * leg.cosine;
-    const double body_across = across * model->inverse_body_mass + g * leg.sine;
-    const double foot_along = -foot.ax * leg.sine + foot.ay * leg.cosine;
-    const double foot_across = -foot.ax * leg.cosine - foot.ay * leg.sine;
-    const double power = torque * leg.angle_rate;
-
-    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_LENGTH] = leg.length_rate;
-    derivatives[TDMF_LEG_ANGLE] = leg.angle_rate;
-    derivatives[TDMF_FOOT_VX] = foot.ax;
-    derivatives[TDMF_FOOT_VY] = foot.ay;
-    derivatives[TDMF_LEG_LENGTH_RATE] =
-        leg.length * leg.angle_rate * leg.angle_rate + body_along - foot_along;
-    derivatives[TDMF_LEG_ANGLE_RATE] =
-        (body_across - foot_across - 2.0 * leg.length_rate * leg.angle_rate) * leg.inverse_length;
-    derivatives[TDMF_HIP_WORK] = power;
-    derivatives[TDMF_ENERGY_DAMPER_LOSS] = model->parameters.leg.damping * leg.length_rate * leg.length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.fx * state[TDMF_FOOT_VX];
-    derivatives[TDMF_HIP_POSITIVE_WORK] = fmax(power, 0.0);
+double tdmf_leg_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                  const double state[TDMF_STATE_COUNT], const tdmf_leg *leg) {
+    double derivatives[TDMF_STATE_COUNT];
+    derivatives_of_leg(model, inputs, mode, state, leg, derivatives);
+    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, leg);
+    return tdmf_leg_sticking_force_rate(model, torque, 0.0, derivatives[TDMF_LEG_LENGTH_RATE], leg).fy;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]) {
-    double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(model, inputs, mode, state, derivatives);
     const tdmf_leg leg = tdmf_leg_of(model, state);
-    const double axial_rate = -model->parameters.leg.stiffness * leg.length_rate -
-                              model->parameters.leg.damping * derivatives[TDMF_LEG_LENGTH_RATE];
-    const double across = tdmf_leg_hip_torque(model, inputs, mode, state, &leg) * leg.inverse_length;
-    const double across_rate = -across * leg.length_rate * leg.inverse_length;
-    return axial_rate * leg.cosine - across_rate * leg.sine -
-           (leg.axial_force * leg.sine + across * leg.cosine) * leg.angle_rate;
+    return tdmf_leg_ground_force_rate(model, inputs, mode, state, &leg);
 }

@@ -43,6 +43,10 @@ static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[T
  * then serve a whole evaluation. */
 tdmf_ground_force tdmf_leg_sticking_force(const tdmf_model *model, double torque, const tdmf_leg *leg);
 
+/* Rate of tdmf_leg_sticking_force while the leg's length accelerates by `length_acceleration`. */
+tdmf_ground_force tdmf_leg_sticking_force_rate(const tdmf_model *model, double torque, double torque_rate,
+                                               double length_acceleration, const tdmf_leg *leg);
+
 tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                          const tdmf_mode *mode, double torque, const tdmf_leg *leg);
 
@@ -50,5 +54,8 @@ double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg);
 
 double tdmf_leg_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                            const double state[TDMF_STATE_COUNT], const tdmf_leg *leg);
+
+double tdmf_leg_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                  const double state[TDMF_STATE_COUNT], const tdmf_leg *leg);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "record.h"
 #include "tdmf_slip/contact.h"
-#include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/graze.h"
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"
@@ -22,7 +21,7 @@ static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
     return tdmf_center_of_mass(run->model, run->state).vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
 }
 
-bool tdmf_clamp_holds(const tdmf_run *run) {
+static bool clamp_holds(const tdmf_run *run) {
     return run->mode->phase == TDMF_PHASE_RETRACT &&
            tdmf_hip_retract_argument(run->model, run->mode, run->state) < 0.0;
 }
@@ -31,7 +30,11 @@ bool tdmf_clamp_holds(const tdmf_run *run) {
 static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phase phase) {
     enter_contact_mode(run, entered);
     run->mode->phase = phase;
-    run->mode->clamp_closed = tdmf_clamp_holds(run);
+    run->mode->clamp_closed = clamp_holds(run);
+}
+
+void tdmf_fly(tdmf_run *run) {
+    leave_ground(run, TDMF_CONTACT_FLIGHT, phase_off_ground(run));
 }
 
 /* The mode that the foot would be in if it left now, with theta_LO latched. */
@@ -93,15 +96,6 @@ void tdmf_reach_apex(tdmf_run *run) {
     tdmf_record_apex(run->record, run->model, run->time, run->state);
 }
 
-void tdmf_observe_ground_force(tdmf_run *run) {
-    if (!tdmf_in_contact(run->mode)) {
-        return;
-    }
-    tdmf_record_force(run->record, tdmf_contact_force(run->model, run->inputs, run->mode, run->state).fy);
-    run->mode->ground_force_rising =
-        tdmf_ground_force_rate(run->model, run->inputs, run->mode, run->state) > 0.0;
-}
-
 /* ---- one transition out of each mode; true if there was one ------------------------------------------- */
 
 static bool due(const double guards[TDMF_GUARD_COUNT], tdmf_guard guard) {
@@ -118,6 +112,7 @@ static void meet_ground(tdmf_run *run) {
     }
     run->state[TDMF_FOOT_Y] = 0.0;
     if (vy == 0.0) {
+        tdmf_record_event(run->record, run->time);
         tdmf_come_to_ground(run);
     }
 }

@@ -14,8 +14,8 @@ typedef struct {
     tdmf_record *record;
 } tdmf_run;
 
-/* Whether the clamp of (12) holds the flight torque of the present phase at 0. */
-bool tdmf_clamp_holds(const tdmf_run *run);
+/* Enters flight, in the phase that the centre of mass decides. */
+void tdmf_fly(tdmf_run *run);
 
 /* A foot at y = vy = 0 after an impact or at a start: contact, flight or graze. */
 void tdmf_come_to_ground(tdmf_run *run);
@@ -28,8 +28,5 @@ void tdmf_reach_apex(tdmf_run *run);
 
 /* Takes the one transition that is due first, if any is. */
 bool tdmf_take_transition(tdmf_run *run);
-
-/* Notes the ground force and whether it grows; due before and after whatever may make it jump. */
-void tdmf_observe_ground_force(tdmf_run *run);
 
 #endif

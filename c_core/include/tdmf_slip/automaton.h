@@ -44,14 +44,29 @@ typedef struct {
 } tdmf_resolution;
 
 /* Begins a run at `time` from `state`: checks the start, finds contact mode and hip phase (an impact, if the
- * foot moves down at the ground), sets theta_LO = theta and clears the record. On refusal (the foot or body
- * below the ground, the leg too short, a value out of range or not finite) nothing is written. */
+ * foot moves down at the ground), sets theta_LO = theta, and clears integrals and record. On refusal (the
+ * foot or body below the ground, the leg too short, a value out of range or not finite) nothing is written.
+ */
 tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                         double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
 /* Values of all guards in the present mode. */
 void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                  const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
+
+/* Guards and their time derivatives along the motion. */
+typedef struct {
+    double value[TDMF_GUARD_COUNT];
+    double rate[TDMF_GUARD_COUNT]; /* 1/s; 0 for what the mode does not watch, and for the force peak */
+} tdmf_watch;
+
+/* For a solver, which tells from values and rates at both ends of a step whether a guard may have dipped
+ * below zero in between. `derivatives` are those of the state, `input_rates` those of the inputs. Not of a
+ * fallen run. */
+tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
+                             const tdmf_input_rates *input_rates, const tdmf_mode *mode,
+                             const double state[TDMF_STATE_COUNT],
+                             const double derivatives[TDMF_STATE_COUNT]);
 
 /* Takes every transition that is due at `time`, in order, until no guard is at or below zero. Goes by the
  * guards' values alone, so it may be called at any time: at an event, after an input jumped, or with nothing
@@ -60,6 +75,11 @@ tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs,
                              double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
 enum { TDMF_CHAIN_LIMIT = 64 };
+
+/* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is
+ * about to change an input in mid-stance calls it first, so that a rising force is not lost. */
+void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
+                  tdmf_mode *mode, tdmf_record *record);
 
 #ifdef __cplusplus
 }

@@ -43,6 +43,12 @@ typedef struct {
     } hip;
 } tdmf_inputs;
 
+/* How fast the inputs change, per second; zero where they are held. */
+typedef struct {
+    double friction;
+    double external_torque; /* N.m/s */
+} tdmf_input_rates;
+
 /* The units of a scaled runner; every tolerance of the model is a pure number times one of these. */
 typedef struct {
     double length; /* l0 */

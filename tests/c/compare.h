@@ -1,0 +1,25 @@
+/* Comparison of doubles for tests, with both values in the message. Brings in cmocka and what it needs. */
+#ifndef TDMF_TESTS_COMPARE_H
+#define TDMF_TESTS_COMPARE_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* |actual - expected| <= tolerance; NaN is close to nothing. */
+#define assert_close(actual, expected, tolerance)                                                            \
+    assert_close_at(actual, expected, tolerance, #actual, __FILE__, __LINE__)
+
+/* |actual - expected| <= tolerance |expected| */
+#define assert_relatively_close(actual, expected, tolerance)                                                 \
+    assert_relatively_close_at(actual, expected, tolerance, #actual, __FILE__, __LINE__)
+
+void assert_close_at(double actual, double expected, double tolerance, const char *text, const char *file,
+                     int line);
+void assert_relatively_close_at(double actual, double expected, double tolerance, const char *text,
+                                const char *file, int line);
+
+#endif

@@ -1,0 +1,19 @@
+/* Random numbers that are the same on every machine: splitmix64. */
+#ifndef TDMF_TESTS_RANDOM_H
+#define TDMF_TESTS_RANDOM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    uint64_t state; /* the seed, to begin with */
+} random_source;
+
+double random_uniform(random_source *source, double from, double to);
+
+/* Uniform in the logarithm: for quantities of unknown magnitude. */
+double random_magnitude(random_source *source, double from, double to);
+
+bool random_chance(random_source *source, double probability);
+
+#endif

@@ -1,0 +1,206 @@
+#include "scene.h"
+
+#include "compare.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double high_friction = 1000.0;
+
+runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double vertical_force) {
+    runner runner = runner_default(high_friction);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_LEG_ANGLE] = leg_angle;
+    runner.mode.contact = contact;
+    runner.mode.phase = contact == TDMF_CONTACT_GRAZE ? TDMF_PHASE_RETRACT : TDMF_PHASE_COAST;
+    runner.mode.liftoff_angle = leg_angle;
+    scene_set_vertical_force(&runner, vertical_force);
+    return runner;
+}
+
+runner scene_in_flight(tdmf_hip_phase phase, double com_vy) {
+    runner runner = runner_default(high_friction);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_FOOT_Y] = 1.0;
+    runner.state[TDMF_LEG_LENGTH] = 1.0;
+    runner.mode.contact = TDMF_CONTACT_FLIGHT;
+    runner.mode.phase = phase;
+    scene_set_com_vy(&runner, com_vy);
+    return runner;
+}
+
+runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_force) {
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, leg_angle, vertical_force);
+    runner.mode.contact = TDMF_CONTACT_FLIGHT;
+    runner.mode.phase = phase;
+    runner.state[TDMF_FOOT_Y] = -1e-9;
+    tdmf_set_foot_velocity(0.05, -0.1, runner.state);
+    return runner;
+}
+
+static double total_torque(const runner *runner) {
+    const tdmf_mode *mode = &runner->mode;
+    return mode->contact == TDMF_CONTACT_GRAZE
+               ? runner->inputs.hip.external_torque
+               : tdmf_hip_torque(&runner->model, &runner->inputs, mode, runner->state);
+}
+
+/* The torque acts through its lever, the leg length sought: a contracting fixed point. */
+void scene_set_vertical_force(runner *runner, double vertical_force) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double angle = runner->state[TDMF_LEG_ANGLE];
+    const double torque = total_torque(runner);
+    double length = p->leg.free_length;
+    for (int i = 0; i < 100; ++i) {
+        const double axial_force =
+            (vertical_force - p->foot.mass * p->gravity + torque / length * sin(angle)) / cos(angle);
+        length = p->leg.free_length -
+                 (axial_force + p->leg.damping * runner->state[TDMF_LEG_LENGTH_RATE]) / p->leg.stiffness;
+    }
+    runner->state[TDMF_LEG_LENGTH] = length;
+}
+
+void scene_set_com_vy(runner *runner, double com_vy) {
+    const double *state = runner->state;
+    const double share = runner->model.parameters.body.mass / runner->model.total_mass;
+    const double climb_of_leg =
+        state[TDMF_LEG_LENGTH_RATE] * cos(state[TDMF_LEG_ANGLE]) -
+        state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] * sin(state[TDMF_LEG_ANGLE]);
+    runner->state[TDMF_FOOT_VY] = com_vy - share * climb_of_leg;
+}
+
+void scene_set_com_vy_by_leg(runner *runner, double com_vy) {
+    const double *state = runner->state;
+    const double share = runner->model.parameters.body.mass / runner->model.total_mass;
+    const double climb_of_turning =
+        -state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] * sin(state[TDMF_LEG_ANGLE]);
+    runner->state[TDMF_LEG_LENGTH_RATE] = (com_vy / share - climb_of_turning) / cos(state[TDMF_LEG_ANGLE]);
+}
+
+void scene_assert_mode(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase) {
+    assert_int_equal(runner->mode.contact, contact);
+    assert_int_equal(runner->mode.phase, phase);
+    assert_false(runner->mode.fallen);
+}
+
+/* Member by member with memcpy, so that padding is copied too. */
+void scene_take_snapshot(const runner *runner, scene_snapshot *snapshot) {
+    memcpy(snapshot->state, runner->state, sizeof snapshot->state);
+    memcpy(&snapshot->mode, &runner->mode, sizeof snapshot->mode);
+    memcpy(&snapshot->record, &runner->record, sizeof snapshot->record);
+}
+
+void scene_assert_unchanged(const runner *runner, const scene_snapshot *before) {
+    assert_memory_equal(runner->state, before->state, sizeof before->state);
+    assert_memory_equal(&runner->mode, &before->mode, sizeof before->mode);
+    assert_memory_equal(&runner->record, &before->record, sizeof before->record);
+}
+
+double scene_guard(const runner *runner, tdmf_guard guard) {
+    double guards[TDMF_GUARD_COUNT];
+    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, runner->state, guards);
+    return guards[guard];
+}
+
+tdmf_resolution scene_resolve(runner *runner) {
+    const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
+                                                    runner->state, &runner->mode, &runner->record);
+    assert_false(resolution.unresolved);
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        assert_true(scene_guard(runner, (tdmf_guard)i) > 0.0);
+    }
+    return resolution;
+}
+
+tdmf_parameters scene_random_parameters(random_source *source) {
+    tdmf_parameters p = tdmf_default_parameters();
+    p.body.mass = random_magnitude(source, 0.1, 100.0);
+    p.leg.stiffness = random_magnitude(source, 0.1, 1e4);
+    p.leg.free_length = random_magnitude(source, 0.1, 10.0);
+    const double length = p.leg.free_length;
+    const double energy = p.leg.stiffness * length * length;
+    const double impedance = sqrt(p.body.mass * p.leg.stiffness);
+    p.leg.min_length = 0.3 * length;
+    p.gravity = random_magnitude(source, 1e-3, 0.1) * p.leg.stiffness * length / p.body.mass;
+    p.foot.mass = random_magnitude(source, 0.02, 1.0) * p.body.mass;
+    p.leg.damping = random_chance(source, 0.1) ? 0.0 : random_magnitude(source, 0.02, 2.0) * impedance;
+    p.hip.stance_torque = random_uniform(source, -0.5, 0.5) * energy;
+    p.hip.touchdown_angle = random_uniform(source, -1.2, 1.2);
+    p.hip.kp = random_magnitude(source, 0.01, 1.0) * energy;
+    p.hip.kd = random_magnitude(source, 0.01, 1.0) * length * length * impedance;
+    p.hip.liftoff_angle_factor = random_uniform(source, 0.0, 2.0);
+    return p;
+}
+
+tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model) {
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.friction = random_chance(source, 0.1) ? 0.0 : random_magnitude(source, 0.01, 10.0);
+    if (random_chance(source, 0.5)) {
+        inputs.hip.external_torque = random_uniform(source, -0.3, 0.3) * model->scales.energy;
+    }
+    return inputs;
+}
+
+static void random_state(random_source *source, runner *runner) {
+    const tdmf_scales *scales = &runner->model.scales;
+    double *state = runner->state;
+    const double side = random_chance(source, 0.5) ? 1.0 : -1.0;
+    state[TDMF_FOOT_X] = random_uniform(source, -3.0, 3.0) * scales->length;
+    state[TDMF_FOOT_Y] = random_uniform(source, 0.0, 3.0) * scales->length;
+    state[TDMF_LEG_LENGTH] = random_uniform(source, 0.4, 1.6) * scales->length;
+    state[TDMF_LEG_ANGLE] = side * random_uniform(source, 0.1, 1.4);
+    state[TDMF_FOOT_VX] = random_uniform(source, -2.0, 2.0) * scales->speed;
+    state[TDMF_FOOT_VY] = random_uniform(source, -2.0, 2.0) * scales->speed;
+    state[TDMF_LEG_LENGTH_RATE] = random_uniform(source, -1.0, 1.0) * scales->speed;
+    state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -2.0, 2.0) / scales->time;
+}
+
+/* What the contact mode says of the foot's motion. */
+static void constrain(runner *runner) {
+    const double sign = tdmf_slip_sign(&runner->mode);
+    if (runner->mode.contact != TDMF_CONTACT_FLIGHT) {
+        runner->state[TDMF_FOOT_Y] = 0.0;
+        runner->state[TDMF_FOOT_VY] = 0.0;
+    }
+    if (runner->mode.contact == TDMF_CONTACT_STICK) {
+        runner->state[TDMF_FOOT_VX] = 0.0;
+    } else if (sign != 0.0) {
+        runner->state[TDMF_FOOT_VX] = copysign(runner->state[TDMF_FOOT_VX], sign);
+    }
+}
+
+runner scene_random(random_source *source, tdmf_contact_mode contact) {
+    runner runner = runner_default(0.0);
+    const tdmf_parameters parameters = scene_random_parameters(source);
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.inputs = scene_random_inputs(source, &runner.model);
+    random_state(source, &runner);
+    const bool first = random_chance(source, 0.5);
+    runner.mode.contact = contact;
+    runner.mode.liftoff_angle = random_uniform(source, -1.2, 1.2);
+    if (tdmf_in_contact(&runner.mode)) {
+        runner.mode.phase = first ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
+        runner.mode.mid_stance_pending = first;
+    } else {
+        runner.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+        runner.mode.clamp_closed =
+            first && tdmf_hip_retract_argument(&runner.model, &runner.mode, runner.state) < 0.0;
+    }
+    constrain(&runner);
+    return runner;
+}
+
+double scene_short_time(const runner *runner) {
+    return 0.005 / (1.0 / runner->model.scales.time + fabs(runner->state[TDMF_LEG_ANGLE_RATE]));
+}
+
+double scene_force_tolerance(const runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double length = runner->state[TDMF_LEG_LENGTH];
+    const double turning = runner->state[TDMF_LEG_ANGLE_RATE];
+    const double torque = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double forces = runner->model.scales.force + fabs(torque) / length +
+                          p->leg.damping * fabs(runner->state[TDMF_LEG_LENGTH_RATE]) +
+                          p->body.mass * length * turning * turning;
+    return 1e-11 * forces * (1.0 + runner->inputs.ground.friction) * p->body.mass / p->foot.mass;
+}

@@ -1,0 +1,60 @@
+/* Hand-made situations: a runner put into a mode and a state, to see what the core makes of it.
+ *
+ * Unless said otherwise the model is Table 1 with m = k = l0 = 1, so that forces and speeds are in the units
+ * in which the guards are margins. */
+#ifndef TDMF_TESTS_SCENE_H
+#define TDMF_TESTS_SCENE_H
+
+#include "integrate.h"
+#include "random.h"
+
+/* Just past an event, in units of the guarded quantity. */
+#define SCENE_PAST_EVENT (-2.0 * TDMF_GUARD_MARGIN)
+
+/* A foot at rest on the ground in coast, the leg still, carrying `vertical_force`; high friction. */
+runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double vertical_force);
+
+/* A foot one leg length above the ground, moving with the body, the centre of mass rising at `com_vy`. */
+runner scene_in_flight(tdmf_hip_phase phase, double com_vy);
+
+/* A runner in flight that hits the ground now and whose leg is, just after the impact, that of
+ * scene_on_ground with the same arguments. */
+runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_force);
+
+/* Adjusts the leg length so that the ground carries `vertical_force` under the present hip torque. */
+void scene_set_vertical_force(runner *runner, double vertical_force);
+
+/* Adjusts the foot's velocity, or, with the foot on the ground, the leg's rate, to this rate of climb. */
+void scene_set_com_vy(runner *runner, double com_vy);
+void scene_set_com_vy_by_leg(runner *runner, double com_vy);
+
+void scene_assert_mode(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase);
+
+/* State, mode and record at one time, to assert that they stayed as they were, bit for bit. */
+typedef struct {
+    double state[TDMF_STATE_COUNT];
+    tdmf_mode mode;
+    tdmf_record record;
+} scene_snapshot;
+
+void scene_take_snapshot(const runner *runner, scene_snapshot *snapshot);
+void scene_assert_unchanged(const runner *runner, const scene_snapshot *before);
+
+double scene_guard(const runner *runner, tdmf_guard guard);
+
+/* tdmf_resolve at runner->time. Asserts that the chain comes to rest and leaves no guard due. */
+tdmf_resolution scene_resolve(runner *runner);
+
+/* Random parameters within a decade or so of Table 1 in random units, random inputs. */
+tdmf_parameters scene_random_parameters(random_source *source);
+tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model);
+
+/* A random model, input, state and mode with this contact mode, obeying the mode's constraints. */
+runner scene_random(random_source *source, tdmf_contact_mode contact);
+
+/* For numerical differentiation along the motion: a time in which no coordinate goes far, s; and how exact a
+ * force may be expected to be, N, against all the forces at work on a light foot. */
+double scene_short_time(const runner *runner);
+double scene_force_tolerance(const runner *runner);
+
+#endif

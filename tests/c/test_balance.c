@@ -1,0 +1,174 @@
+/* Balances of momentum and energy along the flow, by numerical differentiation: they hold in every mode and
+ * know nothing of the equations of motion. */
+#include "compare.h"
+#include "differentiate.h"
+#include "scene.h"
+
+#include <math.h>
+
+enum { STATES_PER_MODE = 300 };
+
+typedef double (*quantity_of_state)(const runner *runner);
+
+typedef struct {
+    const runner *runner;
+    quantity_of_state quantity;
+    double derivatives[TDMF_STATE_COUNT];
+} flow;
+
+static long double quantity_on_flow(long double t, const void *context) {
+    const flow *flow = context;
+    runner moved = *flow->runner;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        moved.state[i] += (double)t * flow->derivatives[i];
+    }
+    return (long double)flow->quantity(&moved);
+}
+
+/* d/dt of a function of the state, along the tangent of the motion. */
+static double rate_of(const runner *runner, quantity_of_state quantity) {
+    flow flow = {.runner = runner, .quantity = quantity};
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, flow.derivatives);
+    return (double)derivative_at_zero(quantity_on_flow, &flow, (long double)scene_short_time(runner));
+}
+
+typedef void (*check)(const runner *runner);
+
+static void check_in_mode(tdmf_contact_mode contact, check holds) {
+    random_source source = {2000 + (uint64_t)contact};
+    for (int i = 0; i < STATES_PER_MODE; ++i) {
+        const runner runner = scene_random(&source, contact);
+        holds(&runner);
+    }
+}
+
+static void check_in_every_mode(check holds) {
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        check_in_mode((tdmf_contact_mode)contact, holds);
+    }
+}
+
+/* ---- momentum --------------------------------------------------------------------------------------- */
+
+static double com_vx(const runner *runner) {
+    return tdmf_center_of_mass(&runner->model, runner->state).vx;
+}
+
+static double com_vy(const runner *runner) {
+    return tdmf_center_of_mass(&runner->model, runner->state).vy;
+}
+
+static void momentum_balances(const runner *runner) {
+    const double mass = runner->model.total_mass;
+    const double weight = mass * runner->model.parameters.gravity;
+    const tdmf_ground_force force =
+        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    assert_close(mass * rate_of(runner, com_vx), force.fx, scene_force_tolerance(runner));
+    assert_close(mass * rate_of(runner, com_vy), force.fy - weight, scene_force_tolerance(runner));
+}
+
+static void ground_force_and_weight_move_the_center_of_mass(void **unused) {
+    (void)unused;
+    check_in_every_mode(momentum_balances);
+}
+
+static void center_of_mass_falls_freely(const runner *runner) {
+    const double mass = runner->model.total_mass;
+    assert_close(mass * rate_of(runner, com_vx), 0.0, scene_force_tolerance(runner));
+    assert_close(mass * rate_of(runner, com_vy), -mass * runner->model.parameters.gravity,
+                 scene_force_tolerance(runner));
+}
+
+static void center_of_mass_is_ballistic_off_the_ground_and_in_graze(void **unused) {
+    (void)unused;
+    check_in_mode(TDMF_CONTACT_FLIGHT, center_of_mass_falls_freely);
+    check_in_mode(TDMF_CONTACT_GRAZE, center_of_mass_falls_freely);
+}
+
+/* ---- energy ----------------------------------------------------------------------------------------- */
+
+static double total_energy(const runner *runner) {
+    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+}
+
+static void power_balances(const runner *runner) {
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    const double power = derivatives[TDMF_HIP_WORK] - derivatives[TDMF_ENERGY_DAMPER_LOSS] -
+                         derivatives[TDMF_ENERGY_FRICTION_LOSS];
+    const double turning = fabs(runner->state[TDMF_LEG_ANGLE_RATE]) * runner->model.scales.length;
+    const double speed = runner->model.scales.speed + turning;
+    assert_close(rate_of(runner, total_energy), power, speed * scene_force_tolerance(runner));
+}
+
+static void hip_power_less_losses_changes_the_energy(void **unused) {
+    (void)unused;
+    check_in_every_mode(power_balances);
+}
+
+static void integrals_follow_their_definitions(const runner *runner) {
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    const double length_rate = runner->state[TDMF_LEG_LENGTH_RATE];
+    const double power = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state) *
+                         runner->state[TDMF_LEG_ANGLE_RATE];
+    const double damped = runner->model.parameters.leg.damping * length_rate * length_rate;
+    const double rubbed =
+        -tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).fx *
+        runner->state[TDMF_FOOT_VX];
+    assert_relatively_close(derivatives[TDMF_HIP_WORK], power, 1e-14);
+    assert_relatively_close(derivatives[TDMF_HIP_POSITIVE_WORK], power > 0.0 ? power : 0.0, 1e-14);
+    assert_relatively_close(derivatives[TDMF_ENERGY_DAMPER_LOSS], damped, 1e-14);
+    assert_relatively_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], rubbed, 1e-14);
+}
+
+static void work_and_losses_are_integrals_of_power(void **unused) {
+    (void)unused;
+    check_in_every_mode(integrals_follow_their_definitions);
+}
+
+/* A foot that is pressed on the ground loses energy to friction whichever way it slips. */
+static void friction_takes_energy(void **unused) {
+    (void)unused;
+    static const tdmf_contact_mode slips[] = {TDMF_CONTACT_SLIP_POSITIVE, TDMF_CONTACT_SLIP_NEGATIVE};
+    for (int i = 0; i < 2; ++i) {
+        runner runner = scene_on_ground(slips[i], 0.3, 0.1);
+        runner.inputs.ground.friction = 0.5;
+        runner.state[TDMF_FOOT_VX] = 0.2 * tdmf_slip_sign(&runner.mode);
+        double derivatives[TDMF_STATE_COUNT];
+        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        assert_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], 0.5 * 0.1 * 0.2, 1e-14);
+    }
+}
+
+/* ---- rate of the vertical ground force -------------------------------------------------------------- */
+
+static double vertical_force(const runner *runner) {
+    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).fy;
+}
+
+static void rate_agrees(const runner *runner) {
+    const double rate = tdmf_ground_force_rate(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double turning = fabs(runner->state[TDMF_LEG_ANGLE_RATE]);
+    const double per_time = 1.0 / runner->model.scales.time + turning;
+    assert_close(rate_of(runner, vertical_force), rate, per_time * scene_force_tolerance(runner));
+}
+
+static void ground_force_rate_is_the_forces_derivative(void **unused) {
+    (void)unused;
+    check_in_mode(TDMF_CONTACT_STICK, rate_agrees);
+    check_in_mode(TDMF_CONTACT_SLIP_POSITIVE, rate_agrees);
+    check_in_mode(TDMF_CONTACT_SLIP_NEGATIVE, rate_agrees);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ground_force_and_weight_move_the_center_of_mass),
+        cmocka_unit_test(center_of_mass_is_ballistic_off_the_ground_and_in_graze),
+        cmocka_unit_test(hip_power_less_losses_changes_the_energy),
+        cmocka_unit_test(work_and_losses_are_integrals_of_power),
+        cmocka_unit_test(friction_takes_energy),
+        cmocka_unit_test(ground_force_rate_is_the_forces_derivative),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

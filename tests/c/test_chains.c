@@ -1,0 +1,264 @@
+/* Chains of events in zero time: impacts with a sequel, jumps of an input, and events that coincide. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+static const double beyond = SCENE_PAST_EVENT;
+
+static void resolve(runner *runner, int events) {
+    scene_resolve(runner);
+    assert_int_equal(runner->record.event_count, events);
+}
+
+/* ---- impacts ---------------------------------------------------------------------------------------- */
+
+/* The impact's impulse is inside the cone, the force after it is not. */
+static void sticking_impact_that_slips_at_once(void **unused) {
+    (void)unused;
+    runner behind = scene_at_impact(TDMF_PHASE_PLACE, -0.7, 0.1);
+    runner ahead = scene_at_impact(TDMF_PHASE_PLACE, 0.7, 0.1);
+    behind.inputs.ground.friction = ahead.inputs.ground.friction = 0.6;
+    ahead.model.parameters.hip.stance_torque = 0.0;
+    resolve(&behind, 1);
+    resolve(&ahead, 1);
+    scene_assert_mode(&behind, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    scene_assert_mode(&ahead, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
+    assert_true(behind.state[TDMF_FOOT_VX] == 0.0 && ahead.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(behind.record.open.word, ""); /* no letter for a stick that did not last */
+}
+
+/* A stretched leg pulls the foot off as soon as it has landed. */
+static runner landing_on_stretched_leg(tdmf_hip_phase phase, double climb_after) {
+    runner runner = scene_at_impact(phase, -0.3, -0.05);
+    runner.mode.liftoff_angle = 0.9;
+    runner.state[TDMF_LEG_LENGTH_RATE] += climb_after;
+    return runner;
+}
+
+static void assert_left_at_once(const runner *runner, tdmf_hip_phase phase) {
+    scene_assert_mode(runner, TDMF_CONTACT_FLIGHT, phase);
+    assert_int_equal(runner->record.open.touchdowns, 1);
+    assert_string_equal(runner->record.open.word, "");
+    assert_true(runner->mode.liftoff_angle == -0.3);
+    assert_true(runner->state[TDMF_FOOT_VY] == 0.0);
+}
+
+static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
+    (void)unused;
+    runner runner = landing_on_stretched_leg(TDMF_PHASE_RETRACT, 0.1);
+    resolve(&runner, 1);
+    assert_left_at_once(&runner, TDMF_PHASE_RETRACT);
+}
+
+/* The impact throws the centre of mass up again; were that a new retract, there would be a second apex. */
+static void impact_that_leaves_at_once_stays_in_place(void **unused) {
+    (void)unused;
+    runner runner = landing_on_stretched_leg(TDMF_PHASE_PLACE, 0.005);
+    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy < 0.0);
+    resolve(&runner, 1);
+    assert_left_at_once(&runner, TDMF_PHASE_PLACE);
+    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy > 0.0);
+    while (runner.time < 1.0 && runner.mode.contact == TDMF_CONTACT_FLIGHT) {
+        runner_advance(&runner, 1e-3);
+        assert_false(runner.record.open.began_at_apex);
+        assert_int_equal(runner.mode.phase,
+                         runner.mode.contact == TDMF_CONTACT_FLIGHT ? TDMF_PHASE_PLACE : runner.mode.phase);
+    }
+}
+
+/* The stretched leg lifts the foot, the hip, which swings the leg forward, presses it down. */
+static void impact_into_graze(void **unused) {
+    (void)unused;
+    runner runner = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
+    runner.mode.liftoff_angle = 0.9;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
+    assert_true(runner.mode.liftoff_angle == -0.3);
+    assert_close(runner.state[TDMF_FOOT_VX], 0.0, 0.0);
+}
+
+static void touchdown_at_the_apex(void **unused) {
+    (void)unused;
+    runner runner = scene_at_impact(TDMF_PHASE_RETRACT, 0.4, 0.1);
+    const double climb = tdmf_center_of_mass(&runner.model, runner.state).vy;
+    runner.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
+    resolve(&runner, 2);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    assert_true(runner.record.open.began_at_apex);
+    assert_int_equal(runner.record.open.touchdowns, 1); /* of the stride that the apex opens */
+}
+
+/* ---- jumps of an input ------------------------------------------------------------------------------ */
+
+/* Sticking in coast, the body rising, the foot loaded with 0.1 and held by f_x = 0.099 tan 0.3 = 0.031. */
+static runner standing(double friction, double angle_rate) {
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.1);
+    runner.inputs.ground.friction = friction;
+    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    scene_set_com_vy_by_leg(&runner, 0.05);
+    scene_set_vertical_force(&runner, 0.1);
+    runner.time = 1.0;
+    resolve(&runner, 0);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    return runner;
+}
+
+static void torque_jump_starts_a_slip(void **unused) {
+    (void)unused;
+    runner backward = standing(0.4, 0.0);
+    runner forward = standing(0.4, 0.0);
+    backward.inputs.hip.external_torque = -0.05;
+    forward.inputs.hip.external_torque = 0.1;
+    resolve(&backward, 1);
+    resolve(&forward, 1);
+    scene_assert_mode(&backward, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    scene_assert_mode(&forward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+}
+
+static void friction_jump_starts_a_slip(void **unused) {
+    (void)unused;
+    runner runner = standing(0.4, 0.0);
+    runner.inputs.ground.friction = 0.3;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    assert_string_equal(runner.record.open.word, "0");
+}
+
+static void torque_jump_ends_the_contact(void **unused) {
+    (void)unused;
+    runner runner = standing(1000.0, 0.1);
+    runner.inputs.hip.external_torque = -0.5;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
+    assert_true(runner.mode.clamp_closed);
+}
+
+/* The retract law, stopping a fast backward swing, outweighs the external torque that lifts the foot. */
+static void torque_jump_ends_the_contact_into_graze(void **unused) {
+    (void)unused;
+    runner runner = standing(1000.0, -4.0);
+    runner.inputs.hip.external_torque = -0.5;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_RETRACT);
+}
+
+/* A jump beyond both limits leaves the ground; the slip that it would start lasts no time. */
+static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
+    (void)unused;
+    runner runner = standing(0.4, 0.1);
+    runner.inputs.hip.external_torque = -0.5;
+    runner.inputs.ground.friction = 0.0;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
+    assert_string_equal(runner.record.open.word, "0");
+}
+
+/* Without the drive, which pressed it down, the foot lifts: two events in a chain. */
+static void mid_stance_may_end_the_contact(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    scene_set_com_vy_by_leg(&runner, 0.05);
+    resolve(&runner, 2);
+    assert_false(runner.mode.mid_stance_pending);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
+}
+
+/* Mid-stance takes the drive's torque away, and with it what held the foot, or what pushed it. */
+static void mid_stance_may_start_a_slip(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, beyond, 0.3);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    runner.inputs.hip.external_torque = 0.2; /* balances the drive */
+    runner.inputs.ground.friction = 0.2;
+    resolve(&runner, 2);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+}
+
+/* Pressed down by a jump, the foot at rest in graze is loaded and slips at once. */
+static void torque_jump_ends_a_graze(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
+    runner.state[TDMF_LEG_ANGLE_RATE] = -2.0;
+    scene_set_com_vy_by_leg(&runner, 0.05);
+    scene_set_vertical_force(&runner, -0.01);
+    resolve(&runner, 0);
+    runner.inputs.hip.external_torque = 0.2;
+    runner.inputs.ground.friction = 0.1;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(runner.record.open.word, "");
+}
+
+static void jumps_in_flight_cause_nothing(void **unused) {
+    (void)unused;
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+    runner.inputs.hip.external_torque = 0.7;
+    runner.inputs.ground.friction = 0.0;
+    const tdmf_resolution resolution = scene_resolve(&runner);
+    assert_false(resolution.mode_changed || resolution.state_changed);
+}
+
+/* ---- everything exactly zero ------------------------------------------------------------------------ */
+
+static runner upright(double length) {
+    runner runner = runner_default(0.0);
+    runner.model.parameters.hip.stance_torque = 0.0;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        runner.state[i] = 0.0;
+    }
+    runner.state[TDMF_LEG_LENGTH] = length;
+    runner_start(&runner);
+    return runner;
+}
+
+/* No friction, no torque, no lean, no speed: |f_x| = 0 is inside a cone of no width. */
+static void upright_foot_on_ice_stands(void **unused) {
+    (void)unused;
+    runner runner = upright(0.9);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    for (int i = 0; i < 1000; ++i) {
+        assert_true(runner_advance(&runner, 1e-3));
+    }
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    assert_int_equal(runner.record.event_count, 0);
+    assert_true(runner.state[TDMF_LEG_ANGLE] == 0.0 && runner.state[TDMF_FOOT_VX] == 0.0);
+}
+
+/* The leg is stretched by just the foot's weight: no force on an upright foot, whose torque has no lever.
+ * Which way the last bit of the force decides is as good as any, but it has to be decided once. */
+static void upright_foot_without_load_does_not_chatter(void **unused) {
+    (void)unused;
+    for (int i = -2; i <= 2; ++i) {
+        runner runner = upright(1.0 + 0.1 * 0.01 + i * 1e-16);
+        while (runner.time < 10.0 && runner_advance(&runner, 1e-2)) {
+        }
+        assert_true(runner.resolutions < 20);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sticking_impact_that_slips_at_once),
+        cmocka_unit_test(impact_that_leaves_at_once_stays_in_retract),
+        cmocka_unit_test(impact_that_leaves_at_once_stays_in_place),
+        cmocka_unit_test(impact_into_graze),
+        cmocka_unit_test(touchdown_at_the_apex),
+        cmocka_unit_test(torque_jump_starts_a_slip),
+        cmocka_unit_test(friction_jump_starts_a_slip),
+        cmocka_unit_test(torque_jump_ends_the_contact),
+        cmocka_unit_test(torque_jump_ends_the_contact_into_graze),
+        cmocka_unit_test(jump_past_cone_and_load_leaves_the_ground),
+        cmocka_unit_test(mid_stance_may_end_the_contact),
+        cmocka_unit_test(mid_stance_may_start_a_slip),
+        cmocka_unit_test(torque_jump_ends_a_graze),
+        cmocka_unit_test(jumps_in_flight_cause_nothing),
+        cmocka_unit_test(upright_foot_on_ice_stands),
+        cmocka_unit_test(upright_foot_without_load_does_not_chatter),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

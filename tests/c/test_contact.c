@@ -1,0 +1,99 @@
+/* Ground forces and the friction cone. That the forces are right follows from Lagrange's equations in
+ * test_dynamics.c; here are their signs and limits. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+static tdmf_ground_force force_of(const runner *runner) {
+    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+}
+
+/* A vertical leg at its free length carries nothing; the foot's own weight rests on the ground. */
+static void unloaded_leg_leaves_the_weight_of_the_foot(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
+    runner.state[TDMF_LEG_LENGTH] = 1.0;
+    assert_close(force_of(&runner).fy, 0.1 * 0.01, 1e-17);
+    assert_true(force_of(&runner).fx == 0.0);
+}
+
+/* A still leg pushes the foot away from the body: ahead of it, the ground holds back. */
+static void sticking_force_points_along_the_leg(void **unused) {
+    (void)unused;
+    const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.101);
+    const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.101);
+    assert_close(force_of(&ahead).fx, -0.1 * tan(0.5), 1e-15);
+    assert_close(force_of(&behind).fx, 0.1 * tan(0.5), 1e-15);
+}
+
+static void friction_opposes_the_slip(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.2);
+    runner.inputs.ground.friction = 0.25;
+    assert_close(force_of(&runner).fx, -0.05, 1e-15);
+    runner.mode.contact = TDMF_CONTACT_SLIP_NEGATIVE;
+    assert_close(force_of(&runner).fx, 0.05, 1e-15);
+}
+
+static void no_force_off_the_ground_and_in_graze(void **unused) {
+    (void)unused;
+    random_source source = {21};
+    static const tdmf_contact_mode modes[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
+    for (int i = 0; i < 2; ++i) {
+        const runner runner = scene_random(&source, modes[i]);
+        assert_true(force_of(&runner).fx == 0.0 && force_of(&runner).fy == 0.0);
+    }
+}
+
+static bool holds(double fx, double fy, double friction) {
+    const tdmf_ground_force force = {fx, fy};
+    return tdmf_inside_friction_cone(force, friction);
+}
+
+static void cone_includes_its_edge(void **unused) {
+    (void)unused;
+    const double edge = 0.75 * 0.5;
+    assert_true(holds(edge, 0.5, 0.75));
+    assert_true(holds(-edge, 0.5, 0.75));
+    assert_false(holds(nextafter(edge, 1.0), 0.5, 0.75));
+    assert_false(holds(-nextafter(edge, 1.0), 0.5, 0.75));
+}
+
+static void cone_without_friction_is_a_line(void **unused) {
+    (void)unused;
+    assert_true(holds(0.0, 0.5, 0.0));
+    assert_true(holds(0.0, 0.0, 0.0));
+    assert_false(holds(1e-300, 0.5, 0.0));
+}
+
+static void ground_does_not_pull(void **unused) {
+    (void)unused;
+    assert_false(holds(0.0, -0.5, 0.75));
+    assert_false(holds(0.1, -0.5, 1e6));
+}
+
+static void only_stick_and_slip_are_contact(void **unused) {
+    (void)unused;
+    static const bool contact[] = {false, true, true, true, false};
+    static const double sign[] = {0.0, 0.0, 1.0, -1.0, 0.0};
+    for (int i = 0; i < 5; ++i) {
+        const tdmf_mode mode = {.contact = (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i)};
+        assert_true(tdmf_in_contact(&mode) == contact[i]);
+        assert_true(tdmf_slip_sign(&mode) == sign[i]);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(unloaded_leg_leaves_the_weight_of_the_foot),
+        cmocka_unit_test(sticking_force_points_along_the_leg),
+        cmocka_unit_test(friction_opposes_the_slip),
+        cmocka_unit_test(no_force_off_the_ground_and_in_graze),
+        cmocka_unit_test(cone_includes_its_edge),
+        cmocka_unit_test(cone_without_friction_is_a_line),
+        cmocka_unit_test(ground_does_not_pull),
+        cmocka_unit_test(only_stick_and_slip_are_contact),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

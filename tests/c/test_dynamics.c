@@ -1,0 +1,360 @@
+/* Accelerations, ground forces and the graze torque against Lagrange's equations by numerical
+ * differentiation.
+ *
+ * All that this derivation knows is where the two point masses are, the energy of the spring, and which
+ * generalized forces act: damper along r, torque along theta, ground force at the foot. In every mode the
+ * unknowns are (xddot, yddot, rddot, thetaddot, f_x, f_y, tau), for which there are four equations of motion
+ * and three conditions that define the mode. */
+#include "compare.h"
+#include "differentiate.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { X, Y, R, THETA, FREEDOMS, FX = FREEDOMS, FY, TAU, UNKNOWNS };
+enum { FOOT_ALONG_X, FOOT_ALONG_Y, BODY_ALONG_X, BODY_ALONG_Y, PLACES };
+
+/* ---- Lagrangian of two point masses and a spring ---------------------------------------------------- */
+
+static void places(const long double q[FREEDOMS], long double place[PLACES]) {
+    place[FOOT_ALONG_X] = q[X];
+    place[FOOT_ALONG_Y] = q[Y];
+    place[BODY_ALONG_X] = q[X] - q[R] * sinl(q[THETA]);
+    place[BODY_ALONG_Y] = q[Y] + q[R] * cosl(q[THETA]);
+}
+
+typedef struct {
+    const tdmf_parameters *parameters;
+    long double q[FREEDOMS];
+    long double rate[FREEDOMS];
+    long double direction[FREEDOMS]; /* in which q is moved to differentiate */
+    int index;                       /* of what is differentiated */
+} motion;
+
+static void move(const motion *motion, long double t, long double q[FREEDOMS]) {
+    for (int i = 0; i < FREEDOMS; ++i) {
+        q[i] = motion->q[i] + t * motion->direction[i];
+    }
+}
+
+static long double place_on_path(long double t, const void *context) {
+    const motion *path = context;
+    long double q[FREEDOMS], place[PLACES];
+    move(path, t, q);
+    places(q, place);
+    return place[path->index];
+}
+
+/* Of all coordinates only the angle enters otherwise than linearly: move it by a hundredth. */
+static long double differentiate_along(function_of_time f, const motion *motion) {
+    return derivative_at_zero(f, motion, 1e-2L / (1.0L + fabsl(motion->direction[THETA])));
+}
+
+/* How fast a place changes when q moves in `direction`. */
+static long double speed_of(motion motion, const long double direction[FREEDOMS], int place) {
+    memcpy(motion.direction, direction, sizeof motion.direction);
+    motion.index = place;
+    return differentiate_along(place_on_path, &motion);
+}
+
+static long double kinetic_energy(const motion *motion, const long double rate[FREEDOMS]) {
+    long double sum = 0.0L;
+    for (int i = 0; i < PLACES; ++i) {
+        const bool foot = i == FOOT_ALONG_X || i == FOOT_ALONG_Y;
+        const double mass = foot ? motion->parameters->foot.mass : motion->parameters->body.mass;
+        const long double speed = speed_of(*motion, rate, i);
+        sum += 0.5L * (long double)mass * speed * speed;
+    }
+    return sum;
+}
+
+static long double potential_energy(const motion *motion) {
+    const tdmf_parameters *p = motion->parameters;
+    const long double compression = (long double)p->leg.free_length - motion->q[R];
+    long double place[PLACES];
+    places(motion->q, place);
+    return (long double)p->gravity * ((long double)p->foot.mass * place[FOOT_ALONG_Y] +
+                                      (long double)p->body.mass * place[BODY_ALONG_Y]) +
+           0.5L * (long double)p->leg.stiffness * compression * compression;
+}
+
+/* dT/d(rate_i). T is a quadratic form of the rates, for which this difference is exact. */
+static long double momentum(const motion *motion, const long double rate[FREEDOMS], int i) {
+    long double more[FREEDOMS], less[FREEDOMS];
+    memcpy(more, rate, sizeof more);
+    memcpy(less, rate, sizeof less);
+    more[i] += 1.0L;
+    less[i] -= 1.0L;
+    return 0.5L * (kinetic_energy(motion, more) - kinetic_energy(motion, less));
+}
+
+static long double momentum_on_path(long double t, const void *context) {
+    motion moved = *(const motion *)context;
+    move(context, t, moved.q);
+    return momentum(&moved, moved.rate, moved.index);
+}
+
+static long double lagrangian_on_path(long double t, const void *context) {
+    motion moved = *(const motion *)context;
+    move(context, t, moved.q);
+    return kinetic_energy(&moved, moved.rate) - potential_energy(&moved);
+}
+
+/* ---- equations of motion and of the mode ------------------------------------------------------------ */
+
+typedef long double equation[UNKNOWNS + 1]; /* coefficients of the unknowns, then the right-hand side */
+
+static void unit_direction(int i, long double direction[FREEDOMS]) {
+    memset(direction, 0, FREEDOMS * sizeof *direction);
+    direction[i] = 1.0L;
+}
+
+/* d/dt dL/d(rate_i) - dL/dq_i = generalized force i */
+static void equation_of_motion(motion motion, int i, equation row) {
+    long double along[FREEDOMS];
+    for (int j = 0; j < FREEDOMS; ++j) {
+        unit_direction(j, along);
+        row[j] = momentum(&motion, along, i);
+    }
+    unit_direction(i, along);
+    row[FX] = -speed_of(motion, along, FOOT_ALONG_X);
+    row[FY] = -speed_of(motion, along, FOOT_ALONG_Y);
+    row[TAU] = i == THETA ? -1.0L : 0.0L;
+    motion.index = i;
+    memcpy(motion.direction, motion.rate, sizeof motion.direction);
+    row[UNKNOWNS] = -differentiate_along(momentum_on_path, &motion);
+    memcpy(motion.direction, along, sizeof motion.direction);
+    row[UNKNOWNS] += differentiate_along(lagrangian_on_path, &motion);
+    if (i == R) {
+        row[UNKNOWNS] -= (long double)motion.parameters->leg.damping * motion.rate[R];
+    }
+}
+
+/* The control law as the model states it, by phase. */
+static double control_law(const runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double angle = runner->state[TDMF_LEG_ANGLE];
+    const double damping = p->hip.kd * runner->state[TDMF_LEG_ANGLE_RATE];
+    switch (runner->mode.phase) {
+    case TDMF_PHASE_DRIVE:
+        return -p->hip.stance_torque;
+    case TDMF_PHASE_COAST:
+        return 0.0;
+    case TDMF_PHASE_RETRACT:
+        return fmax(-p->hip.kp * (angle - p->hip.liftoff_angle_factor * runner->mode.liftoff_angle) - damping,
+                    0.0);
+    default:
+        return -p->hip.kp * (angle - p->hip.touchdown_angle) - damping;
+    }
+}
+
+static void require(equation row, int unknown, double value) {
+    row[unknown] = 1.0L;
+    row[UNKNOWNS] = (long double)value;
+}
+
+/* The last three rows: what defines the mode. */
+static void equations_of_mode(const runner *runner, equation rows[UNKNOWNS]) {
+    const double torque = control_law(runner) + runner->inputs.hip.external_torque;
+    const tdmf_contact_mode contact = runner->mode.contact;
+    if (contact == TDMF_CONTACT_GRAZE) {
+        require(rows[FREEDOMS + 0], FX, 0.0);
+        require(rows[FREEDOMS + 1], FY, 0.0);
+        require(rows[FREEDOMS + 2], Y, 0.0);
+        return;
+    }
+    require(rows[FREEDOMS + 0], TAU, torque);
+    require(rows[FREEDOMS + 1], contact == TDMF_CONTACT_FLIGHT ? FY : Y, 0.0);
+    require(rows[FREEDOMS + 2], contact == TDMF_CONTACT_STICK ? X : FX, 0.0);
+    if (contact == TDMF_CONTACT_SLIP_POSITIVE) {
+        rows[FREEDOMS + 2][FY] = (long double)runner->inputs.ground.friction;
+    } else if (contact == TDMF_CONTACT_SLIP_NEGATIVE) {
+        rows[FREEDOMS + 2][FY] = -(long double)runner->inputs.ground.friction;
+    }
+}
+
+static void swap_rows(equation a, equation b) {
+    equation kept;
+    memcpy(kept, a, sizeof kept);
+    memcpy(a, b, sizeof kept);
+    memcpy(b, kept, sizeof kept);
+}
+
+static int pivot_row(equation rows[UNKNOWNS], int column) {
+    int best = column;
+    for (int i = column; i < UNKNOWNS; ++i) {
+        best = fabsl(rows[i][column]) > fabsl(rows[best][column]) ? i : best;
+    }
+    return best;
+}
+
+/* Gauss-Jordan elimination; the solution ends up on the right-hand side. */
+static void solve(equation rows[UNKNOWNS]) {
+    for (int column = 0; column < UNKNOWNS; ++column) {
+        swap_rows(rows[column], rows[pivot_row(rows, column)]);
+        const long double pivot = rows[column][column];
+        for (int j = 0; j <= UNKNOWNS; ++j) {
+            rows[column][j] /= pivot;
+        }
+        for (int i = 0; i < UNKNOWNS; ++i) {
+            const long double factor = i == column ? 0.0L : rows[i][column];
+            for (int j = 0; j <= UNKNOWNS; ++j) {
+                rows[i][j] -= factor * rows[column][j];
+            }
+        }
+    }
+}
+
+static void solve_lagrange(const runner *runner, double solution[UNKNOWNS]) {
+    motion motion = {.parameters = &runner->model.parameters};
+    equation rows[UNKNOWNS];
+    memset(rows, 0, sizeof rows);
+    for (int i = 0; i < FREEDOMS; ++i) {
+        motion.q[i] = (long double)runner->state[TDMF_FOOT_X + i];
+        motion.rate[i] = (long double)runner->state[TDMF_FOOT_VX + i];
+    }
+    for (int i = 0; i < FREEDOMS; ++i) {
+        equation_of_motion(motion, i, rows[i]);
+    }
+    equations_of_mode(runner, rows);
+    solve(rows);
+    for (int i = 0; i < UNKNOWNS; ++i) {
+        solution[i] = (double)rows[i][UNKNOWNS];
+    }
+}
+
+/* ---- the core against it ---------------------------------------------------------------------------- */
+
+/* The sum of what is added up in an acceleration may be much larger than the result. */
+static double largest_of(const double *values, int count, double least) {
+    double largest = least;
+    for (int i = 0; i < count; ++i) {
+        largest = fmax(largest, fabs(values[i]));
+    }
+    return largest;
+}
+
+static void compare_with_lagrange(const runner *runner) {
+    const tdmf_scales *scales = &runner->model.scales;
+    double expected[UNKNOWNS], derivatives[TDMF_STATE_COUNT];
+    solve_lagrange(runner, expected);
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    const double light = runner->model.parameters.body.mass * runner->model.inverse_foot_mass;
+    const double largest = largest_of(expected, R + 1, light * scales->speed / scales->time);
+    for (int i = 0; i < R + 1; ++i) {
+        assert_close(derivatives[TDMF_FOOT_VX + i], expected[i], 1e-11 * largest);
+    }
+    assert_close(derivatives[TDMF_LEG_ANGLE_RATE] * scales->length, expected[THETA] * scales->length,
+                 1e-11 * fmax(largest, fabs(expected[THETA]) * scales->length));
+
+    const tdmf_ground_force force =
+        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double torque = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double largest_force = largest_of(&expected[FX], 2, scales->force);
+    assert_close(force.fx, expected[FX], 1e-11 * largest_force);
+    assert_close(force.fy, expected[FY], 1e-11 * largest_force);
+    assert_close(torque, expected[TAU], 1e-11 * fmax(fabs(expected[TAU]), scales->energy));
+}
+
+static void compare_in_mode(tdmf_contact_mode contact) {
+    random_source source = {1000 + (uint64_t)contact};
+    for (int i = 0; i < 200; ++i) {
+        const runner runner = scene_random(&source, contact);
+        compare_with_lagrange(&runner);
+    }
+}
+
+static void flight_obeys_lagrange(void **unused) {
+    (void)unused;
+    compare_in_mode(TDMF_CONTACT_FLIGHT);
+}
+
+static void stick_obeys_lagrange(void **unused) {
+    (void)unused;
+    compare_in_mode(TDMF_CONTACT_STICK);
+}
+
+static void slip_obeys_lagrange(void **unused) {
+    (void)unused;
+    compare_in_mode(TDMF_CONTACT_SLIP_POSITIVE);
+    compare_in_mode(TDMF_CONTACT_SLIP_NEGATIVE);
+}
+
+static void graze_obeys_lagrange(void **unused) {
+    (void)unused;
+    compare_in_mode(TDMF_CONTACT_GRAZE);
+}
+
+/* Constraints hold to the last bit, or the foot would drift through the ground in a long stance. */
+static void constrained_accelerations_are_exactly_zero(void **unused) {
+    (void)unused;
+    random_source source = {1};
+    for (int contact = TDMF_CONTACT_STICK; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        const runner runner = scene_random(&source, (tdmf_contact_mode)contact);
+        double derivatives[TDMF_STATE_COUNT];
+        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        assert_true(derivatives[TDMF_FOOT_VY] == 0.0 && derivatives[TDMF_FOOT_Y] == 0.0);
+        assert_true(contact != TDMF_CONTACT_STICK || derivatives[TDMF_FOOT_VX] == 0.0);
+    }
+}
+
+/* ---- robustness ------------------------------------------------------------------------------------- */
+
+static void assert_all_finite(const runner *runner) {
+    double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
+    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        assert_true(isfinite(derivatives[i]));
+    }
+    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, runner->state, guards);
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        assert_true(isfinite(guards[i]));
+    }
+}
+
+/* Solvers probe beyond events: a leg of any length, at any angle, at any speed. */
+static void trial_states_give_finite_results(void **unused) {
+    (void)unused;
+    static const double lengths[] = {0.0, -0.0, -1e-300, 1e-300, 1e-12, -1.0, -1e6, 1e6};
+    static const double angles[] = {0.0, 1e-300, -1e-16, 1.5707963267948966, 1e6, -1e6};
+    static const double rates[] = {0.0, -1e6, 1e6};
+    random_source source = {2};
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        runner runner = scene_random(&source, (tdmf_contact_mode)contact);
+        for (size_t i = 0; i < 8 * 6 * 3; ++i) {
+            runner.state[TDMF_LEG_LENGTH] = lengths[i % 8];
+            runner.state[TDMF_LEG_ANGLE] = angles[i / 8 % 6];
+            runner.state[TDMF_LEG_LENGTH_RATE] = rates[i / 48];
+            runner.state[TDMF_LEG_ANGLE_RATE] = -rates[i / 48];
+            assert_all_finite(&runner);
+        }
+    }
+}
+
+static void fallen_run_is_frozen(void **unused) {
+    (void)unused;
+    random_source source = {3};
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        runner runner = scene_random(&source, (tdmf_contact_mode)contact);
+        double derivatives[TDMF_STATE_COUNT];
+        runner.mode.fallen = true;
+        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+            assert_true(derivatives[i] == 0.0);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(flight_obeys_lagrange),
+        cmocka_unit_test(stick_obeys_lagrange),
+        cmocka_unit_test(slip_obeys_lagrange),
+        cmocka_unit_test(graze_obeys_lagrange),
+        cmocka_unit_test(constrained_accelerations_are_exactly_zero),
+        cmocka_unit_test(trial_states_give_finite_results),
+        cmocka_unit_test(fallen_run_is_frozen),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,242 @@
+/* Every guard alone: its value on both sides of the event and at the boundary, and which mode watches it. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+static const double margin = TDMF_GUARD_MARGIN;
+static const double dead_band = 1e-10; /* of quantities that may settle at zero: clamp, rate of force */
+
+/* Puts the guarded quantity, in units of its scale, to `distance` from its event. */
+typedef void (*placement)(runner *runner, double distance);
+
+static void assert_guards(runner runner, tdmf_guard guard, placement place, double width) {
+    const double distances[] = {1e-2, 1e-9, 2.0 * width, 0.0, -0.5 * width, -2.0 * width, -1e-9, -1e-2};
+    for (int i = 0; i < 8; ++i) {
+        place(&runner, distances[i]);
+        const double value = scene_guard(&runner, guard);
+        assert_close(value, distances[i] + width, 0.1 * width + 1e-12 * fabs(distances[i]));
+        assert_true((value > 0.0) == (distances[i] > -width));
+    }
+}
+
+/* ---- off the ground --------------------------------------------------------------------------------- */
+
+static void raise_foot(runner *runner, double height) {
+    runner->state[TDMF_FOOT_Y] = height;
+}
+
+static void touchdown_watches_the_foots_height(void **unused) {
+    (void)unused;
+    assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
+    assert_guards(scene_in_flight(TDMF_PHASE_RETRACT, 0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
+}
+
+static void apex_watches_the_climb(void **unused) {
+    (void)unused;
+    runner in_flight = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
+    in_flight.state[TDMF_LEG_ANGLE_RATE] = 0.3;
+    in_flight.state[TDMF_LEG_ANGLE] = -0.7;
+    runner in_graze = scene_on_ground(TDMF_CONTACT_GRAZE, -0.5, 0.0);
+    in_graze.state[TDMF_LEG_ANGLE_RATE] = 0.3;
+    assert_guards(in_flight, TDMF_GUARD_APEX, scene_set_com_vy, margin);
+    assert_guards(in_graze, TDMF_GUARD_APEX, scene_set_com_vy_by_leg, margin);
+}
+
+/* -kp (theta - eta theta_LO) - kd thetadot = argument, with kp = kd = 0.1, eta = 1.2. */
+static void set_retract_argument(runner *runner, double argument) {
+    const double spring = -0.1 * (runner->state[TDMF_LEG_ANGLE] - 1.2 * runner->mode.liftoff_angle);
+    runner->state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
+}
+
+static void set_negative_retract_argument(runner *runner, double argument) {
+    set_retract_argument(runner, -argument);
+}
+
+static void clamp_watches_its_argument_either_way(void **unused) {
+    (void)unused;
+    runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
+    runner.mode.liftoff_angle = -0.4;
+    runner.mode.clamp_closed = false;
+    assert_guards(runner, TDMF_GUARD_CLAMP, set_retract_argument, dead_band);
+    runner.mode.clamp_closed = true;
+    assert_guards(runner, TDMF_GUARD_CLAMP, set_negative_retract_argument, dead_band);
+}
+
+/* ---- in contact ------------------------------------------------------------------------------------- */
+
+static void lift_off_watches_the_vertical_force(void **unused) {
+    (void)unused;
+    for (int contact = TDMF_CONTACT_STICK; contact <= TDMF_CONTACT_SLIP_NEGATIVE; ++contact) {
+        const runner runner = scene_on_ground((tdmf_contact_mode)contact, -0.4, 0.1);
+        assert_guards(runner, TDMF_GUARD_LIFT_OFF, scene_set_vertical_force, margin);
+    }
+}
+
+/* With the leg still and no torque, |f_x| = (f_y - m_f g) tan|theta|; friction sets the distance to it. */
+static void set_cone(runner *runner, double distance) {
+    const double force = 0.1;
+    scene_set_vertical_force(runner, force);
+    const double across = (force - 0.001) * tan(fabs(runner->state[TDMF_LEG_ANGLE]));
+    runner->inputs.ground.friction = (across + distance) / force;
+}
+
+static void slip_onset_watches_the_edges_of_the_cone(void **unused) {
+    (void)unused;
+    const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.1);
+    const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.1);
+    assert_guards(ahead, TDMF_GUARD_SLIP_ONSET_POSITIVE, set_cone, margin);
+    assert_guards(behind, TDMF_GUARD_SLIP_ONSET_NEGATIVE, set_cone, margin);
+}
+
+static void set_slip_speed(runner *runner, double speed) {
+    runner->state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->mode);
+}
+
+static void slip_velocity_zero_watches_the_speed_of_slip(void **unused) {
+    (void)unused;
+    const runner forward = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.1);
+    const runner backward = scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1);
+    assert_guards(forward, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
+    assert_guards(backward, TDMF_GUARD_SLIP_VELOCITY_ZERO, set_slip_speed, margin);
+}
+
+static void set_leg_angle(runner *runner, double angle) {
+    runner->state[TDMF_LEG_ANGLE] = angle;
+}
+
+static void mid_stance_watches_the_leg_angle(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    assert_guards(runner, TDMF_GUARD_MID_STANCE, set_leg_angle, margin);
+}
+
+/* On an upright leg at rest d(f_y)/dt = -c rddot = -c (k (l0 - r)/m - g) with c = 0.2, g = 0.01. */
+static void set_force_rate(runner *runner, double rate) {
+    runner->state[TDMF_LEG_LENGTH] = 1.0 - (0.01 - rate / 0.2);
+}
+
+static void set_negative_force_rate(runner *runner, double rate) {
+    set_force_rate(runner, -rate);
+}
+
+static void force_peak_watches_the_rate_either_way(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
+    runner.mode.ground_force_rising = true;
+    assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_force_rate, dead_band);
+    runner.mode.ground_force_rising = false;
+    assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_negative_force_rate, dead_band);
+}
+
+/* ---- in graze --------------------------------------------------------------------------------------- */
+
+static void set_lift_of_stance_law(runner *runner, double lift) {
+    scene_set_vertical_force(runner, -lift);
+}
+
+static void graze_to_contact_watches_the_stance_law(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
+    assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
+    runner.inputs.hip.external_torque = 0.05;
+    assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
+}
+
+/* With gains of zero the flight law applies nothing and presses as the leg alone does. */
+static void graze_to_flight_watches_the_flight_law(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);
+    runner.model.parameters.hip.kp = 0.0;
+    runner.model.parameters.hip.kd = 0.0;
+    assert_guards(runner, TDMF_GUARD_GRAZE_TO_FLIGHT, scene_set_vertical_force, margin);
+    runner.inputs.hip.external_torque = 0.05;
+    assert_guards(runner, TDMF_GUARD_GRAZE_TO_FLIGHT, scene_set_vertical_force, margin);
+}
+
+/* ---- fall ------------------------------------------------------------------------------------------- */
+
+static void hang_body(runner *runner, double height) {
+    runner->state[TDMF_FOOT_Y] = height - runner->state[TDMF_LEG_LENGTH] * cos(runner->state[TDMF_LEG_ANGLE]);
+}
+
+static void body_down_watches_the_bodys_height(void **unused) {
+    (void)unused;
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+    runner.state[TDMF_LEG_ANGLE] = 2.0;
+    assert_guards(runner, TDMF_GUARD_BODY_DOWN, hang_body, margin);
+}
+
+static void set_spare_length(runner *runner, double length) {
+    runner->state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
+}
+
+static void leg_too_short_watches_its_length(void **unused) {
+    (void)unused;
+    assert_guards(scene_in_flight(TDMF_PHASE_PLACE, -0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
+                  margin);
+    assert_guards(scene_on_ground(TDMF_CONTACT_STICK, 0.1, 0.1), TDMF_GUARD_LEG_TOO_SHORT, set_spare_length,
+                  margin);
+}
+
+/* ---- which mode watches what ------------------------------------------------------------------------ */
+
+static const char *watched_guards(const tdmf_mode *mode) {
+    const bool retract = mode->phase == TDMF_PHASE_RETRACT;
+    const bool drive = mode->phase == TDMF_PHASE_DRIVE;
+    switch (mode->contact) {
+    case TDMF_CONTACT_FLIGHT:
+        return retract ? "xxx........xx" : "x..........xx";
+    case TDMF_CONTACT_STICK:
+        return drive ? "...xxx.xx..xx" : "...xxx..x..xx";
+    case TDMF_CONTACT_GRAZE:
+        return retract ? ".x.......xxxx" : ".........xxxx";
+    default:
+        return drive ? "...x..xxx..xx" : "...x..x.x..xx";
+    }
+}
+
+static void guards_of_other_modes_are_one(void **unused) {
+    (void)unused;
+    random_source source = {41};
+    for (int i = 0; i < 500; ++i) {
+        const runner runner = scene_random(&source, (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i % 5));
+        const char *watched = watched_guards(&runner.mode);
+        for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
+            assert_true((scene_guard(&runner, (tdmf_guard)guard) != 1.0) == (watched[guard] == 'x'));
+        }
+    }
+}
+
+static void fallen_run_watches_nothing(void **unused) {
+    (void)unused;
+    random_source source = {42};
+    runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
+    runner.mode.fallen = true;
+    runner.state[TDMF_FOOT_Y] = -1.0;
+    for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
+        assert_true(scene_guard(&runner, (tdmf_guard)guard) == 1.0);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(touchdown_watches_the_foots_height),
+        cmocka_unit_test(apex_watches_the_climb),
+        cmocka_unit_test(clamp_watches_its_argument_either_way),
+        cmocka_unit_test(lift_off_watches_the_vertical_force),
+        cmocka_unit_test(slip_onset_watches_the_edges_of_the_cone),
+        cmocka_unit_test(slip_velocity_zero_watches_the_speed_of_slip),
+        cmocka_unit_test(mid_stance_watches_the_leg_angle),
+        cmocka_unit_test(force_peak_watches_the_rate_either_way),
+        cmocka_unit_test(graze_to_contact_watches_the_stance_law),
+        cmocka_unit_test(graze_to_flight_watches_the_flight_law),
+        cmocka_unit_test(body_down_watches_the_bodys_height),
+        cmocka_unit_test(leg_too_short_watches_its_length),
+        cmocka_unit_test(guards_of_other_modes_are_one),
+        cmocka_unit_test(fallen_run_watches_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

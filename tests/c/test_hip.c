@@ -1,0 +1,147 @@
+/* The hip's control law by phase, with Table 1: tau0 = 0.2, kp = kd = 0.1, eta = 1.2, theta0 = 40 degrees. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+static const double touchdown_angle = 0.69813170079773179; /* 40 degrees */
+
+static double torque_of(const runner *runner) {
+    return tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+}
+
+static runner leg_in_flight(tdmf_hip_phase phase, double angle, double angle_rate) {
+    runner runner = scene_in_flight(phase, 0.1);
+    runner.state[TDMF_LEG_ANGLE] = angle;
+    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    runner.mode.liftoff_angle = -0.5;
+    return runner;
+}
+
+static runner leg_in_drive(void) {
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.3);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    return runner;
+}
+
+/* The first correction: in forward running theta falls, and the stance torque must do positive work. */
+static void drive_does_positive_work_in_forward_running(void **unused) {
+    (void)unused;
+    runner runner = leg_in_drive();
+    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+    assert_close(torque_of(&runner), -0.2, 1e-17);
+    assert_close(derivatives[TDMF_HIP_WORK], 0.2, 1e-17);
+}
+
+static void coast_applies_nothing(void **unused) {
+    (void)unused;
+    const runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.3);
+    assert_true(torque_of(&runner) == 0.0);
+}
+
+/* The second correction: retract stops the leg's backward swing with a positive torque... */
+static void retract_stops_the_backward_swing(void **unused) {
+    (void)unused;
+    const runner runner = leg_in_flight(TDMF_PHASE_RETRACT, -0.5, -1.0);
+    assert_close(torque_of(&runner), -0.1 * (-0.5 + 0.6) + 0.1, 1e-16);
+    assert_true(torque_of(&runner) > 0.0);
+}
+
+/* ... and never with a negative one. */
+static void retract_never_pulls_back(void **unused) {
+    (void)unused;
+    random_source source = {31};
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = random_uniform(&source, -1.5, 1.5);
+        const double rate = random_uniform(&source, -2.0, 2.0);
+        const runner runner = leg_in_flight(TDMF_PHASE_RETRACT, angle, rate);
+        const double argument = -0.1 * (angle + 0.6) - 0.1 * rate;
+        assert_close(tdmf_hip_retract_argument(&runner.model, &runner.mode, runner.state), argument, 1e-15);
+        assert_close(tdmf_hip_flight_law(&runner.model, &runner.mode, runner.state), fmax(argument, 0.0),
+                     1e-15);
+    }
+}
+
+/* While the clamp stands as last located the torque is smooth, or a solver could not step up to the kink. */
+static void clamp_stays_as_located(void **unused) {
+    (void)unused;
+    runner opening = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, -1e-11);
+    runner closing = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, 1e-11);
+    opening.mode.clamp_closed = true;
+    assert_true(torque_of(&opening) == 0.0);
+    assert_close(torque_of(&closing), -1e-12, 1e-16);
+}
+
+static void place_swings_to_the_touchdown_angle(void **unused) {
+    (void)unused;
+    const runner behind = leg_in_flight(TDMF_PHASE_PLACE, -0.5, 0.0);
+    const runner there = leg_in_flight(TDMF_PHASE_PLACE, touchdown_angle, 0.0);
+    const runner beyond = leg_in_flight(TDMF_PHASE_PLACE, 1.0, 0.5);
+    assert_close(torque_of(&behind), 0.1 * (0.5 + touchdown_angle), 1e-15);
+    assert_close(torque_of(&there), 0.0, 1e-15);
+    assert_close(torque_of(&beyond), -0.1 * (1.0 - touchdown_angle) - 0.05, 1e-15);
+}
+
+static void external_torque_adds_to_the_law(void **unused) {
+    (void)unused;
+    runner runners[] = {
+        leg_in_drive(),
+        scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, -0.3, 0.3),
+        leg_in_flight(TDMF_PHASE_RETRACT, -0.5, -1.0),
+        leg_in_flight(TDMF_PHASE_PLACE, -0.5, 1.0),
+    };
+    for (int i = 0; i < 4; ++i) {
+        const double law = torque_of(&runners[i]);
+        runners[i].inputs.hip.external_torque = -0.0625;
+        assert_close(torque_of(&runners[i]), law - 0.0625, 1e-16);
+    }
+}
+
+/* In graze the total is what keeps the foot unloaded at the ground, whatever is added from outside. */
+static void graze_torque_unloads_the_foot(void **unused) {
+    (void)unused;
+    random_source source = {32};
+    for (int i = 0; i < 1000; ++i) {
+        runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
+        const double torque = torque_of(&runner);
+        const tdmf_ground_force force = tdmf_sticking_force(&runner.model, torque, runner.state);
+        const double scale = runner.model.scales.force * (1.0 + runner.model.parameters.leg.damping);
+        assert_close(force.fy, 0.0, 1e-13 * scale);
+        runner.inputs.hip.external_torque = 0.3 * runner.model.scales.energy;
+        assert_true(torque_of(&runner) == torque);
+        assert_true(tdmf_graze_torque(&runner.model, runner.state) == torque);
+    }
+}
+
+/* The press of a law is the vertical ground force under it. */
+static void press_is_ground_force_under_either_law(void **unused) {
+    (void)unused;
+    runner runner = leg_in_drive();
+    runner.inputs.hip.external_torque = 0.05;
+    const double stance = tdmf_stance_press(&runner.model, &runner.inputs, &runner.mode, runner.state);
+    assert_close(stance, tdmf_contact_force(&runner.model, &runner.inputs, &runner.mode, runner.state).fy,
+                 1e-15);
+    runner.mode.phase = TDMF_PHASE_PLACE;
+    runner.mode.contact = TDMF_CONTACT_GRAZE;
+    const double law = -0.1 * (0.3 - touchdown_angle) + 0.05;
+    const double flight = tdmf_flight_press(&runner.model, &runner.inputs, &runner.mode, runner.state);
+    assert_close(flight, tdmf_sticking_force(&runner.model, law, runner.state).fy, 1e-15);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(drive_does_positive_work_in_forward_running),
+        cmocka_unit_test(coast_applies_nothing),
+        cmocka_unit_test(retract_stops_the_backward_swing),
+        cmocka_unit_test(retract_never_pulls_back),
+        cmocka_unit_test(clamp_stays_as_located),
+        cmocka_unit_test(place_swings_to_the_touchdown_angle),
+        cmocka_unit_test(external_torque_adds_to_the_law),
+        cmocka_unit_test(graze_torque_unloads_the_foot),
+        cmocka_unit_test(press_is_ground_force_under_either_law),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,126 @@
+/* The impact map: a perfectly inelastic impact of the foot under Coulomb friction. */
+#include "compare.h"
+#include "scene.h"
+
+#include <float.h>
+#include <math.h>
+
+/* A foot about to hit the ground at (vx, vy) under a moving body; unit model. */
+static runner falling_foot(double vx, double vy) {
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -1.0);
+    runner.state[TDMF_FOOT_Y] = 0.0;
+    runner.state[TDMF_LEG_ANGLE] = 0.4;
+    runner.state[TDMF_FOOT_VX] = vx;
+    runner.state[TDMF_FOOT_VY] = vy;
+    return runner;
+}
+
+static double impact(runner *runner, double friction) {
+    return tdmf_impact(&runner->model, friction, runner->state);
+}
+
+static double total_energy(const runner *runner) {
+    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+}
+
+static double vx_after(double vx, double vy, double friction) {
+    runner runner = falling_foot(vx, vy);
+    impact(&runner, friction);
+    assert_true(runner.state[TDMF_FOOT_VY] == 0.0);
+    assert_true(runner.state[TDMF_FOOT_Y] == 0.0);
+    return runner.state[TDMF_FOOT_VX];
+}
+
+/* Newton and Coulomb at one random impact. */
+static void assert_is_impact(const runner *before, double friction) {
+    runner after = *before;
+    const double foot_mass = before->model.parameters.foot.mass;
+    const double loss = impact(&after, friction);
+    const double energy = total_energy(before);
+    const double speed_scale = before->model.scales.speed;
+    const tdmf_point body_before = tdmf_body(before->state);
+    const tdmf_point body_after = tdmf_body(after.state);
+    assert_close(body_after.vx, body_before.vx, 1e-13 * speed_scale);
+    assert_close(body_after.vy, body_before.vy, 1e-13 * speed_scale);
+
+    const double along = foot_mass * (after.state[TDMF_FOOT_VX] - before->state[TDMF_FOOT_VX]);
+    const double up = foot_mass * (after.state[TDMF_FOOT_VY] - before->state[TDMF_FOOT_VY]);
+    assert_true(up > 0.0);
+    assert_true(fabs(along) <= friction * up + 4.0 * DBL_EPSILON * foot_mass * speed_scale);
+    if (after.state[TDMF_FOOT_VX] != 0.0) {
+        /* It slides on in its direction, braked by all that the cone allows. */
+        assert_true(after.state[TDMF_FOOT_VX] * before->state[TDMF_FOOT_VX] > 0.0);
+        assert_close(fabs(along), friction * up, 1e-13 * foot_mass * speed_scale);
+    }
+    assert_true(loss >= 0.0);
+    assert_close(energy - total_energy(&after), loss, 1e-12 * energy);
+}
+
+static void random_impacts_obey_newton_and_coulomb(void **unused) {
+    (void)unused;
+    random_source source = {11};
+    for (int i = 0; i < 5000; ++i) {
+        runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
+        runner.state[TDMF_FOOT_Y] = 0.0;
+        runner.state[TDMF_FOOT_VY] = -fabs(runner.state[TDMF_FOOT_VY]);
+        assert_is_impact(&runner, runner.inputs.ground.friction);
+    }
+}
+
+/* 0.75 * 0.5 is exact, so these are the last number inside the cone and the first outside. */
+static void sticks_up_to_the_edge_of_the_cone(void **unused) {
+    (void)unused;
+    const double edge = 0.75 * 0.5;
+    const double outside = nextafter(edge, 1.0);
+    assert_true(vx_after(edge, -0.5, 0.75) == 0.0);
+    assert_true(vx_after(-edge, -0.5, 0.75) == 0.0);
+    assert_true(vx_after(nextafter(edge, 0.0), -0.5, 0.75) == 0.0);
+    assert_true(vx_after(outside, -0.5, 0.75) == outside - edge);
+    assert_true(vx_after(-outside, -0.5, 0.75) == edge - outside);
+}
+
+static void without_friction_the_foot_slides_on(void **unused) {
+    (void)unused;
+    assert_true(vx_after(0.3, -0.5, 0.0) == 0.3);
+    assert_true(vx_after(-0.3, -0.5, 0.0) == -0.3);
+    assert_true(vx_after(0.0, -0.5, 0.0) == 0.0);
+}
+
+static void with_huge_friction_the_foot_sticks(void **unused) {
+    (void)unused;
+    assert_true(vx_after(1e3, -0.5, 1e6) == 0.0);
+    assert_true(vx_after(-1e3, -0.5, 1e6) == 0.0);
+}
+
+/* The smallest velocities there are: nothing is gained, nothing turns round. */
+static void tiny_velocities_are_no_exception(void **unused) {
+    (void)unused;
+    static const double tiny[] = {DBL_MIN, 4.9406564584124654e-324, 1e-310, 1e-200};
+    for (int i = 0; i < 16; ++i) {
+        runner runner = falling_foot(tiny[i / 4], -tiny[i % 4]);
+        const double loss = impact(&runner, 0.5);
+        const double vx = runner.state[TDMF_FOOT_VX];
+        assert_true(loss >= 0.0 && loss < 1e-300);
+        assert_true(vx >= 0.0 && vx <= tiny[i / 4]);
+        assert_true(runner.state[TDMF_FOOT_VY] == 0.0);
+    }
+}
+
+/* Only the foot's vertical momentum goes: half m_f vy^2. */
+static void falling_straight_costs_the_foots_kinetic_energy(void **unused) {
+    (void)unused;
+    runner runner = falling_foot(0.0, -0.5);
+    assert_close(impact(&runner, 0.6), 0.5 * 0.1 * 0.25, 1e-16);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_impacts_obey_newton_and_coulomb),
+        cmocka_unit_test(sticks_up_to_the_edge_of_the_cone),
+        cmocka_unit_test(without_friction_the_foot_slides_on),
+        cmocka_unit_test(with_huge_friction_the_foot_sticks),
+        cmocka_unit_test(tiny_velocities_are_no_exception),
+        cmocka_unit_test(falling_straight_costs_the_foots_kinetic_energy),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

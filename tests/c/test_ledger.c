@@ -1,0 +1,81 @@
+/* The energy ledger of a run: change = work - damper - friction - impact, each integrated on its own. */
+#include "compare.h"
+#include "integrate.h"
+
+#include <math.h>
+
+typedef struct {
+    double work, damper, friction, impact;
+} ledger;
+
+static ledger ledger_of(const runner *runner) {
+    const ledger ledger = {runner->state[TDMF_HIP_WORK], runner->state[TDMF_ENERGY_DAMPER_LOSS],
+                           runner->state[TDMF_ENERGY_FRICTION_LOSS], runner->record.impact_loss};
+    return ledger;
+}
+
+static double energy_of(const runner *runner) {
+    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+}
+
+/* A slip's last instant may run backward by the margin of its guard. */
+static void assert_losses_grow(const ledger *before, const ledger *after) {
+    assert_true(after->damper >= before->damper && after->damper >= 0.0);
+    assert_true(after->friction >= before->friction - 1e-20 && after->friction >= 0.0);
+    assert_true(after->impact >= before->impact && after->impact >= 0.0);
+}
+
+static void advance_a_stride(runner *runner, double step) {
+    const int count = runner->record.stride.count;
+    while (runner->record.stride.count == count) {
+        const ledger before = ledger_of(runner);
+        assert_true(runner_advance(runner, step));
+        const ledger after = ledger_of(runner);
+        assert_losses_grow(&before, &after);
+    }
+}
+
+/* To what a fixed step of Runge-Kutta leaves, against the energy turned over. */
+static void closes_over_a_hundred_strides(void **unused) {
+    (void)unused;
+    static const double frictions[] = {10.0, 0.6, 0.2};
+    for (int i = 0; i < 3; ++i) {
+        runner runner = runner_default(frictions[i]);
+        runner_start(&runner);
+        const double energy = energy_of(&runner);
+        for (int stride = 0; stride < 100; ++stride) {
+            advance_a_stride(&runner, 2e-3);
+            const ledger l = ledger_of(&runner);
+            assert_close(energy_of(&runner) - energy, l.work - l.damper - l.friction - l.impact,
+                         1e-9 * (l.work + l.damper));
+        }
+        const ledger total = ledger_of(&runner);
+        assert_true(total.damper > 0.0 && total.friction > 0.0 && total.impact > 0.0);
+    }
+}
+
+/* Backward, under an external torque: signs of work and travel turn, the ledger closes. */
+static void closes_whatever_the_motion(void **unused) {
+    (void)unused;
+    static const double torques[] = {0.02, -0.02};
+    for (int i = 0; i < 2; ++i) {
+        runner runner = runner_default(0.4);
+        runner.inputs.hip.external_torque = torques[i];
+        runner.state[TDMF_FOOT_VX] = -1.0;
+        runner_start(&runner);
+        const double energy = energy_of(&runner);
+        while (runner.time < 60.0 && runner_advance(&runner, 1e-3)) {
+        }
+        const ledger l = ledger_of(&runner);
+        assert_close(energy_of(&runner) - energy, l.work - l.damper - l.friction - l.impact,
+                     1e-9 * (fabs(energy) + fabs(l.work)));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closes_over_a_hundred_strides),
+        cmocka_unit_test(closes_whatever_the_motion),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,246 @@
+/* Thousands of random runners from random starts: whatever the parameters, a run goes on or falls, in finite
+ * numbers, without endless chains of events, and keeps to the constraints of its modes.
+ *
+ * A fixed step is stable and fair only if it is short against the fastest rate at hand: the damper and spring
+ * of the light foot, the hip's gains on the inertia of the leg, and the present rates of the leg. The step is
+ * chosen from these as the run goes on, so that no combination has to be left out. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+enum { RUNS = 8000, STEPS = 3000, STEPS_PER_INPUT = 500, MOST_EVENTS_PER_STEP = 20 };
+
+/* ---- a random run ----------------------------------------------------------------------------------- */
+
+static double reduced_mass(const tdmf_parameters *p) {
+    return 1.0 / (1.0 / p->body.mass + 1.0 / p->foot.mass);
+}
+
+/* Of foot and body on leg and hip, the leg as it is now. */
+static double fastest_rate(const runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double mass = reduced_mass(p);
+    const double length = runner->state[TDMF_LEG_LENGTH];
+    const double inertia = mass * length * length;
+    const double linear = p->leg.damping / mass + sqrt(p->leg.stiffness / mass);
+    const double angular = p->hip.kd / inertia + sqrt(p->hip.kp / inertia);
+    const double moving =
+        fabs(runner->state[TDMF_LEG_ANGLE_RATE]) + fabs(runner->state[TDMF_LEG_LENGTH_RATE]) / length;
+    return linear + angular + moving;
+}
+
+static double random_step(const runner *runner) {
+    return 0.3 / fastest_rate(runner);
+}
+
+static void choose_start_on_ground(random_source *source, runner *runner) {
+    runner->state[TDMF_FOOT_Y] = 0.0;
+    if (random_chance(source, 0.5)) {
+        runner->state[TDMF_FOOT_VY] = 0.0;
+    }
+    if (random_chance(source, 0.5)) {
+        runner->state[TDMF_FOOT_VX] = 0.0;
+    }
+}
+
+/* Exact zeros, and a leg at its free length, are where comparisons may go either way. */
+static void choose_degenerate_values(random_source *source, runner *runner) {
+    static const int elements[] = {TDMF_LEG_ANGLE, TDMF_FOOT_VX, TDMF_FOOT_VY, TDMF_LEG_LENGTH_RATE,
+                                   TDMF_LEG_ANGLE_RATE};
+    for (int i = 0; i < 5; ++i) {
+        if (random_chance(source, 0.5)) {
+            runner->state[elements[i]] = 0.0;
+        }
+    }
+    if (random_chance(source, 0.5)) {
+        runner->state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.free_length;
+    }
+}
+
+/* Anywhere in the air, at an apex, or on the ground. */
+static void choose_start(random_source *source, runner *runner) {
+    if (random_chance(source, 0.2)) {
+        choose_degenerate_values(source, runner);
+    }
+    if (random_chance(source, 0.3)) {
+        choose_start_on_ground(source, runner);
+    } else if (random_chance(source, 0.2)) {
+        scene_set_com_vy(runner, 0.0);
+    }
+}
+
+static void scale_randomly(random_source *source, double *value, double most) {
+    *value *= random_magnitude(source, 1.0 / most, most);
+}
+
+/* Table 1 and its gait, each number off by up to a third: these mostly run. */
+static runner near_the_gait(random_source *source) {
+    static const double most = 1.3;
+    runner runner = runner_default(random_magnitude(source, 0.1, 10.0));
+    tdmf_parameters p = runner.model.parameters;
+    double *const varied[] = {&p.foot.mass,          &p.leg.damping, &p.gravity,
+                              &p.hip.stance_torque,  &p.hip.kp,      &p.hip.kd,
+                              &p.hip.touchdown_angle};
+    for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
+        scale_randomly(source, varied[i], most);
+    }
+    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        scale_randomly(source, &runner.state[i], i == TDMF_LEG_LENGTH ? 1.05 : most);
+    }
+    runner.inputs.hip.external_torque =
+        random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);
+    return runner;
+}
+
+static void switch_inputs(random_source *source, runner *runner) {
+    runner->inputs = scene_random_inputs(source, &runner->model);
+    scene_resolve(runner);
+}
+
+/* ---- what must hold --------------------------------------------------------------------------------- */
+
+static void assert_finite(const runner *runner) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        assert_true(isfinite(runner->state[i]));
+    }
+    assert_true(isfinite(runner->record.impact_loss));
+    assert_true(isfinite(runner->mode.liftoff_angle));
+}
+
+static void assert_mode_invariants(const runner *runner) {
+    const tdmf_mode *mode = &runner->mode;
+    const double *state = runner->state;
+    const double margin = 2.0 * TDMF_GUARD_MARGIN * runner->model.scales.speed;
+    const bool in_contact = tdmf_in_contact(mode);
+    if (mode->contact != TDMF_CONTACT_FLIGHT) {
+        assert_true(state[TDMF_FOOT_Y] == 0.0 && state[TDMF_FOOT_VY] == 0.0);
+    }
+    assert_true(mode->contact != TDMF_CONTACT_STICK || state[TDMF_FOOT_VX] == 0.0);
+    assert_true(tdmf_slip_sign(mode) * state[TDMF_FOOT_VX] >= -margin);
+    assert_true(in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST));
+    assert_true(!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
+    assert_true(!mode->clamp_closed ||
+                (mode->contact == TDMF_CONTACT_FLIGHT || mode->contact == TDMF_CONTACT_GRAZE));
+}
+
+static void assert_above_ground(const runner *runner) {
+    const double length = runner->model.scales.length;
+    assert_true(runner->state[TDMF_FOOT_Y] >= -1e-9 * length);
+    assert_true(runner->mode.fallen || tdmf_body(runner->state).y >= -1e-9 * length);
+}
+
+/* The vertical ground force never pulls, friction never exceeds its cone. */
+static void assert_force_is_possible(const runner *runner) {
+    const tdmf_ground_force force =
+        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double slack = 1e-9 * (runner->model.scales.force + fabs(force.fx));
+    assert_true(force.fy >= -slack);
+    assert_true(fabs(force.fx) <= runner->inputs.ground.friction * force.fy + slack);
+}
+
+static void assert_sound(const runner *runner) {
+    assert_finite(runner);
+    assert_above_ground(runner);
+    if (!runner->mode.fallen) {
+        assert_mode_invariants(runner);
+        assert_force_is_possible(runner);
+    }
+}
+
+/* A full step forward; however many events it is cut into, they are few. */
+static bool step_forward(runner *runner) {
+    const double end = runner->time + random_step(runner);
+    const long before = runner->resolutions;
+    while (runner->time < end) {
+        const double left = end - runner->time;
+        const double time = runner->time;
+        if (!runner_advance(runner, left)) {
+            return false;
+        }
+        assert_true(runner->resolutions - before <= MOST_EVENTS_PER_STEP);
+        if (runner->time == time) {
+            return true; /* what is left is less than the clock resolves */
+        }
+    }
+    return true;
+}
+
+/* How many steps ended in which mode, how many strides closed, how many runs fell. */
+typedef struct {
+    long contact[TDMF_CONTACT_GRAZE + 1], phase[TDMF_PHASE_PLACE + 1], strides, falls;
+} tally;
+
+static void count(tally *tally, const runner *runner) {
+    ++tally->contact[runner->mode.contact];
+    ++tally->phase[runner->mode.phase];
+    tally->falls += runner->mode.fallen;
+}
+
+static void run(random_source *source, runner *runner, bool switching, tally *tally) {
+    bool goes_on = true;
+    for (int i = 1; i <= STEPS && goes_on; ++i) {
+        goes_on = step_forward(runner);
+        assert_sound(runner);
+        assert_true(goes_on || runner->mode.fallen);
+        count(tally, runner);
+        if (goes_on && switching && i % STEPS_PER_INPUT == 0) {
+            switch_inputs(source, runner);
+            assert_sound(runner);
+            goes_on = !runner->mode.fallen;
+        }
+    }
+    tally->strides += runner->record.stride.count;
+}
+
+static void begin(runner *runner) {
+    runner_start(runner);
+    assert_sound(runner);
+}
+
+/* ---- tests ------------------------------------------------------------------------------------------ */
+
+/* The sample must have met what it is meant to meet. */
+static void assert_saw_everything(const tally *seen) {
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        assert_true(seen->contact[contact] > 1000);
+    }
+    for (int phase = TDMF_PHASE_DRIVE; phase <= TDMF_PHASE_PLACE; ++phase) {
+        assert_true(seen->phase[phase] > 1000);
+    }
+    assert_true(seen->strides > 100 && seen->falls > 100);
+}
+
+static void any_runner_goes_on_or_falls(void **unused) {
+    (void)unused;
+    tally seen = {{0}, {0}, 0, 0};
+    for (uint64_t seed = 0; seed < RUNS; ++seed) {
+        random_source source = {seed};
+        runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
+        choose_start(&source, &runner);
+        begin(&runner);
+        run(&source, &runner, random_chance(&source, 0.5), &seen);
+    }
+    assert_saw_everything(&seen);
+}
+
+static void runner_near_the_gait_goes_on_or_falls(void **unused) {
+    (void)unused;
+    tally seen = {{0}, {0}, 0, 0};
+    for (uint64_t seed = 0; seed < RUNS / 4; ++seed) {
+        random_source source = {seed};
+        runner runner = near_the_gait(&source);
+        begin(&runner);
+        run(&source, &runner, random_chance(&source, 0.2), &seen);
+    }
+    assert_saw_everything(&seen);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_runner_goes_on_or_falls),
+        cmocka_unit_test(runner_near_the_gait_goes_on_or_falls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

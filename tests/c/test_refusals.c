@@ -1,0 +1,318 @@
+/* What is refused, with which words, and that a refusal writes nothing. */
+#include "compare.h"
+#include "scene.h"
+
+#include <float.h>
+#include <locale.h>
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+    const char *name;
+    size_t offset;
+} named_value;
+
+#define PARAMETER(path)                                                                                      \
+    { #path, offsetof(tdmf_parameters, path) }
+
+static const named_value parameter_names[] = {
+    PARAMETER(body.mass),
+    PARAMETER(foot.mass),
+    PARAMETER(leg.stiffness),
+    PARAMETER(leg.damping),
+    PARAMETER(leg.free_length),
+    PARAMETER(leg.min_length),
+    PARAMETER(gravity),
+    PARAMETER(hip.stance_torque),
+    PARAMETER(hip.touchdown_angle),
+    PARAMETER(hip.kp),
+    PARAMETER(hip.kd),
+    PARAMETER(hip.liftoff_angle_factor),
+};
+enum { PARAMETER_NAMES = sizeof parameter_names / sizeof parameter_names[0] };
+
+static void set(void *values, const named_value *which, double value) {
+    memcpy((char *)values + which->offset, &value, sizeof value);
+}
+
+/* ---- parameters ------------------------------------------------------------------------------------- */
+
+/* The shortest minimum of the longest leg, so that no bound across variables is in the way. */
+static tdmf_parameters wide_parameters(const named_value *which) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.leg.min_length = 1e-9;
+    if (strcmp(which->name, "leg.min_length") == 0) {
+        parameters.leg.free_length = 1e6;
+    }
+    return parameters;
+}
+
+static tdmf_refusal create_with(const named_value *which, double value) {
+    tdmf_parameters parameters = wide_parameters(which);
+    tdmf_model model, untouched;
+    memset(&model, 0x5a, sizeof model);
+    memcpy(&untouched, &model, sizeof model);
+    set(&parameters, which, value);
+    const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
+    if (refusal.variable != NULL) {
+        assert_memory_equal(&model, &untouched, sizeof model);
+    }
+    return refusal;
+}
+
+static void assert_refuses_parameter(const named_value *which, double value) {
+    const tdmf_refusal refusal = create_with(which, value);
+    assert_non_null(refusal.variable);
+    assert_string_equal(refusal.variable, which->name);
+    assert_true(refusal.value == value || isnan(value));
+    assert_true(refusal.minimum <= refusal.maximum);
+}
+
+static void every_parameter_has_a_range(void **unused) {
+    (void)unused;
+    for (size_t i = 0; i < PARAMETER_NAMES; ++i) {
+        const named_value *which = &parameter_names[i];
+        const tdmf_refusal range = create_with(which, (double)NAN);
+        assert_refuses_parameter(which, (double)NAN);
+        assert_refuses_parameter(which, (double)INFINITY);
+        assert_refuses_parameter(which, -(double)INFINITY);
+        assert_refuses_parameter(which, nextafter(range.minimum, -DBL_MAX));
+        assert_refuses_parameter(which, nextafter(range.maximum, DBL_MAX));
+        assert_null(create_with(which, range.minimum).variable);
+        assert_null(create_with(which, range.maximum).variable);
+    }
+}
+
+static void ranges_exclude_what_makes_no_sense(void **unused) {
+    (void)unused;
+    static const size_t positive[] = {0, 1, 2, 4, 5, 6};
+    static const size_t not_negative[] = {3, 9, 10, 11};
+    for (size_t i = 0; i < sizeof positive / sizeof positive[0]; ++i) {
+        assert_refuses_parameter(&parameter_names[positive[i]], 0.0);
+        assert_refuses_parameter(&parameter_names[positive[i]], -1.0);
+    }
+    for (size_t i = 0; i < sizeof not_negative / sizeof not_negative[0]; ++i) {
+        assert_null(create_with(&parameter_names[not_negative[i]], 0.0).variable);
+        assert_refuses_parameter(&parameter_names[not_negative[i]], -1e-300);
+    }
+}
+
+static void minimum_length_may_not_exceed_the_free_length(void **unused) {
+    (void)unused;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    parameters.leg.min_length = parameters.leg.free_length;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    parameters.leg.min_length = nextafter(parameters.leg.free_length, 2.0);
+    const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
+    assert_string_equal(refusal.variable, "leg.min_length");
+    assert_string_equal(refusal.bound_by, "leg.free_length");
+    assert_true(refusal.maximum == parameters.leg.free_length);
+}
+
+static void scales_follow_from_the_parameters(void **unused) {
+    (void)unused;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.body.mass = 80.0;
+    parameters.leg.stiffness = 20000.0;
+    parameters.leg.free_length = 0.5;
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    assert_close(model.scales.length, 0.5, 0.0);
+    assert_relatively_close(model.scales.time, sqrt(80.0 / 20000.0), 1e-15);
+    assert_relatively_close(model.scales.speed, 0.5 * sqrt(20000.0 / 80.0), 1e-15);
+    assert_relatively_close(model.scales.force, 10000.0, 1e-15);
+    assert_relatively_close(model.scales.energy, 5000.0, 1e-15);
+}
+
+/* ---- inputs and starts ------------------------------------------------------------------------------ */
+
+static tdmf_refusal check_friction(double friction) {
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.friction = friction;
+    return tdmf_check_inputs(&inputs);
+}
+
+static tdmf_refusal check_torque(double torque) {
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.hip.external_torque = torque;
+    return tdmf_check_inputs(&inputs);
+}
+
+static void inputs_have_ranges(void **unused) {
+    (void)unused;
+    static const double never[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    for (int i = 0; i < 3; ++i) {
+        assert_string_equal(check_friction(never[i]).variable, "ground.friction");
+        assert_string_equal(check_torque(never[i]).variable, "hip.external_torque");
+    }
+    const tdmf_refusal range = check_friction(-1e-300);
+    assert_string_equal(range.variable, "ground.friction");
+    assert_null(check_friction(0.0).variable);
+    assert_null(check_friction(range.maximum).variable);
+    assert_non_null(check_friction(nextafter(range.maximum, DBL_MAX)).variable);
+    assert_null(check_torque(-1.0).variable);
+}
+
+/* Tries to start, and asserts that a refusal left state, mode and record as they were. */
+static tdmf_refusal start(runner *runner, double time) {
+    memset(&runner->mode, 0x5a, sizeof runner->mode);
+    memset(&runner->record, 0x5a, sizeof runner->record);
+    scene_snapshot before;
+    scene_take_snapshot(runner, &before);
+    const tdmf_refusal refusal =
+        tdmf_start(&runner->model, &runner->inputs, time, runner->state, &runner->mode, &runner->record);
+    if (refusal.variable != NULL) {
+        scene_assert_unchanged(runner, &before);
+    }
+    return refusal;
+}
+
+static void assert_refuses_start(int element, double value, const char *variable) {
+    runner runner = runner_default(0.6);
+    runner.state[element] = value;
+    const tdmf_refusal refusal = start(&runner, 0.0);
+    assert_non_null(refusal.variable);
+    assert_string_equal(refusal.variable, variable);
+}
+
+static void every_state_has_a_range(void **unused) {
+    (void)unused;
+    static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
+                                                             "leg.angle",       "foot.vx",       "foot.vy",
+                                                             "leg.length_rate", "leg.angle_rate"};
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        assert_refuses_start(i, (double)NAN, names[i]);
+        assert_refuses_start(i, (double)INFINITY, names[i]);
+        assert_refuses_start(i, -(double)INFINITY, names[i]);
+        assert_refuses_start(i, -1e300, names[i]);
+        assert_refuses_start(i, 1e300, names[i]);
+    }
+}
+
+static void start_below_the_ground_is_refused(void **unused) {
+    (void)unused;
+    assert_refuses_start(TDMF_FOOT_Y, -1e-300, "foot.y");
+    runner runner = runner_default(0.6);
+    runner.state[TDMF_FOOT_Y] = 0.5;
+    runner.state[TDMF_LEG_LENGTH] = 1.0;
+    runner.state[TDMF_LEG_ANGLE] = 2.2; /* the body hangs 0.59 below the foot */
+    assert_string_equal(start(&runner, 0.0).variable, "body.y");
+    runner.state[TDMF_FOOT_Y] = 0.6;
+    assert_null(start(&runner, 0.0).variable);
+}
+
+static void start_with_too_short_a_leg_is_refused(void **unused) {
+    (void)unused;
+    runner runner = runner_default(0.6);
+    runner.state[TDMF_LEG_LENGTH] = 0.05;
+    assert_null(start(&runner, 0.0).variable);
+    runner.state[TDMF_LEG_LENGTH] = nextafter(0.05, 0.0);
+    const tdmf_refusal refusal = start(&runner, 0.0);
+    assert_string_equal(refusal.variable, "leg.length");
+    assert_string_equal(refusal.bound_by, "leg.min_length");
+    assert_true(refusal.minimum == 0.05);
+}
+
+static void start_needs_a_finite_time_and_good_inputs(void **unused) {
+    (void)unused;
+    runner runner = runner_default(0.6);
+    assert_string_equal(start(&runner, (double)NAN).variable, "time");
+    assert_string_equal(start(&runner, (double)INFINITY).variable, "time");
+    runner.inputs.ground.friction = -1.0;
+    assert_string_equal(start(&runner, 0.0).variable, "ground.friction");
+    runner.inputs.ground.friction = 1.0;
+    runner.inputs.hip.external_torque = (double)NAN;
+    assert_string_equal(start(&runner, 0.0).variable, "hip.external_torque");
+}
+
+/* ---- words ------------------------------------------------------------------------------------------ */
+
+static void assert_text(tdmf_refusal refusal, const char *expected) {
+    char text[256];
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
+}
+
+static const tdmf_refusal short_leg = {"leg.length", "m", 0.01, 0.05, 1e9, "leg.min_length"};
+static const char short_leg_text[] =
+    "leg.length = 0.01 m is refused: allowed from 0.05 to 1e+09 m (leg.min_length)";
+
+static void text_names_variable_value_and_range(void **unused) {
+    (void)unused;
+    const tdmf_refusal friction = {"ground.friction", "1", -0.5, 0.0, 1e6, NULL};
+    const tdmf_refusal mass = {"body.mass", "kg", -(double)INFINITY, 1e-9, 1e9, NULL};
+    const tdmf_refusal accepted = {0};
+    assert_text(short_leg, short_leg_text);
+    assert_text(friction, "ground.friction = -0.5 is refused: allowed from 0 to 1000000");
+    assert_text(mass, "body.mass = -inf kg is refused: allowed from 1e-09 to 1e+09 kg");
+    assert_text(accepted, "accepted");
+}
+
+/* What refuses and what speaks fit together. */
+static void refusals_speak(void **unused) {
+    (void)unused;
+    char text[256];
+    const tdmf_refusal refusal = create_with(&parameter_names[0], -2.5);
+    tdmf_refusal_text(&refusal, text, sizeof text);
+    assert_non_null(strstr(text, "body.mass = -2.5 kg is refused: allowed from 1e-09 to 1e+09 kg"));
+    const tdmf_refusal no_number = create_with(&parameter_names[6], (double)NAN);
+    tdmf_refusal_text(&no_number, text, sizeof text);
+    assert_non_null(strstr(text, "gravity = "));
+    assert_non_null(strstr(text, "nan m/s2 is refused"));
+}
+
+static void text_fits_any_capacity(void **unused) {
+    (void)unused;
+    for (size_t capacity = 0; capacity <= sizeof short_leg_text; ++capacity) {
+        char text[128];
+        memset(text, '#', sizeof text);
+        tdmf_refusal_text(&short_leg, text, capacity);
+        assert_true(text[capacity] == '#');
+        if (capacity > 0) {
+            assert_int_equal(strlen(text), capacity - 1);
+            assert_memory_equal(text, short_leg_text, capacity - 1);
+        }
+    }
+}
+
+static bool use_decimal_comma(void) {
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8",  "de_DE",
+                                        "fr_FR.UTF-8", "fr_FR.utf8",  "it_IT.UTF-8",
+                                        "es_ES.UTF-8", "ru_RU.UTF-8", "German_Germany"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        if (setlocale(LC_NUMERIC, names[i]) != NULL && strcmp(localeconv()->decimal_point, ",") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void text_has_a_decimal_point_in_any_locale(void **unused) {
+    (void)unused;
+    if (!use_decimal_comma()) {
+        skip();
+    }
+    char text[128];
+    tdmf_refusal_text(&short_leg, text, sizeof text);
+    setlocale(LC_NUMERIC, "C");
+    assert_string_equal(text, short_leg_text);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_parameter_has_a_range),
+        cmocka_unit_test(ranges_exclude_what_makes_no_sense),
+        cmocka_unit_test(minimum_length_may_not_exceed_the_free_length),
+        cmocka_unit_test(scales_follow_from_the_parameters),
+        cmocka_unit_test(inputs_have_ranges),
+        cmocka_unit_test(every_state_has_a_range),
+        cmocka_unit_test(start_below_the_ground_is_refused),
+        cmocka_unit_test(start_with_too_short_a_leg_is_refused),
+        cmocka_unit_test(start_needs_a_finite_time_and_good_inputs),
+        cmocka_unit_test(text_names_variable_value_and_range),
+        cmocka_unit_test(refusals_speak),
+        cmocka_unit_test(text_fits_any_capacity),
+        cmocka_unit_test(text_has_a_decimal_point_in_any_locale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,118 @@
+/* Scaling of mass, stiffness and length with the dimensionless groups fixed gives the same motion in scaled
+ * units: m by a, k by b, l0 by d scale time by sqrt(a/b), speed by d sqrt(b/a), force by b d, energy by b
+ * d^2. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+
+typedef struct {
+    double mass, stiffness, length;
+} factors;
+
+static factors random_factors(random_source *source) {
+    const factors factors = {random_magnitude(source, 1e-3, 1e3), random_magnitude(source, 1e-3, 1e4),
+                             random_magnitude(source, 1e-2, 1e2)};
+    return factors;
+}
+
+static double time_factor(const factors *by) {
+    return sqrt(by->mass / by->stiffness);
+}
+
+static double energy_factor(const factors *by) {
+    return by->stiffness * by->length * by->length;
+}
+
+static tdmf_parameters scaled_parameters(tdmf_parameters p, const factors *by) {
+    p.body.mass *= by->mass;
+    p.foot.mass *= by->mass;
+    p.leg.stiffness *= by->stiffness;
+    p.leg.damping *= sqrt(by->mass * by->stiffness);
+    p.leg.free_length *= by->length;
+    p.leg.min_length *= by->length;
+    p.gravity *= by->stiffness * by->length / by->mass;
+    p.hip.stance_torque *= energy_factor(by);
+    p.hip.kp *= energy_factor(by);
+    p.hip.kd *= energy_factor(by) * time_factor(by);
+    return p;
+}
+
+static runner scaled(const runner *original, const factors *by) {
+    runner runner = *original;
+    const tdmf_parameters parameters = scaled_parameters(runner.model.parameters, by);
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.inputs.hip.external_torque *= energy_factor(by);
+    const double speed = by->length / time_factor(by);
+    const double by_element[TDMF_MECHANICAL_COUNT] = {
+        by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        runner.state[i] *= by_element[i];
+    }
+    return runner;
+}
+
+/* Down to m = k = l0 = 1. */
+static factors to_unity(const tdmf_parameters *p) {
+    const factors factors = {1.0 / p->body.mass, 1.0 / p->leg.stiffness, 1.0 / p->leg.free_length};
+    return factors;
+}
+
+/* Guards are pure numbers: they don't know the units. */
+static void guards_are_dimensionless(void **unused) {
+    (void)unused;
+    random_source source = {51};
+    for (int i = 0; i < 500; ++i) {
+        const runner original = scene_random(&source, (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i % 5));
+        const factors by = to_unity(&original.model.parameters);
+        const runner copy = scaled(&original, &by);
+        const double light = original.model.parameters.body.mass / original.model.parameters.foot.mass;
+        for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
+            const double expected = scene_guard(&original, (tdmf_guard)guard);
+            assert_close(scene_guard(&copy, (tdmf_guard)guard), expected, 1e-12 * (light + fabs(expected)));
+        }
+    }
+}
+
+static void assert_same_gait(const tdmf_stride *copy, const tdmf_stride *stride, const factors *by) {
+    const double tolerance = 1e-9;
+    const double time = time_factor(by);
+    assert_string_equal(copy->word, stride->word);
+    assert_int_equal(copy->word_code, stride->word_code);
+    assert_int_equal(copy->touchdowns, stride->touchdowns);
+    assert_relatively_close(copy->period, stride->period * time, tolerance);
+    assert_relatively_close(copy->length, stride->length * by->length, tolerance);
+    assert_relatively_close(copy->speed, stride->speed * by->length / time, tolerance);
+    assert_relatively_close(copy->work, stride->work * energy_factor(by), tolerance);
+    assert_relatively_close(copy->positive_work, stride->positive_work * energy_factor(by), tolerance);
+    assert_relatively_close(copy->cost_of_transport, stride->cost_of_transport, tolerance);
+    assert_relatively_close(copy->stance_time, stride->stance_time * time, tolerance);
+    assert_relatively_close(copy->duty_factor, stride->duty_factor, tolerance);
+    assert_relatively_close(copy->slip_distance, stride->slip_distance * by->length, tolerance);
+    assert_relatively_close(copy->peak_force, stride->peak_force * by->stiffness * by->length, tolerance);
+}
+
+static void gait_is_the_same_in_scaled_units(void **unused) {
+    (void)unused;
+    random_source source = {52};
+    const double step = 4e-3;
+    runner original = runner_default(0.6);
+    for (int i = 0; i < 20; ++i) {
+        const factors by = random_factors(&source);
+        runner copy = scaled(&original, &by);
+        runner unit = original;
+        runner_start(&unit);
+        runner_start(&copy);
+        runner_stride(&unit, step);
+        runner_stride(&copy, step * time_factor(&by));
+        assert_same_gait(&copy.record.stride, &unit.record.stride, &by);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(guards_are_dimensionless),
+        cmocka_unit_test(gait_is_the_same_in_scaled_units),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

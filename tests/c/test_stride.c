@@ -1,0 +1,406 @@
+/* Stride quantities and the gait word. Words are driven by hand: between two calls of tdmf_resolve a test
+ * puts the runner where the next event is due, so that every order of contact modes can be written. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- a runner moved by hand ------------------------------------------------------------------------- */
+
+static void at_time(runner *runner, double time) {
+    runner->time = time;
+    scene_resolve(runner);
+}
+
+/* Begins at an apex at time 0, in place. */
+static runner begin_stride(void) {
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, 0.0);
+    runner_start(&runner);
+    assert_true(runner.record.open.began_at_apex);
+    return runner;
+}
+
+static void put_on_ground(runner *runner, double force) {
+    runner->state[TDMF_FOOT_Y] = 0.0;
+    tdmf_set_foot_velocity(0.0, 0.0, runner->state);
+    scene_set_vertical_force(runner, force);
+}
+
+/* Lands on a leg behind the body, in coast, and sticks; the body rises, so that this is no apex. */
+static void land(runner *runner, double time) {
+    memset(&runner->state[TDMF_FOOT_VX], 0, 4 * sizeof *runner->state);
+    runner->state[TDMF_LEG_ANGLE] = -0.3;
+    runner->state[TDMF_LEG_LENGTH] = 0.9;
+    runner->state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    runner->state[TDMF_FOOT_Y] = -1e-9;
+    runner->inputs.ground.friction = 1000.0;
+    tdmf_set_foot_velocity(0.0, -0.1, runner->state);
+    at_time(runner, time);
+    assert_int_equal(runner->mode.contact, TDMF_CONTACT_STICK);
+}
+
+/* From stick, loses its grip; the leg ahead or behind decides which way. */
+static void slip(runner *runner, double time, double sign) {
+    runner->state[TDMF_LEG_ANGLE] = sign * 0.3;
+    put_on_ground(runner, 0.1);
+    runner->inputs.ground.friction = 0.0;
+    at_time(runner, time);
+    assert_true(tdmf_slip_sign(&runner->mode) == sign);
+}
+
+/* From slip, finds its grip again. */
+static void stick(runner *runner, double time) {
+    runner->state[TDMF_FOOT_VX] = -1e-9 * tdmf_slip_sign(&runner->mode);
+    runner->inputs.ground.friction = 1000.0;
+    at_time(runner, time);
+    assert_int_equal(runner->mode.contact, TDMF_CONTACT_STICK);
+}
+
+/* A climb by the turning leg: clamped if it swings forward, pressing if backward. */
+static void unload(runner *runner, double time, double angle_rate, tdmf_contact_mode entered) {
+    runner->state[TDMF_LEG_ANGLE] = -0.3;
+    runner->state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    scene_set_com_vy_by_leg(runner, 0.2);
+    scene_set_vertical_force(runner, -1e-3);
+    at_time(runner, time);
+    assert_int_equal(runner->mode.contact, entered);
+}
+
+static void lift_off(runner *runner, double time) {
+    unload(runner, time, 0.5, TDMF_CONTACT_FLIGHT);
+}
+
+static void graze(runner *runner, double time) {
+    unload(runner, time, -1.0, TDMF_CONTACT_GRAZE);
+}
+
+/* From graze, pressed down while sliding or at rest. */
+static void reload(runner *runner, double time, double vx) {
+    scene_set_vertical_force(runner, 0.1);
+    runner->state[TDMF_FOOT_VX] = vx;
+    at_time(runner, time);
+    assert_true(tdmf_in_contact(&runner->mode));
+}
+
+static void reach_apex(runner *runner, double time) {
+    runner->state[TDMF_FOOT_Y] = 0.5;
+    scene_set_com_vy(runner, -1e-12);
+    at_time(runner, time);
+    assert_int_equal(runner->mode.phase, TDMF_PHASE_PLACE);
+}
+
+static void assert_closed(const runner *runner, const char *word, int code) {
+    assert_int_equal(runner->record.stride.count, 1);
+    assert_string_equal(runner->record.stride.word, word);
+    assert_int_equal(runner->record.stride.word_code, code);
+}
+
+/* ---- words ------------------------------------------------------------------------------------------ */
+
+static void word_has_a_letter_for_every_mode(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    slip(&runner, 2.0, 1.0);
+    stick(&runner, 3.0);
+    slip(&runner, 4.0, -1.0);
+    stick(&runner, 5.0);
+    slip(&runner, 6.0, 1.0);
+    lift_off(&runner, 7.0);
+    reach_apex(&runner, 8.0);
+    assert_closed(&runner, "0+0-0+", 2 * 1024 + 3 * 256 + 2 * 64 + 1 * 16 + 2 * 4 + 3);
+    assert_int_equal(runner.record.stride.touchdowns, 1);
+    assert_close(runner.record.stride.stance_time, 6.0, 1e-15);
+    assert_close(runner.record.stride.period, 8.0, 1e-15);
+    assert_close(runner.record.stride.duty_factor, 6.0 / 8.0, 1e-15);
+}
+
+static void mode_without_duration_has_no_letter(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    slip(&runner, 1.0, 1.0);
+    stick(&runner, 2.0);
+    slip(&runner, 2.0, -1.0);
+    lift_off(&runner, 3.0);
+    reach_apex(&runner, 4.0);
+    assert_closed(&runner, "+-", 3 * 4 + 1);
+    assert_close(runner.record.stride.stance_time, 2.0, 1e-15);
+}
+
+static void flight_separates_stances(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    lift_off(&runner, 2.0);
+    land(&runner, 3.0);
+    slip(&runner, 4.0, -1.0);
+    lift_off(&runner, 5.0);
+    reach_apex(&runner, 6.0);
+    assert_closed(&runner, "0|0-", 2 * 64 + 0 * 16 + 2 * 4 + 1);
+    assert_int_equal(runner.record.stride.touchdowns, 2);
+    assert_close(runner.record.stride.stance_time, 3.0, 1e-15);
+}
+
+/* An impact that leaves at once is a touchdown without letters, and no stance to separate. */
+static void stance_without_duration_leaves_no_trace_in_the_word(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    lift_off(&runner, 1.0);
+    land(&runner, 2.0);
+    lift_off(&runner, 3.0);
+    land(&runner, 4.0);
+    lift_off(&runner, 4.0);
+    reach_apex(&runner, 5.0);
+    assert_closed(&runner, "0", 2);
+    assert_int_equal(runner.record.stride.touchdowns, 3);
+}
+
+static void graze_repeats_no_letter(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    graze(&runner, 2.0);
+    reload(&runner, 3.0, 0.0);
+    graze(&runner, 4.0);
+    reload(&runner, 5.0, 0.1);
+    lift_off(&runner, 6.0);
+    reach_apex(&runner, 7.0);
+    assert_closed(&runner, "0+", 2 * 4 + 3);
+    assert_close(runner.record.stride.stance_time, 3.0, 1e-15);
+    assert_int_equal(runner.record.stride.touchdowns, 1);
+}
+
+static void graze_into_flight_separates_stances_too(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    graze(&runner, 2.0);
+    runner.state[TDMF_LEG_ANGLE_RATE] = 0.5;
+    at_time(&runner, 2.5);
+    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
+    land(&runner, 3.0);
+    lift_off(&runner, 4.0);
+    reach_apex(&runner, 5.0);
+    assert_closed(&runner, "0|0", 2 * 16 + 0 * 4 + 2);
+}
+
+static void alternate(runner *runner, int letters) {
+    land(runner, 1.0);
+    for (int i = 1; i < letters; ++i) {
+        if (i % 2 == 1) {
+            slip(runner, 1.0 + i, 1.0);
+        } else {
+            stick(runner, 1.0 + i);
+        }
+    }
+    lift_off(runner, 1.0 + letters);
+    reach_apex(runner, 2.0 + letters);
+    assert_close(runner->record.stride.stance_time, letters, 1e-12);
+}
+
+static int code_of_alternation(int letters) {
+    int code = 0;
+    for (int i = 0; i < letters; ++i) {
+        code = 4 * code + (i % 2 == 0 ? 2 : 3);
+    }
+    return code;
+}
+
+static void code_holds_fifteen_letters(void **unused) {
+    (void)unused;
+    runner fits = begin_stride();
+    runner too_long = begin_stride();
+    alternate(&fits, 15);
+    alternate(&too_long, 16);
+    assert_closed(&fits, "0+0+0+0+0+0+0+0", code_of_alternation(15));
+    assert_closed(&too_long, "0+0+0+0+0+0+0+0+", -1);
+}
+
+static void assert_long_word(int letters) {
+    runner runner = begin_stride();
+    alternate(&runner, letters);
+    const char *word = runner.record.stride.word;
+    const int kept = letters < TDMF_WORD_CAPACITY - 1 ? letters : TDMF_WORD_CAPACITY - 2;
+    for (int i = 0; i < kept; ++i) {
+        assert_int_equal(word[i], i % 2 == 0 ? '0' : '+');
+    }
+    assert_string_equal(&word[kept], letters > kept ? "~" : "");
+    assert_int_equal(runner.record.stride.word_code, -1);
+}
+
+static void overlong_word_keeps_its_beginning(void **unused) {
+    (void)unused;
+    assert_long_word(TDMF_WORD_CAPACITY - 2);
+    assert_long_word(TDMF_WORD_CAPACITY - 1);
+    assert_long_word(TDMF_WORD_CAPACITY);
+    assert_long_word(TDMF_WORD_CAPACITY + 37);
+}
+
+/* ---- quantities ------------------------------------------------------------------------------------- */
+
+static void slip_distance_adds_up_both_ways(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    land(&runner, 1.0);
+    slip(&runner, 2.0, 1.0);
+    runner.state[TDMF_FOOT_X] += 0.25;
+    stick(&runner, 3.0);
+    slip(&runner, 4.0, -1.0);
+    runner.state[TDMF_FOOT_X] -= 0.125;
+    lift_off(&runner, 5.0);
+    runner.state[TDMF_FOOT_X] += 0.5; /* in flight it doesn't count */
+    reach_apex(&runner, 6.0);
+    assert_close(runner.record.stride.slip_distance, 0.375, 1e-15);
+}
+
+static void stride_begun_elsewhere_is_not_counted(void **unused) {
+    (void)unused;
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+    runner_start(&runner);
+    land(&runner, 1.0);
+    lift_off(&runner, 2.0);
+    reach_apex(&runner, 3.0);
+    static const tdmf_stride none;
+    assert_memory_equal(&runner.record.stride, &none, sizeof none);
+    assert_true(runner.record.apex.time == 3.0);
+    land(&runner, 4.0);
+    slip(&runner, 5.0, 1.0);
+    lift_off(&runner, 6.0);
+    reach_apex(&runner, 7.0);
+    assert_closed(&runner, "0+", 2 * 4 + 3);
+    assert_close(runner.record.stride.period, 4.0, 1e-15);
+}
+
+static void stride_that_covers_no_ground_has_no_cost(void **unused) {
+    (void)unused;
+    runner runner = begin_stride();
+    runner.mode.phase = TDMF_PHASE_RETRACT;
+    reach_apex(&runner, 0.0);
+    assert_closed(&runner, "", 0);
+    assert_true(runner.record.stride.speed == 0.0 && runner.record.stride.duty_factor == 0.0);
+    assert_true(runner.record.stride.cost_of_transport == 0.0);
+}
+
+/* What a dense sampling of one stride sees. */
+typedef struct {
+    double largest_force, stance_time, slip_distance;
+    double com_x[2], work[2], positive_work[2], time[2];
+} sampling;
+
+static void sample(sampling *seen, const runner *runner, int end) {
+    seen->com_x[end] = tdmf_center_of_mass(&runner->model, runner->state).x;
+    seen->work[end] = runner->state[TDMF_HIP_WORK];
+    seen->positive_work[end] = runner->state[TDMF_HIP_POSITIVE_WORK];
+    seen->time[end] = runner->time;
+}
+
+static sampling sample_stride(runner *runner, double step) {
+    sampling seen = {0.0, 0.0, 0.0, {0.0}, {0.0}, {0.0}, {0.0}};
+    const int count = runner->record.stride.count;
+    sample(&seen, runner, 0);
+    while (runner->record.stride.count == count) {
+        const double time = runner->time;
+        const double x = runner->state[TDMF_FOOT_X];
+        const bool contact = tdmf_in_contact(&runner->mode);
+        assert_true(runner_advance(runner, step));
+        seen.stance_time += contact ? runner->time - time : 0.0;
+        seen.slip_distance += contact ? fabs(runner->state[TDMF_FOOT_X] - x) : 0.0;
+        const tdmf_ground_force force =
+            tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+        seen.largest_force = fmax(seen.largest_force, force.fy);
+    }
+    sample(&seen, runner, 1);
+    return seen;
+}
+
+/* The peak is found, not sampled: it exceeds the samples by what a parabola rises within one step. */
+static void quantities_agree_with_a_dense_sampling(void **unused) {
+    (void)unused;
+    static const double frictions[] = {10.0, 0.6, 0.2};
+    const double step = 1e-3;
+    for (int i = 0; i < 3; ++i) {
+        runner runner = runner_default(frictions[i]);
+        runner_start(&runner);
+        const sampling seen = sample_stride(&runner, step);
+        const tdmf_stride *stride = &runner.record.stride;
+        assert_close(stride->stance_time, seen.stance_time, 1e-11);
+        assert_close(stride->slip_distance, seen.slip_distance, 1e-11);
+        assert_true(stride->peak_force >= seen.largest_force);
+        assert_close(stride->peak_force, seen.largest_force, 10.0 * step * step);
+        assert_close(stride->period, seen.time[1] - seen.time[0], 1e-13);
+        assert_close(stride->length, seen.com_x[1] - seen.com_x[0], 1e-13);
+        assert_close(stride->speed, stride->length / stride->period, 1e-15);
+        assert_close(stride->duty_factor, stride->stance_time / stride->period, 1e-15);
+        assert_close(stride->work, seen.work[1] - seen.work[0], 1e-15);
+        assert_close(stride->positive_work, seen.positive_work[1] - seen.positive_work[0], 1e-15);
+        assert_true(stride->positive_work >= stride->work && stride->positive_work > 0.0);
+        assert_close(stride->cost_of_transport, stride->work / (1.1 * 0.01 * stride->length), 1e-15);
+    }
+}
+
+static tdmf_outputs outputs_of(const runner *runner) {
+    return tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+}
+
+static void outputs_repeat_the_record(void **unused) {
+    (void)unused;
+    runner runner = runner_default(0.6);
+    runner_start(&runner);
+    runner_stride(&runner, 1e-2);
+    const tdmf_outputs outputs = outputs_of(&runner);
+    assert_string_equal(outputs.stride.word, "+0-0+");
+    assert_int_equal(outputs.stride.count, 1);
+    assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
+    assert_true(outputs.apex.time == runner.time && outputs.event.last_time == runner.time);
+    assert_int_equal(outputs.event.count, runner.record.event_count);
+    assert_true(outputs.energy.impact_loss == runner.record.impact_loss);
+    assert_true(outputs.hip.liftoff_angle == runner.mode.liftoff_angle);
+    assert_int_equal(outputs.contact.mode, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(outputs.contact.mode_index, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(outputs.hip.phase, TDMF_PHASE_PLACE);
+    assert_int_equal(outputs.hip.phase_index, TDMF_PHASE_PLACE);
+}
+
+/* A still leg at 0.3 rad under 0.101 N, 0.1 N of them from the body. */
+static void outputs_follow_the_motion(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.101);
+    const tdmf_outputs outputs = outputs_of(&runner);
+    const double length = 1.0 - 0.1 / cos(0.3);
+    assert_close(outputs.body.x, -length * sin(0.3), 1e-15);
+    assert_close(outputs.body.y, length * cos(0.3), 1e-15);
+    assert_close(outputs.com.x, outputs.body.x / 1.1, 1e-15);
+    assert_close(outputs.com.y, outputs.body.y / 1.1, 1e-15);
+    assert_close(outputs.contact.fx, -0.1 * tan(0.3), 1e-15);
+    assert_close(outputs.contact.fy, 0.101, 1e-15);
+    assert_true(outputs.hip.torque == 0.0 && outputs.energy.kinetic == 0.0);
+    assert_close(outputs.energy.elastic, 0.5 * (0.1 / cos(0.3)) * (0.1 / cos(0.3)), 1e-15);
+    assert_close(outputs.energy.potential, 0.01 * outputs.body.y, 1e-15);
+    assert_close(outputs.energy.total, outputs.energy.potential + outputs.energy.elastic, 1e-15);
+    runner.mode.fallen = true;
+    assert_int_equal(outputs.status.fallen, 0);
+    assert_int_equal(outputs_of(&runner).status.fallen, 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(word_has_a_letter_for_every_mode),
+        cmocka_unit_test(mode_without_duration_has_no_letter),
+        cmocka_unit_test(flight_separates_stances),
+        cmocka_unit_test(stance_without_duration_leaves_no_trace_in_the_word),
+        cmocka_unit_test(graze_repeats_no_letter),
+        cmocka_unit_test(graze_into_flight_separates_stances_too),
+        cmocka_unit_test(code_holds_fifteen_letters),
+        cmocka_unit_test(overlong_word_keeps_its_beginning),
+        cmocka_unit_test(slip_distance_adds_up_both_ways),
+        cmocka_unit_test(stride_begun_elsewhere_is_not_counted),
+        cmocka_unit_test(stride_that_covers_no_ground_has_no_cost),
+        cmocka_unit_test(quantities_agree_with_a_dense_sampling),
+        cmocka_unit_test(outputs_repeat_the_record),
+        cmocka_unit_test(outputs_follow_the_motion),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,445 @@
+/* Every reset alone: what one event makes of state, mode and record. */
+#include "compare.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double beyond = SCENE_PAST_EVENT;
+
+/* Resolves at time 7 and asserts how many events that was. */
+static tdmf_resolution resolve(runner *runner, int events) {
+    runner->time = 7.0;
+    const tdmf_resolution resolution = scene_resolve(runner);
+    assert_int_equal(runner->record.event_count, events);
+    assert_true(runner->record.last_event_time == (events > 0 ? 7.0 : 0.0));
+    return resolution;
+}
+
+/* ---- touchdown -------------------------------------------------------------------------------------- */
+
+static void assert_touchdown(runner *runner) {
+    const tdmf_resolution resolution = resolve(runner, 1);
+    assert_true(resolution.state_changed && resolution.mode_changed);
+    assert_int_equal(runner->record.open.touchdowns, 1);
+    assert_true(runner->record.impact_loss > 0.0);
+    assert_true(runner->state[TDMF_FOOT_Y] == 0.0 && runner->state[TDMF_FOOT_VY] == 0.0);
+}
+
+static void touchdown_sticks_inside_the_cone(void **unused) {
+    (void)unused;
+    runner runner = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
+    assert_touchdown(&runner);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
+}
+
+static void touchdown_slides_outside_the_cone(void **unused) {
+    (void)unused;
+    runner forward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
+    runner backward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
+    forward.inputs.ground.friction = backward.inputs.ground.friction = 0.1;
+    tdmf_set_foot_velocity(-0.05, -0.1, backward.state);
+    assert_touchdown(&forward);
+    assert_touchdown(&backward);
+    scene_assert_mode(&forward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
+    scene_assert_mode(&backward, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_DRIVE);
+    assert_close(forward.state[TDMF_FOOT_VX], 0.04, 1e-16);
+    assert_close(backward.state[TDMF_FOOT_VX], -0.04, 1e-16);
+}
+
+/* A stance that begins upright or ahead drives; one that begins behind only coasts. */
+static void touchdown_behind_the_body_coasts(void **unused) {
+    (void)unused;
+    runner upright = scene_at_impact(TDMF_PHASE_PLACE, 0.0, 0.1);
+    runner behind = scene_at_impact(TDMF_PHASE_PLACE, -1e-9, 0.1);
+    assert_touchdown(&upright);
+    assert_touchdown(&behind);
+    scene_assert_mode(&upright, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    scene_assert_mode(&behind, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+}
+
+/* Rounding or a coarse importer may leave a rising or resting foot below the ground: no impact. */
+static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
+    (void)unused;
+    runner rising = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
+    rising.state[TDMF_FOOT_VY] = 0.1;
+    runner resting = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
+    tdmf_set_foot_velocity(0.0, 0.0, resting.state);
+    resolve(&rising, 0);
+    resolve(&resting, 1);
+    assert_int_equal(rising.mode.contact, TDMF_CONTACT_FLIGHT);
+    scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    assert_true(rising.state[TDMF_FOOT_Y] == 0.0 && resting.state[TDMF_FOOT_Y] == 0.0);
+    assert_int_equal(rising.record.open.touchdowns + resting.record.open.touchdowns, 0);
+}
+
+/* ---- apex and clamp --------------------------------------------------------------------------------- */
+
+static void apex_begins_place_and_latches_the_section(void **unused) {
+    (void)unused;
+    runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
+    runner.state[TDMF_LEG_ANGLE] = -0.6;
+    runner.state[TDMF_LEG_ANGLE_RATE] = 0.25;
+    runner.state[TDMF_LEG_LENGTH_RATE] = 0.125;
+    runner.state[TDMF_FOOT_VX] = 0.5;
+    scene_set_com_vy(&runner, beyond);
+    const tdmf_resolution resolution = resolve(&runner, 1);
+    assert_true(resolution.mode_changed);
+    assert_false(resolution.state_changed);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
+
+    const tdmf_apex *apex = &runner.record.apex;
+    assert_true(apex->time == 7.0);
+    assert_close(apex->com_height, 1.0 + cos(0.6) / 1.1, 1e-15);
+    assert_close(apex->com_speed, 0.5 + (0.125 * sin(0.6) - 0.25 * cos(0.6)) / 1.1, 1e-15);
+    assert_true(apex->leg_length == 1.0 && apex->leg_angle == -0.6);
+    assert_true(apex->leg_length_rate == 0.125 && apex->leg_angle_rate == 0.25);
+    assert_int_equal(runner.record.stride.count, 0);
+}
+
+static runner with_retract_argument(bool closed, double argument) {
+    runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
+    runner.mode.clamp_closed = closed;
+    runner.state[TDMF_LEG_ANGLE_RATE] = -argument / 0.1;
+    return runner;
+}
+
+static void clamp_opens_and_closes_uncounted(void **unused) {
+    (void)unused;
+    runner opens = with_retract_argument(true, 2e-10);
+    runner closes = with_retract_argument(false, -2e-10);
+    assert_true(resolve(&opens, 0).mode_changed);
+    assert_true(resolve(&closes, 0).mode_changed);
+    assert_false(opens.mode.clamp_closed);
+    assert_true(closes.mode.clamp_closed);
+}
+
+/* Inside the dead band either position stands. */
+static void clamp_may_settle_at_zero(void **unused) {
+    (void)unused;
+    for (int closed = 0; closed <= 1; ++closed) {
+        runner runner = with_retract_argument(closed == 1, 0.0);
+        assert_false(resolve(&runner, 0).mode_changed);
+    }
+}
+
+/* ---- lift-off --------------------------------------------------------------------------------------- */
+
+static runner lifting_off(double angle, double angle_rate, double com_vy) {
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 0.0);
+    runner.mode.liftoff_angle = 0.9; /* of an earlier stance */
+    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    scene_set_com_vy_by_leg(&runner, com_vy);
+    scene_set_vertical_force(&runner, beyond);
+    return runner;
+}
+
+/* The leg swings forward already, so the clamp holds the flight torque at 0: both laws agree to leave. */
+static void lift_off_into_flight(void **unused) {
+    (void)unused;
+    runner runner = lifting_off(-0.45, 0.5, 0.2);
+    assert_true(resolve(&runner, 1).mode_changed);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
+    assert_true(runner.mode.clamp_closed);
+    assert_true(runner.mode.liftoff_angle == -0.45);
+}
+
+/* The leg swings backward and the retract law turns it round, which presses the foot down. */
+static void lift_off_into_graze(void **unused) {
+    (void)unused;
+    runner runner = lifting_off(-0.45, -1.0, 0.2);
+    assert_true(resolve(&runner, 1).mode_changed);
+    scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_RETRACT);
+    assert_false(runner.mode.clamp_closed);
+    assert_true(runner.mode.liftoff_angle == -0.45);
+}
+
+/* After the apex, place follows: at once to the touchdown angle ahead. */
+static void lift_off_while_falling_goes_to_place(void **unused) {
+    (void)unused;
+    runner presses = lifting_off(-0.45, 0.5, -0.2);
+    runner lifts = lifting_off(-0.45, 2.0, -0.2);
+    resolve(&presses, 1);
+    resolve(&lifts, 1);
+    scene_assert_mode(&presses, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
+    scene_assert_mode(&lifts, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
+    assert_true(lifts.mode.liftoff_angle == -0.45);
+}
+
+/* Where both laws agree up to rounding a graze would have no width; a gain of the hip sets how far they
+ * differ: the flight law presses by kd |thetadot| sin(0.45) / r. */
+static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
+    (void)unused;
+    static const double gains[] = {0.0, 1e-12, 1e-10, 1e-9};
+    static const tdmf_contact_mode entered[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_FLIGHT, TDMF_CONTACT_FLIGHT,
+                                                TDMF_CONTACT_GRAZE};
+    for (int i = 0; i < 4; ++i) {
+        runner runner = lifting_off(-0.45, -1.0, 0.2);
+        runner.model.parameters.hip.kp = 0.0;
+        runner.model.parameters.hip.kd = gains[i];
+        resolve(&runner, 1);
+        scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
+        while (runner.time < 7.1) {
+            assert_true(runner_advance(&runner, 1e-3));
+        }
+        assert_true(runner.resolutions < 5);
+    }
+}
+
+/* ---- slip ------------------------------------------------------------------------------------------- */
+
+/* A still leg with f_y = 0.101 needs |f_x| = 0.1 tan|theta| to stick. */
+static runner loaded_foot(tdmf_contact_mode contact, double angle, double friction) {
+    runner runner = scene_on_ground(contact, angle, 0.101);
+    runner.inputs.ground.friction = friction;
+    return runner;
+}
+
+/* A leg ahead of the body pushes the foot forward, one behind it backward. */
+static void slip_sets_on_the_way_the_excess_drives(void **unused) {
+    (void)unused;
+    const double edge = 0.1 * tan(0.5) / 0.101;
+    runner holds = loaded_foot(TDMF_CONTACT_STICK, 0.5, edge);
+    runner ahead = loaded_foot(TDMF_CONTACT_STICK, 0.5, edge - 1e-11);
+    runner behind = loaded_foot(TDMF_CONTACT_STICK, -0.5, edge - 1e-11);
+    resolve(&holds, 0);
+    assert_false(resolve(&ahead, 1).state_changed);
+    assert_false(resolve(&behind, 1).state_changed);
+    scene_assert_mode(&holds, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&ahead, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+    scene_assert_mode(&behind, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+}
+
+static void slip_that_stops_inside_the_cone_sticks(void **unused) {
+    (void)unused;
+    runner forward = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
+    runner backward = loaded_foot(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.6);
+    forward.state[TDMF_FOOT_VX] = beyond;
+    backward.state[TDMF_FOOT_VX] = -beyond;
+    assert_true(resolve(&forward, 1).state_changed);
+    assert_true(resolve(&backward, 1).state_changed);
+    scene_assert_mode(&forward, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&backward, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    assert_true(forward.state[TDMF_FOOT_VX] == 0.0 && backward.state[TDMF_FOOT_VX] == 0.0);
+}
+
+static void slip_that_stops_outside_the_cone_reverses(void **unused) {
+    (void)unused;
+    runner forward = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, -0.5, 0.1);
+    runner backward = loaded_foot(TDMF_CONTACT_SLIP_NEGATIVE, 0.5, 0.1);
+    forward.state[TDMF_FOOT_VX] = beyond;
+    backward.state[TDMF_FOOT_VX] = -beyond;
+    resolve(&forward, 1);
+    resolve(&backward, 1);
+    scene_assert_mode(&forward, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    scene_assert_mode(&backward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+}
+
+/* The cone is asked with the total torque: an upright leg alone would stick. */
+static void slip_that_stops_under_external_torque_reverses(void **unused) {
+    (void)unused;
+    runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.0, 0.6);
+    runner.inputs.hip.external_torque = -0.2;
+    runner.state[TDMF_FOOT_VX] = beyond;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+}
+
+/* Velocity touches zero, but the excess drives the foot on as before. */
+static void slip_that_touches_zero_goes_on_without_event(void **unused) {
+    (void)unused;
+    runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.1);
+    runner.record.open.contact_start_time = 1.0;
+    runner.state[TDMF_FOOT_VX] = beyond;
+    assert_false(resolve(&runner, 0).mode_changed);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(runner.record.open.word, "");
+}
+
+/* The body's velocity is none of the foot's business. */
+static void stopping_the_foot_leaves_the_body_alone(void **unused) {
+    (void)unused;
+    runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
+    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    runner.state[TDMF_FOOT_VX] = -0.01;
+    const tdmf_point before = tdmf_body(runner.state);
+    resolve(&runner, 1);
+    const tdmf_point after = tdmf_body(runner.state);
+    assert_close(after.vx, before.vx, 1e-16);
+    assert_close(after.vy, before.vy, 1e-16);
+}
+
+/* ---- mid-stance and force peak ---------------------------------------------------------------------- */
+
+static void mid_stance_ends_the_drive_for_good(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, beyond, 0.3);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    assert_true(resolve(&runner, 1).mode_changed);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    runner.state[TDMF_LEG_ANGLE] = 0.2;
+    assert_false(scene_resolve(&runner).mode_changed);
+    runner.state[TDMF_LEG_ANGLE] = -0.2;
+    assert_false(scene_resolve(&runner).mode_changed);
+    assert_int_equal(runner.record.event_count, 1);
+    assert_true(tdmf_hip_torque(&runner.model, &runner.inputs, &runner.mode, runner.state) == 0.0);
+}
+
+static void force_peak_is_noted_uncounted(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.3);
+    runner.mode.ground_force_rising = true; /* while a still, compressed leg pushes off: f_y falls */
+    const tdmf_resolution resolution = resolve(&runner, 0);
+    assert_false(resolution.mode_changed || resolution.state_changed);
+    assert_false(runner.mode.ground_force_rising);
+    assert_close(runner.record.open.peak_force, 0.3, 1e-15);
+}
+
+/* ---- graze ------------------------------------------------------------------------------------------ */
+
+static runner grazing(double force, double vx) {
+    runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.45, force);
+    runner.state[TDMF_FOOT_VX] = vx;
+    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    scene_set_com_vy_by_leg(&runner, 0.2);
+    scene_set_vertical_force(&runner, force);
+    return runner;
+}
+
+static void graze_lasts_between_the_laws(void **unused) {
+    (void)unused;
+    runner runner = grazing(-1e-3, 0.0);
+    assert_false(resolve(&runner, 0).mode_changed);
+}
+
+static void graze_to_contact_slips_with_its_velocity(void **unused) {
+    (void)unused;
+    static const double speeds[] = {0.1, -0.1, 1e-12};
+    static const tdmf_contact_mode entered[] = {TDMF_CONTACT_SLIP_POSITIVE, TDMF_CONTACT_SLIP_NEGATIVE,
+                                                TDMF_CONTACT_SLIP_POSITIVE};
+    for (int i = 0; i < 3; ++i) {
+        runner runner = grazing(-beyond, speeds[i]);
+        resolve(&runner, 1);
+        scene_assert_mode(&runner, entered[i], TDMF_PHASE_COAST);
+        assert_true(runner.mode.liftoff_angle == -0.45);
+    }
+}
+
+/* A foot at rest sticks if the ground is pressed hard enough, as after a jump of the external torque; at the
+ * first press the cone is a point, and the weight of the foot on its slanting leg makes it slip. */
+static void graze_to_contact_at_rest_asks_the_cone(void **unused) {
+    (void)unused;
+    runner pressed = grazing(0.05, 0.0);
+    runner touching = grazing(-beyond, 0.0);
+    resolve(&pressed, 1);
+    resolve(&touching, 1);
+    scene_assert_mode(&pressed, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&touching, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+}
+
+/* The torque of the flight law, which was swinging the leg forward, has gone: it lifts too. */
+static void graze_to_flight_keeps_the_angle_of_lift_off(void **unused) {
+    (void)unused;
+    runner runner = grazing(-1e-3, 0.1);
+    runner.mode.liftoff_angle = -0.4;
+    runner.state[TDMF_LEG_ANGLE_RATE] = 0.5;
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
+    assert_true(runner.mode.liftoff_angle == -0.4);
+    assert_true(runner.mode.clamp_closed);
+}
+
+/* The phase follows the centre of mass, but a stride closes in flight only. */
+static void apex_in_graze_closes_no_stride(void **unused) {
+    (void)unused;
+    runner runner = grazing(-1e-3, 0.1);
+    runner.record.open.began_at_apex = true;
+    scene_set_com_vy_by_leg(&runner, beyond);
+    scene_set_vertical_force(&runner, -1e-3);
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
+    assert_int_equal(runner.record.stride.count, 0);
+    assert_true(runner.record.apex.time == 0.0);
+    assert_true(runner.record.open.began_at_apex);
+}
+
+/* ---- fall ------------------------------------------------------------------------------------------- */
+
+static void assert_falls(runner runner) {
+    double before[TDMF_STATE_COUNT];
+    memcpy(before, runner.state, sizeof before);
+    const tdmf_resolution resolution = resolve(&runner, 0);
+    assert_true(resolution.mode_changed);
+    assert_false(resolution.state_changed);
+    assert_true(runner.mode.fallen);
+    assert_memory_equal(before, runner.state, sizeof before);
+    assert_false(scene_resolve(&runner).mode_changed);
+}
+
+static void body_at_the_ground_and_short_leg_are_falls(void **unused) {
+    (void)unused;
+    runner flat = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+    flat.state[TDMF_LEG_ANGLE] = 2.5;
+    flat.state[TDMF_FOOT_Y] = 0.5;
+    runner crushed = scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.1, 0.1);
+    crushed.state[TDMF_LEG_LENGTH] = 0.05 + beyond;
+    assert_falls(flat);
+    assert_falls(crushed);
+}
+
+/* ---- nothing due ------------------------------------------------------------------------------------ */
+
+static void assert_rests(runner runner) {
+    resolve(&runner, 0); /* notes the ground force */
+    scene_snapshot before;
+    scene_take_snapshot(&runner, &before);
+    runner.time = 8.0;
+    const tdmf_resolution resolution = scene_resolve(&runner);
+    assert_false(resolution.state_changed || resolution.mode_changed);
+    scene_assert_unchanged(&runner, &before);
+}
+
+static void resolving_with_nothing_due_changes_nothing(void **unused) {
+    (void)unused;
+    assert_rests(scene_in_flight(TDMF_PHASE_RETRACT, 0.1));
+    assert_rests(scene_in_flight(TDMF_PHASE_PLACE, -0.1));
+    assert_rests(scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1));
+    assert_rests(scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.1));
+    assert_rests(scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1));
+    assert_rests(grazing(-1e-3, 0.1));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(touchdown_sticks_inside_the_cone),
+        cmocka_unit_test(touchdown_slides_outside_the_cone),
+        cmocka_unit_test(touchdown_behind_the_body_coasts),
+        cmocka_unit_test(sunken_foot_that_does_not_fall_is_lifted),
+        cmocka_unit_test(apex_begins_place_and_latches_the_section),
+        cmocka_unit_test(clamp_opens_and_closes_uncounted),
+        cmocka_unit_test(clamp_may_settle_at_zero),
+        cmocka_unit_test(lift_off_into_flight),
+        cmocka_unit_test(lift_off_into_graze),
+        cmocka_unit_test(lift_off_while_falling_goes_to_place),
+        cmocka_unit_test(lift_off_into_graze_needs_laws_that_differ),
+        cmocka_unit_test(slip_sets_on_the_way_the_excess_drives),
+        cmocka_unit_test(slip_that_stops_inside_the_cone_sticks),
+        cmocka_unit_test(slip_that_stops_outside_the_cone_reverses),
+        cmocka_unit_test(slip_that_stops_under_external_torque_reverses),
+        cmocka_unit_test(slip_that_touches_zero_goes_on_without_event),
+        cmocka_unit_test(stopping_the_foot_leaves_the_body_alone),
+        cmocka_unit_test(mid_stance_ends_the_drive_for_good),
+        cmocka_unit_test(force_peak_is_noted_uncounted),
+        cmocka_unit_test(graze_lasts_between_the_laws),
+        cmocka_unit_test(graze_to_contact_slips_with_its_velocity),
+        cmocka_unit_test(graze_to_contact_at_rest_asks_the_cone),
+        cmocka_unit_test(graze_to_flight_keeps_the_angle_of_lift_off),
+        cmocka_unit_test(apex_in_graze_closes_no_stride),
+        cmocka_unit_test(body_at_the_ground_and_short_leg_are_falls),
+        cmocka_unit_test(resolving_with_nothing_due_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
