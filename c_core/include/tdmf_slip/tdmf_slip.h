@@ -12,6 +12,7 @@
 #include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/parameters.h"
+#include "tdmf_slip/solver.h"
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 #include "tdmf_slip/version.h"

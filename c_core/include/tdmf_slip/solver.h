@@ -1,0 +1,65 @@
+/* The native solver: takes a run from one time to another, event by event.
+ *
+ * An explicit Runge-Kutta pair of order 8 with a dense output on which events are located. Nothing is
+ * allocated and nothing is kept between calls but a step size, so that a solver may be copied like any value.
+ */
+#ifndef TDMF_SLIP_SOLVER_H
+#define TDMF_SLIP_SOLVER_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+#include "tdmf_slip/stride.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* All that changes along a run; begin it with tdmf_start on its members. */
+typedef struct {
+    double time; /* s */
+    double state[TDMF_STATE_COUNT];
+    tdmf_mode mode;
+    tdmf_record record;
+} tdmf_motion;
+
+typedef struct {
+    double relative_tolerance; /* of a step, in the runner's scales */
+    long step_limit;           /* steps, accepted or not, in one call */
+    long event_limit;          /* events in one call */
+    /* Work done so far, for whoever wants to know. */
+    long steps, rejected_steps, evaluations, events;
+} tdmf_native_solver;
+
+typedef enum {
+    TDMF_ARRIVED,         /* at the time asked for */
+    TDMF_FELL,            /* at the fall; the motion stays there */
+    TDMF_TOO_MANY_STEPS,  /* the step limit was reached: stiff parameters, or a tolerance out of reach */
+    TDMF_TOO_MANY_EVENTS, /* the event limit was reached */
+    TDMF_NO_PROGRESS      /* no step, however short, has a finite result */
+} tdmf_outcome;
+
+/* Default tolerance 1e-11, and limits that no run of ten thousand strides reaches. */
+tdmf_native_solver tdmf_native_solver_default(void);
+
+/* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time. On
+ * every outcome the motion is valid and stands where the solver got to. A fallen run stays as it is. */
+tdmf_outcome tdmf_native_advance(tdmf_native_solver *solver, const tdmf_model *model,
+                                 const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
+                                 tdmf_motion *motion);
+
+/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. TDMF_ARRIVED
+ * means that the stride did not close before. */
+typedef struct {
+    tdmf_outcome outcome;
+    bool closed;
+} tdmf_stride_outcome;
+tdmf_stride_outcome tdmf_native_stride(tdmf_native_solver *solver, const tdmf_model *model,
+                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion);
+
+/* An outcome in words. */
+const char *tdmf_outcome_text(tdmf_outcome outcome);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

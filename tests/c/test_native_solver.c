@@ -1,0 +1,240 @@
+/* The native solver against the reference gaits, against the plain integrator of the tests, and against its
+ * own limits. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static const tdmf_input_rates held = {0.0, 0.0};
+
+static tdmf_motion motion_of(const runner *runner) {
+    tdmf_motion motion;
+    motion.time = runner->time;
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    motion.mode = runner->mode;
+    motion.record = runner->record;
+    return motion;
+}
+
+static void assert_arrives(tdmf_native_solver *solver, const runner *runner, double until,
+                           tdmf_motion *motion) {
+    assert_int_equal(tdmf_native_advance(solver, &runner->model, &runner->inputs, &held, until, motion),
+                     TDMF_ARRIVED);
+    assert_true(motion->time == until);
+}
+
+/* ---- accuracy ----------------------------------------------------------------------------------------- */
+
+static void a_stride_of_every_gait(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const reference_gait *gait = &reference_gaits[i];
+        const runner runner = runner_at_reference_apex(gait);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_native_solver solver = tdmf_native_solver_default();
+        const tdmf_stride_outcome outcome =
+            tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion);
+        const tdmf_stride *stride = &motion.record.stride;
+        assert_int_equal(outcome.outcome, TDMF_ARRIVED);
+        assert_true(outcome.closed);
+        assert_string_equal(stride->word, gait->word);
+        assert_relatively_close(stride->period, gait->period, 1e-9);
+        assert_relatively_close(stride->speed, gait->speed, 1e-9);
+        assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, 1e-9);
+        assert_reference_apex(&motion.record.apex, gait, 1e-9);
+    }
+}
+
+static double energy(const runner *runner, const tdmf_motion *motion) {
+    return tdmf_mechanical_energy(&runner->model, motion->state).total;
+}
+
+static double ledger(const tdmf_motion *motion) {
+    return motion->state[TDMF_HIP_WORK] - motion->state[TDMF_ENERGY_DAMPER_LOSS] -
+           motion->state[TDMF_ENERGY_FRICTION_LOSS] - motion->record.impact_loss;
+}
+
+/* Communication steps in units of sqrt(m/k); a negative one stands for uneven steps of that length at the
+ * most. */
+static void run_in_steps(const runner *runner, double step, double until, tdmf_motion *motion) {
+    random_source source = {7};
+    tdmf_native_solver solver = tdmf_native_solver_default();
+    while (motion->time < until) {
+        const double length = step > 0.0 ? step : random_uniform(&source, 0.0, -step);
+        assert_arrives(&solver, runner, fmin(until, motion->time + length), motion);
+    }
+}
+
+static void the_ledger_closes_whatever_the_communication_step(void **state) {
+    static const double steps[] = {0.01, 0.1, 1.7, 100.0, -5.0};
+    (void)state;
+    const reference_gait *gait = &reference_gaits[2];
+    const double until = 100.5 * gait->period;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        const runner runner = runner_at_reference_apex(gait);
+        tdmf_motion motion = motion_of(&runner);
+        const double before = energy(&runner, &motion);
+        run_in_steps(&runner, steps[i], until, &motion);
+        assert_close(energy(&runner, &motion) - before, ledger(&motion), 1e-8);
+        assert_int_equal(motion.record.stride.count, 100);
+        assert_string_equal(motion.record.stride.word, gait->word);
+        assert_reference_apex(&motion.record.apex, gait, 1e-7);
+    }
+}
+
+/* ---- the same events as the plain integrator ---------------------------------------------------------- */
+
+static runner random_runner_near_the_gait(random_source *source) {
+    runner runner = runner_default(random_magnitude(source, 0.1, 5.0));
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        runner.state[i] *= random_uniform(source, 0.9, 1.1);
+    }
+    runner_start(&runner);
+    return runner;
+}
+
+static void random_runs_have_the_same_events(void **state) {
+    enum { RUNS = 60 };
+    random_source source = {2016};
+    (void)state;
+    for (int i = 0; i < RUNS; ++i) {
+        runner runner = random_runner_near_the_gait(&source);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_native_solver solver = tdmf_native_solver_default();
+        while (runner.time < 60.0 && runner_advance(&runner, 2e-3)) {
+        }
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, runner.time, &motion);
+        assert_int_equal(outcome, runner.mode.fallen ? TDMF_FELL : TDMF_ARRIVED);
+        assert_int_equal(motion.record.event_count, runner.record.event_count);
+        assert_string_equal(motion.record.stride.word, runner.record.stride.word);
+        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+            assert_close(motion.state[k], runner.state[k], 1e-6);
+        }
+        assert_close(motion.state[TDMF_HIP_POSITIVE_WORK], runner.state[TDMF_HIP_POSITIVE_WORK], 1e-6);
+    }
+}
+
+/* The foot swings through the ground and back within one step: a leg that oscillates fast above a slow fall.
+ */
+static void a_touch_that_turns_back_is_found(void **state) {
+    (void)state;
+    for (double clearance = -1e-4; clearance < 2e-4; clearance += 2e-4) {
+        runner runner = runner_default(0.6);
+        tdmf_parameters parameters = runner.model.parameters;
+        parameters.leg.damping = 0.0;
+        parameters.hip.kp = 0.0;
+        parameters.hip.kd = 0.0;
+        parameters.gravity = 1e-6;
+        assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+        memset(runner.state, 0, sizeof runner.state);
+        runner.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
+        const double lowest = 0.2 / 1.1;
+        runner.state[TDMF_FOOT_Y] = lowest + clearance;
+        runner_start(&runner);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_native_solver solver = tdmf_native_solver_default();
+        solver.relative_tolerance = 1e-6; /* long steps */
+        assert_arrives(&solver, &runner, 1.8, &motion);
+        assert_int_equal(motion.record.open.touchdowns, clearance < 0.0 ? 1 : 0);
+    }
+}
+
+/* ---- inputs that change ------------------------------------------------------------------------------- */
+
+static void a_ramp_is_the_limit_of_small_steps(void **state) {
+    enum { PIECES = 4000 };
+    const tdmf_input_rates ramp = {-0.02, 1e-4};
+    const double until = 30.0;
+    (void)state;
+    const runner runner = runner_at_reference_apex(&reference_gaits[1]);
+    tdmf_motion ramped = motion_of(&runner);
+    tdmf_motion stepped = ramped;
+    tdmf_native_solver solver = tdmf_native_solver_default();
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &ramp, until, &ramped),
+                     TDMF_ARRIVED);
+    for (int i = 0; i < PIECES; ++i) {
+        const double middle = until * (i + 0.5) / PIECES;
+        tdmf_inputs inputs = runner.inputs;
+        inputs.ground.friction += ramp.friction * middle;
+        inputs.hip.external_torque += ramp.external_torque * middle;
+        assert_int_equal(
+            tdmf_native_advance(&solver, &runner.model, &inputs, &held, until * (i + 1) / PIECES, &stepped),
+            TDMF_ARRIVED);
+    }
+    assert_int_equal(ramped.record.event_count, stepped.record.event_count);
+    for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+        assert_close(ramped.state[k], stepped.state[k], 2e-5);
+    }
+}
+
+/* ---- limits ------------------------------------------------------------------------------------------- */
+
+static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
+    (void)state;
+    const runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_native_solver solver = tdmf_native_solver_default();
+    solver.step_limit = 10;
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+                     TDMF_TOO_MANY_STEPS);
+    solver.step_limit = 100000;
+    solver.event_limit = 2;
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+                     TDMF_TOO_MANY_EVENTS);
+    assert_true(motion.time > 10.0 && motion.time < 100.0);
+    solver.event_limit = 100000;
+    assert_arrives(&solver, &runner, 100.0, &motion);
+    assert_int_equal(motion.record.stride.count, 4);
+}
+
+static void stiff_parameters_end_in_words(void **state) {
+    (void)state;
+    runner runner = runner_default(0.6);
+    tdmf_parameters parameters = runner.model.parameters;
+    parameters.leg.damping = 1e9;
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner_start(&runner);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_native_solver solver = tdmf_native_solver_default();
+    solver.step_limit = 10000;
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion);
+    assert_int_equal(outcome, TDMF_TOO_MANY_STEPS);
+    assert_non_null(strstr(tdmf_outcome_text(outcome), "stiff"));
+    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+        assert_true(isfinite(motion.state[k]));
+    }
+}
+
+static void a_fall_is_where_the_run_stays(void **state) {
+    (void)state;
+    runner runner = runner_default(0.6);
+    runner.state[TDMF_FOOT_Y] = 100.0;
+    runner_start(&runner);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_native_solver solver = tdmf_native_solver_default();
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 1e4, &motion),
+                     TDMF_FELL);
+    const double time = motion.time;
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 2e4, &motion),
+                     TDMF_FELL);
+    assert_true(motion.time == time);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_stride_of_every_gait),
+        cmocka_unit_test(the_ledger_closes_whatever_the_communication_step),
+        cmocka_unit_test(random_runs_have_the_same_events),
+        cmocka_unit_test(a_touch_that_turns_back_is_found),
+        cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
+        cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
+        cmocka_unit_test(stiff_parameters_end_in_words),
+        cmocka_unit_test(a_fall_is_where_the_run_stays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
