@@ -178,7 +178,7 @@ static void default_start_is_an_apex(void **unused) {
 /* y = vy = 0, the stretched leg lifts the foot, the centre of mass stands still. */
 static void start_on_the_ground_that_leaves_at_once_may_be_an_apex(void **unused) {
     (void)unused;
-    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, -0.05);
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.05);
     scene_set_com_vy_by_leg(&runner, 0.0);
     start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
