@@ -27,9 +27,17 @@ need_debian_packages() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
+# Whatever python3 it is: Debian keeps what makes environments in a package of its own.
+need_python() {
+    command -v python3 >/dev/null || need_debian_packages python3
+    python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || fail "Python 3.11 or later is needed, python3 is $(python3 --version)"
+    python3 -c 'import ensurepip, venv' 2>/dev/null || need_debian_packages python3-venv
+}
+
 # The virtual environment .venv, with everything pinned in pyproject.toml. Building without isolation lets the
 # C build go on where it stopped.
 make_environment() {
+    need_python
     local python=.venv/bin/python
     if ! "$python" -c 'import pip' 2>/dev/null; then
         say "Making the virtual environment .venv"

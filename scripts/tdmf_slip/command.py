@@ -1,0 +1,255 @@
+"""The command `tdmf-slip`: thin over the package's functions.
+
+Results go to stdout (with --json one JSON object and nothing else), progress and messages to stderr. Exit
+status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
+"""
+
+import json
+import math
+import os
+import sys
+from pathlib import Path
+
+import click
+
+from . import __version__, files
+from .errors import InputError, TdmfSlipError
+from .events import as_json
+from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
+from .inputs import read_tables
+from .parameters import preset_names, read_parameters
+from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, Run, simulate
+from .unit import INTERFACES, Unit, load
+from .validation import validate
+
+JSON_OPTION = click.option(
+    "--json", "as_json_object", is_flag=True, help="Print one JSON object and nothing else."
+)
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(__version__, prog_name="tdmf-slip")
+def commands() -> None:
+    """Run the legged runner whose foot can slip, through its FMI unit."""
+
+
+@commands.command("simulate")
+@click.option(
+    "--interface",
+    type=click.Choice(list(INTERFACES)),
+    default="me",
+    show_default=True,
+    help="FMI interface: Model Exchange or Co-Simulation.",
+)
+@click.option("--stop-time", type=float, metavar="SECONDS", help="Stop at this time.")
+@click.option(
+    "--strides",
+    type=int,
+    metavar="N",
+    help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
+)
+@click.option(
+    "--friction", type=float, metavar="MU", help="Friction of the ground; short for ground.friction."
+)
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Start value of a variable, as in leg.stiffness=20000 or leg.angle='40 deg'. Repeatable.",
+)
+@click.option(
+    "--parameters",
+    metavar="FILE",
+    help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
+)
+@click.option(
+    "--inputs",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Inputs over time: CSV with a header time,<input>,...",
+)
+@click.option(
+    "--tolerance",
+    type=float,
+    default=DEFAULT_TOLERANCE,
+    show_default=True,
+    help="Relative tolerance of CVODE.",
+)
+@click.option(
+    "--output-interval",
+    type=float,
+    metavar="SECONDS",
+    help="Time between recorded rows.  [default: a tenth of sqrt(m/k)]",
+)
+@click.option(
+    "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the rows: .csv or .nc."
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the run: .png, .svg or .pdf."
+)
+@JSON_OPTION
+def simulate_command(
+    interface: str,
+    stop_time: float | None,
+    strides: int | None,
+    friction: float | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    inputs: Path | None,
+    tolerance: float,
+    output_interval: float | None,
+    output: Path | None,
+    plot: Path | None,
+    as_json_object: bool,
+) -> None:
+    """One run of the unit through FMPy.
+
+    A fall ends the run and is a result, not an error.
+    """
+    if output is not None:
+        files.check_place(output, files.WRITERS, "--output")
+    if plot is not None:
+        from .pictures import overview  # matplotlib is slow to load
+
+        files.check_place(plot, overview.FORMATS, "--plot")
+    unit = load()
+    run = simulate(
+        _start_values(unit, parameters, friction, settings),
+        stop_time=stop_time,
+        strides=strides,
+        relative_tolerance=tolerance,
+        output_interval=output_interval,
+        inputs=read_tables(inputs) if inputs is not None else None,
+        interface=interface,
+        show_progress=True,
+        unit=unit,
+    )
+    if output is not None:
+        files.write_table(output, run, unit)
+    if plot is not None:
+        overview.draw(plot, run, unit)
+    print(_json(_run_object(run)) if as_json_object else _run_text(run))
+
+
+@commands.command("validate")
+@click.option(
+    "--tolerance", type=float, default=GAIT_TOLERANCE, show_default=True, help="Relative tolerance of CVODE."
+)
+@click.option(
+    "--pictures",
+    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    help="Also draw the paper's figures 5 to 8, one stride, and the model.",
+)
+@JSON_OPTION
+def validate_command(tolerance: float, pictures: Path | None, as_json_object: bool) -> None:
+    """The five published gaits, published beside computed.
+
+    The exit status is 1 where a computed value is farther from its recorded reference than allowed.
+    """
+    if pictures is not None:
+        files.check_folder(pictures, "--pictures")
+    validation = validate(relative_tolerance=tolerance, show_progress=True)
+    print(_json(validation.as_json()) if as_json_object else validation.as_text())
+    if pictures is not None:
+        from .pictures import gallery
+
+        gallery.draw(pictures, validation.gaits, load(), show_progress=True)
+    if not validation.passed:
+        raise SystemExit(1)
+
+
+def _start_values(
+    unit: Unit, parameters: str | None, friction: float | None, settings: tuple[str, ...]
+) -> dict[str, object]:
+    """Start values from all options, later ones first in rank: file, --friction, --set."""
+    values: dict[str, object] = {}
+    if parameters is not None:
+        values |= unit.start_values(read_parameters(parameters), f"--parameters {parameters}")
+    if friction is not None:
+        values |= unit.start_values({"ground.friction": friction}, "--friction")
+    for setting in settings:
+        name, equals, value = setting.partition("=")
+        if not equals:
+            raise InputError(f"--set {setting}: allowed: NAME=VALUE")
+        values |= unit.start_values({name.strip(): value.strip()}, "--set")
+    return values
+
+
+def _json(value: object) -> str:
+    """One line of JSON, in which a number that is not finite is null."""
+    return json.dumps(_finite(value), allow_nan=False)
+
+
+def _finite(value: object) -> object:
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _run_object(run: Run) -> dict[str, object]:
+    return {
+        "fallen": run.fallen,
+        "fall_time": run.fall_time,
+        "end_time": float(run.table["time"][-1]),
+        "rows": len(run.table),
+        "stride": run.stride,
+        "apex": run.apex,
+        "final": run.final,
+        "events": as_json(run.events),
+        "messages": run.messages,
+    }
+
+
+def _run_text(run: Run) -> str:
+    stride, units = run.stride, _stride_units(run)
+    end = f"fell at t = {run.fall_time:g} s" if run.fallen else f"ran to t = {run.table['time'][-1]:g} s"
+    lines = [f"{end}, {stride['count']} strides, {len(run.events)} events"]
+    if stride["count"]:
+        lines.append("last stride:")
+        lines += [
+            f"  {name:18}{value if isinstance(value, str) else format(value, '.8g')}{units[name]}"
+            for name, value in stride.items()
+            if name not in ("count", "word_code")
+        ]
+    return "\n".join([*lines, *(f"unit: {message}" for message in run.messages)])
+
+
+def _stride_units(run: Run) -> dict[str, str]:
+    units = {name: run.units.get(f"stride.{name}", "") for name in run.stride}
+    return {name: f" {unit}" if unit not in ("", "1") else "" for name, unit in units.items()}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line; the exit status, after one message on stderr where something is wrong."""
+    try:
+        status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
+        sys.stdout.flush()
+        return status
+    except click.exceptions.Abort:
+        return _complain("interrupted", 130)
+    except click.exceptions.NoArgsIsHelpError as problem:
+        print(problem.format_message(), file=sys.stderr)
+        return 2
+    except click.UsageError as problem:
+        where = problem.ctx.command_path if problem.ctx else "tdmf-slip"
+        return _complain(f"{problem.format_message()} (see {where} --help)", 2)
+    except TdmfSlipError as problem:
+        return _complain(str(problem), problem.exit_status)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 1
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more at its end
+        return 1
+
+
+def _complain(message: str, status: int) -> int:
+    print(f"tdmf-slip: {message}", file=sys.stderr)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,126 @@
+"""Results as files. A file is written whole or not at all: beside its place first, then moved there."""
+
+import csv
+import os
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from .errors import InputError
+from .simulation import Run
+from .unit import Unit
+
+
+@contextmanager
+def whole(path: Path) -> Iterator[Path]:
+    """A path to write to, beside `path` and with its suffix; moved to `path` at the end, gone after an error.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
+        os.close(handle)
+    except OSError as problem:
+        raise InputError(f"{path}: cannot be written: {problem.strerror}") from problem
+    try:
+        yield Path(name)
+        os.chmod(name, 0o666 & ~_umask())  # mkstemp's files are private
+        os.replace(name, path)
+    except OSError as problem:
+        raise InputError(f"{path}: cannot be written: {problem.strerror or problem}") from problem
+    finally:
+        Path(name).unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def check_place(path: Path, allowed: Iterable[str], what: str) -> None:
+    """Refuse, before any work, a path whose suffix names no format or that cannot be written.
+
+    Raises:
+        InputError: either.
+    """
+    if path.suffix.lower() not in allowed:
+        raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
+    check_folder(path.parent, what)
+    if path.is_dir():
+        raise InputError(f"{what}: {path} is a folder")
+
+
+def check_folder(folder: Path, what: str) -> None:
+    """Refuse, before any work, a folder that nothing can be written to; make it where it is missing.
+
+    Raises:
+        InputError: it cannot be made or written to.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        raise InputError(f"{what}: {folder}: cannot be made: {problem.strerror}") from problem
+    if not os.access(folder, os.W_OK):
+        raise InputError(f"{what}: {folder}: cannot be written to")
+
+
+def write_table(path: Path, run: Run, unit: Unit) -> None:
+    """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
+
+    Raises:
+        InputError: another suffix than .csv or .nc, or nothing can be written there.
+    """
+    check_place(path, WRITERS, "output")
+    with whole(path) as beside:
+        WRITERS[path.suffix.lower()](beside, run, unit)
+
+
+def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(run.table.dtype.names)
+        writer.writerows(run.table.tolist())
+
+
+def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
+    from netCDF4 import Dataset  # slow to load, and seldom asked for
+
+    with Dataset(path, "w") as dataset:
+        dataset.createDimension("row", len(run.table))
+        for name in run.table.dtype.names:
+            column = run.table[name]
+            variable = dataset.createVariable(
+                name, "i4" if column.dtype == bool else column.dtype, ("row",), zlib=True
+            )
+            variable[:] = column
+            variable.setncatts(_attributes(unit, name))
+        dataset.title = f"TDMF-SLIP run, unit version {unit.version}"
+        dataset.fallen = int(run.fallen)
+        for name in [*unit.names("parameter"), *unit.group("stride")]:
+            dataset.setncattr(name, _plain(run.final[name]))
+
+
+def _plain(value: float | int | bool | str) -> float | int | str:
+    """NetCDF has no booleans."""
+    return int(value) if isinstance(value, bool) else value
+
+
+def _attributes(unit: Unit, name: str) -> dict[str, object]:
+    """CF attributes of a variable."""
+    variable = unit.variables[name]
+    attributes: dict[str, object] = {"long_name": variable.description}
+    if variable.unit:
+        attributes["units"] = variable.unit
+    if variable.items:
+        attributes["flag_values"] = np.array(list(variable.items), dtype="i4")
+        attributes["flag_meanings"] = " ".join(variable.items.values())
+    return attributes
+
+
+WRITERS: Mapping[str, Callable[[Path, Run, Unit], None]] = {".csv": _write_csv, ".nc": _write_netcdf}

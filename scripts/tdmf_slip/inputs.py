@@ -1,0 +1,99 @@
+"""Inputs that change in time, as tables."""
+
+import csv
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import InputError
+from .unit import Unit
+
+InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
+"""By name of an input: times in s, ascending, and values. Values in between are interpolated linearly; a time
+given twice is a jump. Before and after the table its first and last value hold."""
+
+
+def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | bool]) -> np.ndarray | None:
+    """All inputs on one time grid, as FMPy wants them; None without tables.
+
+    FMPy's CVODE applies inputs where it looks for events, not at each evaluation of the right-hand side: a
+    ramp is followed within one solver step. Jumps are exact.
+
+    Raises:
+        InputError: a name that is no input, times that go back, a value out of range.
+    """
+    if not tables:
+        return None
+    checked = {name: _checked(unit, name, *table) for name, table in tables.items()}
+    grid = _grid([times for times, _ in checked.values()])
+    inputs = unit.names("input")
+    array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
+    array["time"] = grid
+    for name in inputs:
+        if name in checked:
+            array[name] = _on_grid(grid, *checked[name])
+        else:  # FMPy warns on stdout of an input without a column
+            array[name] = start_values.get(name, unit.start_of(name))
+    return array
+
+
+def read_tables(path: Path) -> InputTables:
+    """Input tables from a CSV file: a header `time,<input>,...`, then a row per time.
+
+    Raises:
+        InputError: unreadable, or not such a file.
+    """
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            header, *rows = list(csv.reader(file))
+        columns = np.array(rows, dtype=float).T
+    except (OSError, ValueError) as problem:
+        raise InputError(f"{path}: not a table of inputs: {problem}") from problem
+    if header[0] != "time" or len(header) < 2 or columns.shape[:1] != (len(header),):
+        raise InputError(
+            f"{path}: the header has to be time,<input>,..., with rows below; found {','.join(header)}"
+        )
+    return {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
+
+
+def _checked(unit: Unit, name: str, times: ArrayLike, values: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    variable = unit.find(name, "inputs")
+    if variable.causality != "input":
+        raise InputError(f"inputs: {name} is no input; inputs: {', '.join(unit.names('input'))}")
+    times, values = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
+    if times.ndim != 1 or times.shape != values.shape or not len(times):
+        raise InputError(
+            f"inputs: {name}: times {times.shape} and values {values.shape} have to be equally long"
+        )
+    if not np.all(np.isfinite(times)) or np.any(np.diff(times) < 0):
+        raise InputError(f"inputs: {name}: times have to be finite and ascending")
+    for value in values:
+        variable.value_of(float(value), f"inputs at {name}")
+    return times, values
+
+
+def _grid(all_times: list[np.ndarray]) -> np.ndarray:
+    """Every time of any table; twice where any table jumps."""
+    times = np.unique(np.concatenate(all_times))
+    jumps = np.concatenate([table[1:][np.diff(table) == 0] for table in all_times])
+    return np.repeat(times, np.where(np.isin(times, jumps), 2, 1))
+
+
+def _on_grid(grid: np.ndarray, times: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values on the grid; at a time that it has twice, the limits from the left and from the right."""
+    right = np.array([_limit(t, times, values, "right") for t in grid])
+    first = np.append(np.diff(grid) == 0, False)
+    right[first] = [_limit(t, times, values, "left") for t in grid[first]]
+    return right
+
+
+def _limit(t: float, times: np.ndarray, values: np.ndarray, side: str) -> float:
+    after = int(np.searchsorted(times, t, side=side))
+    if after == 0:
+        return float(values[0])
+    if after == len(times):
+        return float(values[-1])
+    share = (t - times[after - 1]) / (times[after] - times[after - 1])
+    return float(values[after - 1] + share * (values[after] - values[after - 1]))

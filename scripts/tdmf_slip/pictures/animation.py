@@ -1,0 +1,156 @@
+"""One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.animation import FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+from matplotlib.patches import FancyArrowPatch
+from matplotlib.text import Text
+
+from ..files import whole
+from . import style
+from .runner import Runner, bare, pose
+from .stride import Stride
+
+FRICTION = 0.43
+FRAMES = 120
+FRAMES_PER_SECOND = 20
+DOTS_PER_INCH = 100
+SIZE = (8.0, 4.0)
+HALF_WIDTH = 2.0
+LOW = -0.42
+"""Lowest height shown, over l0; the legend stands in the ground."""
+SLOWED = 40.0
+"""How many times more frames a unit of time gets in the stance than in flight."""
+MARKS = 26
+"""Marks on the ground in a stride: a whole number, so that the loop closes."""
+FORCE_SCALE = 1.5
+"""Length of a force arrow, over l0, for a force k l0."""
+
+
+def frame_times(stride: Stride, frames: int = FRAMES) -> np.ndarray:
+    """Times of the frames: evenly spaced but for the stance, which is slowed down, and without the end.
+
+    Returns:
+        Array of `frames` times from 0 on; the next one would be the stride's end.
+    """
+    grid = np.linspace(0.0, stride.time[-1], 20001)
+    start, end = stride.stance_times
+    edge = 0.25 * (end - start)
+    inside = 1.0 / (1.0 + np.exp(np.clip(-(grid - start + edge) / (0.3 * edge), -50, 50)))
+    outside = 1.0 / (1.0 + np.exp(np.clip((grid - end - 2 * edge) / (0.3 * edge), -50, 50)))
+    density = 1.0 + (SLOWED - 1.0) * inside * outside
+    share = np.concatenate([[0.0], np.cumsum(0.5 * (density[1:] + density[:-1]))])
+    return np.interp(np.linspace(0.0, 1.0, frames, endpoint=False), share / share[-1], grid)
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Write the animation as a GIF."""
+    with style.styled():
+        figure = plt.figure(figsize=SIZE, dpi=DOTS_PER_INCH)
+        scene = _Scene(figure.add_axes((0.0, 0.0, 1.0, 1.0)), stride)
+        times = frame_times(stride)
+        film = FuncAnimation(figure, scene.show, frames=times, blit=False)
+        try:
+            with whole(path) as beside:
+                film.save(beside, writer=PillowWriter(fps=FRAMES_PER_SECOND), dpi=DOTS_PER_INCH)
+        finally:
+            plt.close(figure)
+
+
+class _Scene:
+    """Everything in a frame; the view goes along with the centre of mass."""
+
+    def __init__(self, axes: Axes, stride: Stride) -> None:
+        self.axes = axes
+        self.stride = stride
+        self.length = float(stride["com.x"][-1] - stride["com.x"][0])
+        bare(axes, (-HALF_WIDTH, HALF_WIDTH), (LOW, LOW + 2 * HALF_WIDTH * SIZE[1] / SIZE[0]))
+        self._ground()
+        self.runner = Runner(axes, line_width=2.0)
+        self.force = FancyArrowPatch(
+            (0, 0), (0, 0), arrowstyle="-|>", mutation_scale=14, linewidth=2.0, zorder=3
+        )
+        axes.add_patch(self.force)
+        self.streaks = [
+            axes.plot([], [], linewidth=6.0, zorder=3, solid_capstyle="butt")[0] for _ in range(12)
+        ]
+        self.mode = self._text(0.02, 0.06, "left", size=15, weight="bold")
+        self._text(0.98, 0.06, "right", size=14).set_text(rf"$\mu = {stride.gait.friction:g}$")
+        self.speed = self._text(0.02, 0.95, "left", size=11, color=style.FAINT)
+        self.letters = self._word()
+
+    def _text(self, x: float, y: float, align: str, **how: object) -> Text:
+        return self.axes.text(x, y, "", transform=self.axes.transAxes, ha=align, va="center", **how)
+
+    def _ground(self) -> None:
+        """The ground with its marks, and the path of the centre of mass, over three strides."""
+        length, x = self.length, self.stride["com.x"]
+        span = np.array([-length, 2 * length])
+        self.axes.fill_between(span, LOW, 0.0, color="#eef1f4", linewidth=0, zorder=0)
+        self.axes.plot(span, [0.0, 0.0], color=style.INK, linewidth=1.2, zorder=2)
+        marks = np.arange(-MARKS, 2 * MARKS) * length / MARKS
+        self.axes.vlines(marks, -0.09, 0.0, color=style.FAINT, linewidth=1.0, zorder=1)
+        path = np.concatenate([x - length, x[1:], x[1:] + length])
+        self.axes.plot(
+            path, np.tile(self.stride["com.y"], 3)[: len(path)], color=style.GROUND, linewidth=1.2, zorder=1
+        )
+
+    def _word(self) -> list[Text]:
+        """The letters of the gait word, one for each contact mode with force."""
+        modes = [piece.mode for piece in self.stride.pieces if piece.mode in style.LOADED]
+        letters = []
+        for i, mode in enumerate(modes):
+            letter = self._text(0.84 - 0.032 * (len(modes) - 1 - i), 0.06, "center", size=18, weight="bold")
+            letter.set_text(style.LETTERS[mode])
+            letters.append(letter)
+        return letters
+
+    def show(self, time: float) -> None:
+        """Move everything to a time of the stride."""
+        stride, mode = self.stride, self.stride.mode_at(time)
+        colour = style.MODE_COLOURS[mode]
+        middle = float(stride.at("com.x", time))
+        self.axes.set_xlim(middle - HALF_WIDTH, middle + HALF_WIDTH)
+        where = pose(stride, time)
+        self.runner.place(where, colour)
+        self._push(where.foot, time, colour)
+        self._leave_streaks(time)
+        self.mode.set_text(style.MODE_NAMES[mode])
+        self.mode.set_color(colour)
+        self._light(time)
+        start, end = stride.stance_times
+        self.speed.set_text("slow motion" if start - 0.2 < time < end + 0.4 else "")
+
+    def _light(self, time: float) -> None:
+        """Light the letter of the present contact mode."""
+        pieces = [piece for piece in self.stride.pieces if piece.mode in style.LOADED]
+        for piece, letter in zip(pieces, self.letters, strict=True):
+            first, last = self.stride.time[piece.rows][[0, -1]]
+            letter.set_color(style.MODE_COLOURS[piece.mode] if first <= time <= last else style.GROUND)
+
+    def _push(self, foot: tuple[float, float], time: float, colour: str) -> None:
+        """The ground force as an arrow from the foot."""
+        if self.stride.mode_at(time) not in style.LOADED:
+            self.force.set_visible(False)
+            return
+        x, y = (FORCE_SCALE * float(self.stride.at(name, time)) for name in ("contact.fx", "contact.fy"))
+        self.force.set_visible(True)
+        self.force.set_positions(foot, (foot[0] + x, foot[1] + y))
+        self.force.set_color(colour)
+
+    def _leave_streaks(self, time: float) -> None:
+        """Where the foot has slipped so far; also those of the stride before, so that the loop closes."""
+        slips = [piece for piece in self.stride.pieces if piece.mode.startswith("slip")]
+        for streak in self.streaks:
+            streak.set_data([], [])
+        free = iter(self.streaks)
+        for shift, until in ((-self.length, np.inf), (0.0, time)):
+            for depth, piece in enumerate(slips):
+                rows = piece.rows
+                x = self.stride["foot.x"][rows][self.stride.time[rows] <= until] + shift
+                streak = next(free)
+                streak.set_data(x, np.full(len(x), -0.05 - 0.07 * depth))
+                streak.set_color(style.MODE_COLOURS[piece.mode])

@@ -1,0 +1,51 @@
+"""All pictures of the five published gaits, in one folder."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from .. import progress
+from ..gait import Gait
+from ..unit import Unit
+from . import animation, figure_5, figure_6, figure_7, figure_8, model, snapshots
+from .stride import Stride
+
+
+def draw(folder: Path, gaits: Sequence[Gait], unit: Unit, show_progress: bool = False) -> list[Path]:
+    """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model.
+
+    Args:
+        folder: where the files go; made where it is missing.
+        gaits: the five published ones.
+        unit: run for one stride of each gait.
+        show_progress: a bar on stderr.
+
+    Returns:
+        The files written.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    with progress.bar("pictures", len(gaits) + 7, "", show_progress) as bar:
+        strides = {}
+        for gait in gaits:
+            strides[gait.friction] = Stride(gait, unit)
+            bar.update()
+        written = []
+        for name, drawing in _drawings(strides).items():
+            drawing(folder / name)
+            written.append(folder / name)
+            bar.update()
+    return written
+
+
+def _drawings(strides: dict[float, Stride]) -> dict[str, Callable[[Path], None]]:
+    first, second = figure_8.FRICTIONS
+    return {
+        "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION]),
+        "figure_6.png": lambda path: figure_6.draw(path, strides[figure_6.FRICTION]),
+        "figure_7.png": lambda path: figure_7.draw(path, strides[figure_7.FRICTION]),
+        "figure_8.png": lambda path: figure_8.draw(path, (strides[first], strides[second])),
+        "snapshots.png": lambda path: snapshots.draw(path, strides[snapshots.FRICTION]),
+        "stride.gif": lambda path: animation.draw(path, strides[animation.FRICTION]),
+        "model.png": model.draw,
+    }

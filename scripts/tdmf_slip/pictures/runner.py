@@ -1,0 +1,100 @@
+"""The runner as a drawing: body, leg with spring, foot, ground."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle
+
+from . import style
+from .stride import Stride
+
+COILS = 7
+BODY_RADIUS = 0.1
+FOOT_RADIUS = 0.05
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where body and foot are, over l0."""
+
+    body: tuple[float, float]
+    foot: tuple[float, float]
+
+
+def pose(stride: Stride, time: float) -> Pose:
+    """The runner's pose at a time of a stride."""
+    body_x, body_y, foot_x, foot_y = (
+        float(stride.at(name, time)) for name in ("body.x", "body.y", "foot.x", "foot.y")
+    )
+    return Pose((body_x, body_y), (foot_x, foot_y))
+
+
+def spring(
+    foot: tuple[float, float], body: tuple[float, float], width: float = 0.055
+) -> tuple[np.ndarray, np.ndarray]:
+    """A coil spring from foot to body, straight at both ends.
+
+    Args:
+        foot: one end.
+        body: the other end.
+        width: half the coil's width.
+
+    Returns:
+        x and y of a line to draw.
+    """
+    start, end = np.array(foot), np.array(body)
+    along = end - start
+    across = np.array([-along[1], along[0]]) / max(np.hypot(*along), 1e-12)
+    share = np.linspace(0.0, 1.0, 40 * COILS)
+    winding = np.clip((share - 0.2) / 0.55, 0.0, 1.0)
+    line = start + share[:, None] * along + width * np.sin(2 * np.pi * COILS * winding)[:, None] * across
+    return line[:, 0], line[:, 1]
+
+
+class Runner:
+    """A runner in some axes, drawn once and moved as often as needed."""
+
+    def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
+        """Make the artists, without a place yet.
+
+        Args:
+            axes: where to draw, x and y over l0 at equal scale.
+            opacity: 0 to 1.
+            line_width: of the leg, in points.
+            size: of body and foot, over their usual radii.
+        """
+        (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, alpha=opacity, zorder=4)
+        self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, alpha=opacity, zorder=5)
+        self.foot = Circle(
+            (0, 0),
+            size * FOOT_RADIUS,
+            facecolor="white",
+            edgecolor=style.INK,
+            linewidth=1.2,
+            alpha=opacity,
+            zorder=5,
+        )
+        axes.add_patch(self.body)
+        axes.add_patch(self.foot)
+
+    def place(self, where: Pose, colour: str) -> None:
+        """Move the runner, and give the foot a contact mode's colour."""
+        self.leg.set_data(*spring(where.foot, where.body))
+        self.body.center = where.body
+        self.foot.center = where.foot
+        self.foot.set_facecolor(colour)
+
+
+def bare(axes: Axes, x_limits: tuple[float, float], y_limits: tuple[float, float]) -> None:
+    """Axes without frame, x and y at equal scale."""
+    axes.set_xlim(*x_limits)
+    axes.set_ylim(*y_limits)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+
+
+def ground(axes: Axes, x_limits: tuple[float, float], depth: float = 0.03) -> None:
+    """The ground, a band below y = 0."""
+    axes.fill_between(x_limits, -depth, 0.0, color=style.GROUND, linewidth=0, zorder=1)
+    axes.plot(x_limits, [0.0, 0.0], color=style.INK, linewidth=0.9, zorder=2)

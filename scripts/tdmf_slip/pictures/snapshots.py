@@ -1,0 +1,98 @@
+"""One stride as a stroboscope sees it: the whole of it, its stance, and how the foot slips in the stance."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from . import panels, style
+from .runner import Runner, bare, ground, pose
+from .stride import Stride
+
+FRICTION = 0.43
+IN_STRIDE = 27
+IN_STANCE = 25
+SIZE = (8.4, 6.3)
+LEFT, WIDTH = 0.09, 0.89
+"""Of the stance and of the foot's path below it, over the figure's width."""
+HALF_WIDTH, HEIGHT, DEPTH = 1.12, 0.92, 0.05
+"""Shown of the stance, over l0: to either side of its middle, above and below the ground."""
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Draw the stride above, its stance below, and below that the path of the foot over time."""
+    with style.styled():
+        figure = plt.figure(figsize=SIZE)
+        letters = style.word(stride.gait.word)
+        title = rf"One stride, gait word  {letters}, friction $\mu = {stride.gait.friction:g}$"
+        figure.text(0.015, 0.955, title, size=11)
+        _whole(figure.add_axes((0.01, 0.82, 0.98, 0.12)), stride)
+        stance, foot = _aligned_axes(figure)
+        middle = float(np.mean(stride["body.x"][stride.stance][[0, -1]]))
+        limits = (middle - HALF_WIDTH, middle + HALF_WIDTH)
+        _stance(stance, stride, limits)
+        _path(foot, stride, limits)
+        style.save(figure, path)
+
+
+def _aligned_axes(figure: Figure) -> tuple[Axes, Axes]:
+    """Axes for the stance, at equal scale, and for the foot's path, with the same scale along the ground."""
+    inches = SIZE[0] * WIDTH / (2 * HALF_WIDTH)
+    height = inches * (HEIGHT + DEPTH) / SIZE[1]
+    bottom = 0.80 - height
+    return figure.add_axes((LEFT, bottom, WIDTH, height)), figure.add_axes((LEFT, 0.09, WIDTH, bottom - 0.10))
+
+
+def _whole(axes: Axes, stride: Stride) -> None:
+    limits = float(stride["com.x"][0]) - 0.5, float(stride["com.x"][-1]) + 1.4
+    bare(axes, limits, (-0.12, 1.75))
+    ground(axes, limits, depth=0.1)
+    axes.plot(stride["com.x"], stride["com.y"], color=style.FAINT, linewidth=0.8, zorder=2)
+    for time in np.linspace(0.0, stride.time[-1], IN_STRIDE):
+        runner = Runner(axes, line_width=0.7, size=1.2)
+        runner.place(pose(stride, time), style.MODE_COLOURS[stride.mode_at(time)])
+
+
+def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
+    bare(axes, limits, (-DEPTH, HEIGHT))
+    ground(axes, limits, depth=0.02)
+    rows = slice(stride.stance.start - 100, stride.stance.stop + 100)
+    axes.plot(stride["body.x"][rows], stride["body.y"][rows], color=style.FAINT, linewidth=1.0, zorder=2)
+    start, end = stride.stance_times
+    for time in np.linspace(start, end - 1e-9, IN_STANCE):
+        _ray(axes, stride, time)
+    shown = {"touchdown": start, "mid-stance": stride.times_of("midstance")[0], "lift-off": end - 1e-9}
+    for name, time in shown.items():
+        where = pose(stride, time)
+        Runner(axes, size=0.6).place(where, style.MODE_COLOURS[stride.mode_at(time)])
+        axes.annotate(name, where.body, xytext=(0, 19), textcoords="offset points", ha="center")
+
+
+def _ray(axes: Axes, stride: Stride, time: float) -> None:
+    """The leg as a line in the colour of the contact mode."""
+    where = pose(stride, time)
+    x, y = zip(where.foot, where.body, strict=True)
+    axes.plot(x, y, color=style.MODE_COLOURS[stride.mode_at(time)], linewidth=0.9, alpha=0.55, zorder=3)
+
+
+def _path(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
+    for piece in stride.pieces:
+        if piece.mode in style.LOADED:
+            axes.plot(
+                stride["foot.x"][piece.rows],
+                stride.time[piece.rows] - stride.stance_times[0],
+                linewidth=2.4,
+                color=style.MODE_COLOURS[piece.mode],
+                linestyle=style.dashes(piece.mode),
+            )
+    axes.set_xlim(*limits)
+    axes.invert_yaxis()
+    style.label(axes, "place along the ground  x / l₀", "t √(k/m)\nfrom touchdown")
+    axes.legend(
+        handles=panels.mode_key(stride, style.LOADED),
+        loc="lower left",
+        title="path of the foot",
+        alignment="left",
+    )

@@ -1,0 +1,104 @@
+"""One stride of a gait, normalised as in the paper, and cut into contact modes: what the pictures draw."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..events import MODE
+from ..gait import Gait
+from ..simulation import simulate
+from ..unit import Unit
+
+POINTS = 6000
+"""Recorded points in the stride; each event adds two."""
+
+DIMENSIONS: Mapping[str, tuple[int, int, int]] = {
+    "m": (1, 0, 0),
+    "s": (0, 1, 0),
+    "m/s": (1, -1, 0),
+    "rad/s": (0, -1, 0),
+    "N": (1, -2, 1),
+    "N.m": (2, -2, 1),
+    "J": (2, -2, 1),
+}
+"""Powers of l0, sqrt(m/k) and m in the units of what is drawn; rad and pure numbers have none."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of the stride in one contact mode."""
+
+    mode: str
+    rows: slice
+
+
+class Stride:
+    """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
+
+    def __init__(self, gait: Gait, unit: Unit) -> None:
+        """Run the unit for one stride from the gait's apex."""
+        self.gait = gait
+        self.unit = unit
+        run = simulate(gait.start_values, strides=1, output_interval=gait.period / POINTS, unit=unit)
+        self.events = run.events
+        self._table = run.table
+        self._length = run.final["leg.free_length"]
+        self._mass = run.final["body.mass"]
+        self._time = math.sqrt(self._mass / run.final["leg.stiffness"])
+        self.rho = self._mass / (self._mass + run.final["foot.mass"])
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """A recorded variable, one value per row."""
+        length, time, mass = DIMENSIONS.get(self.unit.variables[name].unit, (0, 0, 0))
+        return self._table[name] / (self._length**length * self._time**time * self._mass**mass)
+
+    @cached_property
+    def time(self) -> np.ndarray:
+        """Time since the apex."""
+        return self["time"]
+
+    @cached_property
+    def modes(self) -> list[str]:
+        """Contact mode of each row."""
+        items = self.unit.variables[MODE].items
+        return [items[int(mode)] for mode in self._table[MODE]]
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """The stride cut at every change of contact mode, in order; each has at least one row."""
+        starts = [0, *(i for i in range(1, len(self.modes)) if self.modes[i] != self.modes[i - 1])]
+        ends = [*starts[1:], len(self.modes)]
+        return [Piece(self.modes[a], slice(a, b)) for a, b in zip(starts, ends, strict=True)]
+
+    @cached_property
+    def stance(self) -> slice:
+        """Rows on the ground with force, from the first contact to the last."""
+        contact = [p.rows for p in self.pieces if p.mode not in ("flight", "graze")]
+        return slice(contact[0].start, contact[-1].stop)
+
+    def times_of(self, what: str) -> list[float]:
+        """Times of the events of one kind."""
+        return [event.time / self._time for event in self.events if event.what == what]
+
+    @cached_property
+    def stance_times(self) -> tuple[float, float]:
+        """First and last time of the stance."""
+        return float(self.time[self.stance][0]), float(self.time[self.stance][-1])
+
+    @property
+    def impulse_ratio(self) -> float:
+        """F_x / F_y of the impact at touchdown: the foot's change of velocity, horizontal over vertical."""
+        after = self.stance.start
+        change_x, change_y = (self[name][after] - self[name][after - 1] for name in ("foot.vx", "foot.vy"))
+        return float(change_x / change_y)
+
+    def at(self, name: str, times: np.ndarray) -> np.ndarray:
+        """A variable at given times, interpolated between rows."""
+        return np.interp(times, self.time, self[name])
+
+    def mode_at(self, time: float) -> str:
+        """Contact mode at a time."""
+        return self.modes[max(0, int(np.searchsorted(self.time, time, side="right")) - 1)]

@@ -1,0 +1,110 @@
+"""What all pictures share: colours and names of contact modes, type, axes, and how files are written."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..files import whole
+
+INK = "#22303c"
+FAINT = "#8a97a3"
+GROUND = "#c9d1d8"
+BODY = "#22303c"
+CURVE = "#22303c"
+SECOND_CURVE = "#0b7a75"
+"""For a second quantity in the same axes."""
+
+MODE_COLOURS: Mapping[str, str] = {
+    "flight": "#8a97a3",
+    "stick": "#1f5fa8",
+    "slip_positive": "#e07b00",
+    "slip_negative": "#b3216f",
+    "graze": "#5aa02c",
+}
+"""By the unit's names of contact modes; told apart by colour-blind readers too."""
+
+MODE_NAMES: Mapping[str, str] = {
+    "flight": "flight",
+    "stick": "stick (0)",
+    "slip_positive": "slip forward (+)",
+    "slip_negative": "slip backward (−)",
+    "graze": "graze",
+}
+
+LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
+"""Of the gait word."""
+
+STANCE_LINE = {"color": FAINT, "linestyle": (0, (5, 3)), "linewidth": 1.0, "zorder": 1}
+MID_STANCE_LINE = {"color": FAINT, "linestyle": "-.", "linewidth": 1.0, "zorder": 1}
+LIMIT_LINE = {"color": INK, "linestyle": (0, (4, 2)), "linewidth": 0.9, "zorder": 1}
+SLIP_DASHES = (0, (3.0, 1.4))
+
+LOADED = ("stick", "slip_positive", "slip_negative")
+"""Modes in which the ground bears the foot."""
+
+DOTS_PER_INCH = 150
+
+SETTINGS = {
+    "font.size": 9.5,
+    "font.family": "DejaVu Sans",
+    "mathtext.fontset": "dejavusans",
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "legend.frameon": True,
+    "legend.framealpha": 1.0,
+    "legend.edgecolor": "white",
+    "legend.borderpad": 0.2,
+    "legend.fontsize": 8.5,
+    "lines.linewidth": 1.7,
+    "figure.facecolor": "white",
+}
+
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """The house style, for what is drawn inside."""
+    with plt.rc_context(SETTINGS):
+        yield
+
+
+def save(figure: Figure, path: Path, dots_per_inch: int = DOTS_PER_INCH) -> None:
+    """Write a figure whole or not at all, and let go of it."""
+    try:
+        with whole(path) as beside:
+            figure.savefig(
+                beside, dpi=dots_per_inch, metadata={"Software": None} if path.suffix == ".png" else None
+            )
+    finally:
+        plt.close(figure)
+
+
+def label(axes: Axes, horizontal: str, vertical: str) -> None:
+    """Name both axes."""
+    axes.set_xlabel(horizontal)
+    axes.set_ylabel(vertical)
+
+
+def dashes(mode: str) -> str | tuple:
+    """Line style of a contact mode: slip dashed, all else solid."""
+    return SLIP_DASHES if mode.startswith("slip") else "-"
+
+
+def word(letters: str) -> str:
+    """A gait word with a minus sign as wide as its plus."""
+    return letters.replace("-", "−")

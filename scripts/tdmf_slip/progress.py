@@ -1,0 +1,28 @@
+"""Progress of long work, on stderr."""
+
+import sys
+
+from tqdm import tqdm
+
+
+def bar(what: str, total: float | None, unit: str, show: bool = True) -> tqdm:
+    """A progress bar on stderr; rare lines where stderr is not a terminal.
+
+    Args:
+        what: what is going on.
+        total: how many units there will be, or None where nobody knows.
+        unit: what is counted.
+        show: False for a bar that prints nothing.
+    """
+    on_screen = sys.stderr.isatty()
+    return tqdm(
+        desc=what,
+        total=total,
+        unit=f" {unit}",
+        disable=not show,
+        leave=total is None,  # what took how many is worth keeping where nobody knew
+        file=sys.stderr,
+        mininterval=0.2 if on_screen else 10.0,
+        delay=0.0 if on_screen or total is None else 2.0,
+        bar_format="{l_bar}{bar}| {n:.0f}/{total:.0f}{unit} [{elapsed}]" if total is not None else None,
+    )

@@ -1,0 +1,56 @@
+"""The recorded reference gaits, and how far a computed gait is from them."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from .gait import QUANTITIES, Gait
+from .section import COORDINATES, scales
+from .unit import Unit
+
+PATH = Path(__file__).parent / "data" / "gaits.json"
+QUANTITY_TOLERANCE = 1e-6
+"""Relative, for a stride's quantities."""
+APEX_TOLERANCE = 1e-5
+"""Over the coordinates' scales."""
+
+
+@dataclass(frozen=True)
+class Drift:
+    """One value of a gait beside its reference."""
+
+    friction: float
+    what: str
+    computed: float | str
+    reference: float | str
+    deviation: float
+    """Relative for quantities, over its scale for a coordinate of the apex; 0 or 1 for the word."""
+    allowed: float
+
+    @property
+    def passed(self) -> bool:
+        """Within what is allowed."""
+        return self.deviation <= self.allowed
+
+
+@cache
+def gaits() -> tuple[Mapping[str, object], ...]:
+    """The reference gaits: friction, word, stride quantities, apex, events."""
+    return tuple(json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
+
+
+def drifts(gait: Gait, reference: Mapping[str, object], unit: Unit) -> list[Drift]:
+    """All recorded values of a gait beside their references."""
+    mu = gait.friction
+    found = [Drift(mu, "word", gait.word, reference["word"], float(gait.word != reference["word"]), 0.0)]
+    for name in QUANTITIES:
+        computed, wanted = getattr(gait, name), reference[name]
+        found.append(Drift(mu, name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE))
+    for name, computed, wanted, scale in zip(
+        COORDINATES, gait.apex, reference["apex"], scales(unit, gait.start_values), strict=True
+    ):
+        deviation = abs(computed - wanted) / scale
+        found.append(Drift(mu, f"apex {name}", computed, wanted, deviation, APEX_TOLERANCE))
+    return found
