@@ -17,12 +17,15 @@ import xml.etree.ElementTree as ElementTree
 
 # Parameters of these groups belong to the unit; all others are the core's.
 UNIT_GROUPS = {"status"}
+# C's enumerators of the enumerations' items.
+ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_"}
 
 
 class Variable:
     """One ScalarVariable with its declared type folded in."""
 
     def __init__(self, element, types, value_reference):
+        """Read the element; `types` are the declared types by name."""
         self.element = element
         self.value_reference = value_reference
         self.name = element.get("name")
@@ -38,19 +41,22 @@ class Variable:
 
     @property
     def group(self):
+        """The part of the name before the first dot."""
         return self.name.split(".")[0]
 
     @property
     def constant(self):
-        """The C enumerator of a state or an enumeration's item: foot.x -> TDMF_FOOT_X."""
+        """The C enumerator of a state: foot.x -> TDMF_FOOT_X."""
         return "TDMF_" + self.name.upper().replace(".", "_")
 
     def limit(self, which):
+        """`min` or `max` as C, the largest double where there is none."""
         sign = {"min": "-", "max": ""}[which]
         return self.value.get(which, sign + "DBL_MAX")
 
     @property
     def start(self):
+        """The start value as C, 0 where there is none."""
         start = self.value.get("start", "0")
         return {"true": "1", "false": "0"}.get(start, start)
 
@@ -59,6 +65,7 @@ class Table:
     """The variables of a model description, in order; a value reference is a position."""
 
     def __init__(self, source):
+        """Read the model description in the file `source`."""
         self.tree = ElementTree.parse(source)
         self.root = self.tree.getroot()
         types = {t.get("name"): t[0] for t in self.root.find("TypeDefinitions")}
@@ -71,31 +78,39 @@ class Table:
         self.states = [self.find(v.derivative, v.name) for v in self.derivatives]
 
     def find(self, name, wanted_by):
+        """The variable of that name, or a clear end."""
         if name not in self.by_name:
             raise SystemExit(f"modelDescription.xml: {wanted_by} names {name}, which is no variable")
         return self.by_name[name]
 
     def core_parameters(self):
+        """The parameters in `tdmf_parameters`."""
         return [v for v in self.variables if v.causality == "parameter" and v.group not in UNIT_GROUPS]
 
     def inputs(self):
+        """The variables in `tdmf_inputs`."""
         return [v for v in self.variables if v.causality == "input"]
 
 
 def generated(lines):
-    return "\n".join(["/* Generated from modelDescription.xml by scripts/generate_variables.py. */", *lines, ""])
+    """A C file of these lines, marked as generated."""
+    return "\n".join(
+        ["/* Generated from modelDescription.xml by scripts/generate_variables.py. */", *lines, ""]
+    )
 
 
 # ---- the core's table ----------------------------------------------------------------------------------
 
 
 def range_row(variable, offset):
+    """A row of `tdmf_range`."""
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     limits = f"{variable.limit('min')}, {variable.limit('max')}"
     return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {offset}}},'
 
 
 def ranges(table):
+    """The C file behind c_core/model/ranges.h."""
     parameters = [range_row(v, f"offsetof(tdmf_parameters, {v.name})") for v in table.core_parameters()]
     inputs = [range_row(v, f"offsetof(tdmf_inputs, {v.name})") for v in table.inputs()]
     mechanical = [range_row(v, "0") for v in table.states if v.value.get("start")]
@@ -108,7 +123,8 @@ def ranges(table):
             "const tdmf_range tdmf_parameter_ranges[] = {",
             *parameters,
             "};",
-            "const size_t tdmf_parameter_count = sizeof tdmf_parameter_ranges / sizeof tdmf_parameter_ranges[0];",
+            "const size_t tdmf_parameter_count =",
+            "    sizeof tdmf_parameter_ranges / sizeof tdmf_parameter_ranges[0];",
             "",
             "const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT] = {",
             *inputs,
@@ -142,10 +158,13 @@ def storage(variable, table):
 
 
 def variable_row(variable, table):
+    """A row of `unit_variable`."""
     kind, place = storage(variable, table)
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     kind_of_value = "INTEGER" if variable.type == "Enumeration" else variable.type.upper()
-    settable_before_start = "true" if variable.initial == "exact" or variable.causality == "input" else "false"
+    settable_before_start = (
+        "true" if variable.initial == "exact" or variable.causality == "input" else "false"
+    )
     limits = f"{variable.limit('min')}, {variable.limit('max')}, {variable.start}"
     if variable.type in ("Boolean", "String"):
         limits = f"0, 1, {variable.start}"
@@ -161,26 +180,30 @@ def agreement(claim, what):
 
 
 def agreements(table):
+    """What XML and C both state, as compile-time checks."""
     lines = [
-        agreement(f"TDMF_GUARD_COUNT == {table.root.get('numberOfEventIndicators')}", "number_of_event_indicators"),
+        agreement(
+            f"TDMF_GUARD_COUNT == {table.root.get('numberOfEventIndicators')}", "number_of_event_indicators"
+        ),
         agreement(f"TDMF_STATE_COUNT == {len(table.states)}", "number_of_states"),
     ]
     for i, state in enumerate(table.states):
         lines.append(agreement(f"{state.constant} == {i}", state.constant))
     for variable in table.variables:
         for item in variable.items:
-            constant = f"{variable.constant.removesuffix('_MODE')}_{item.get('name').upper()}"
-            constant = constant.replace("TDMF_HIP_PHASE_", "TDMF_PHASE_")
+            constant = ENUMERATORS[variable.name] + item.get("name").upper()
             lines.append(agreement(f"{constant} == {item.get('value')}", constant))
     return lines
 
 
 def item_names(table, name):
+    """The names of an enumeration's items as a C array."""
     names = ", ".join(f'"{item.get("name")}"' for item in table.by_name[name].items)
     return f"const char *const unit_{name.replace('.', '_')}_names[] = {{{names}}};"
 
 
 def variables(table):
+    """The C file behind fmu_src/variables.h."""
     return generated(
         [
             '#include "variables.h"',
@@ -205,11 +228,13 @@ def variables(table):
 
 
 def guid_of(source, version):
+    """An identity that changes with the content and the version."""
     content = pathlib.Path(source).read_bytes() + version.encode()
     return "{" + str(uuid.UUID(hashlib.sha256(content).hexdigest()[:32])) + "}"
 
 
 def unknown(variable, table, dependencies):
+    """An Unknown of the model structure, names turned into indices."""
     element = ElementTree.Element("Unknown", index=str(variable.value_reference + 1))
     if dependencies is not None:
         found = sorted(table.find(name, variable.name).value_reference + 1 for name in dependencies)
@@ -221,11 +246,14 @@ def known_dependencies(table):
     """Dependencies by name; an output that is a state depends on itself."""
     dependencies = {s.name: [s.name] for s in table.states if s.causality == "output"}
     for element in table.root.find("ModelStructure"):
-        dependencies[table.find(element.get("name"), "ModelStructure").name] = element.get("dependencies").split()
+        dependencies[table.find(element.get("name"), "ModelStructure").name] = element.get(
+            "dependencies"
+        ).split()
     return dependencies
 
 
 def complete_structure(table):
+    """The model structure as FMI wants it."""
     dependencies = known_dependencies(table)
     outputs = [v for v in table.variables if v.causality == "output"]
     initial_unknowns = [v for v in table.variables if v.initial == "calculated"]
@@ -241,6 +269,7 @@ def complete_structure(table):
 
 
 def describe(table, source, version):
+    """The modelDescription.xml inside the FMU."""
     root = table.root
     root.set("guid", guid_of(source, version))
     root.set("version", version)
@@ -259,11 +288,15 @@ def describe(table, source, version):
 
 
 def guid(source, version):
+    """The C header with the guid."""
     return generated([f'#define UNIT_GUID "{guid_of(source, version)}"'])
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    """Run the command."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", choices=["ranges", "variables", "description", "guid"])
     parser.add_argument("source")
     parser.add_argument("output")

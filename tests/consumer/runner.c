@@ -1,4 +1,5 @@
-/* A C program against the installed library: drops the default runner, by Euler steps, to its first touchdown. */
+/* A C program against the installed library: drops the default runner, by Euler steps, to its first
+ * touchdown. */
 #include <stdio.h>
 #include <tdmf_slip/tdmf_slip.h>
 

@@ -8,9 +8,8 @@ import math
 import fmpy
 import numpy as np
 import pytest
-from fmpy.fmi2 import FMU2Model
-
 import tdmf_slip
+from fmpy.fmi2 import FMU2Model
 
 
 @pytest.fixture(scope="session")
@@ -110,8 +109,6 @@ def new_instance(unpacked, description):
     yield make
     for model in made:
         model.freeInstance()
-
-
 
 
 @pytest.fixture

@@ -67,4 +67,6 @@ def test_external_torque_does_work_and_the_ledger_still_closes(run):
     change = last["energy.total"] - first["energy.total"]
     turned_over = last["hip.positive_work"]
     assert turned_over > 0.1
-    assert change == pytest.approx(last["hip.work"] - sum(last[name] for name in losses), abs=1e-5 * turned_over)
+    assert change == pytest.approx(
+        last["hip.work"] - sum(last[name] for name in losses), abs=1e-5 * turned_over
+    )

@@ -16,7 +16,11 @@ LEDGER = (
 
 def test_two_thousand_strides_without_chatter(run):
     rows, instance = run(
-        2000.5 * PERIOD, {}, tolerance=1e-6, output_interval=8.0, output=("stride.count", "event.count", "foot.y")
+        2000.5 * PERIOD,
+        {},
+        tolerance=1e-6,
+        output_interval=8.0,
+        output=("stride.count", "event.count", "foot.y"),
     )
     strides, first = np.unique(rows["stride.count"], return_index=True)
     assert strides[-1] == 2000

@@ -26,14 +26,16 @@ class Settled:
 def settle(reference, run):
     """A long run, then one stride from its last apex.
 
-    A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one stride
-    1/(1 - 0.91) = 11 times at friction 0.2: the long run is the more exact one.
+    A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one
+    stride 1/(1 - 0.91) = 11 times at friction 0.2: the long run is the more exact one.
     """
     friction = {"ground.friction": reference["friction"]}
     _, instance = run((SETTLED + 0.5) * reference["period"], friction, tolerance=1e-10, output_interval=5.0)
     apex = instance.real(*(f"apex.{name}" for name in APEX))
     counts = ("stride.count", "event.count")
-    rows, instance = run(2.1 * reference["period"], apex_start(apex) | friction, tolerance=1e-9, output=counts)
+    rows, instance = run(
+        2.1 * reference["period"], apex_start(apex) | friction, tolerance=1e-9, output=counts
+    )
     stride = dict(zip(SCALARS, instance.real(*(f"stride.{name}" for name in SCALARS)), strict=True))
     return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
 

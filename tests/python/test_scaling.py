@@ -1,4 +1,4 @@
-"""(m, k, l0) scaled by any factors, with the dimensionless groups fixed, is the same motion in scaled units."""
+"""(m, k, l0) scaled by any factors, the dimensionless groups fixed, is the same motion in scaled units."""
 
 import math
 import random
@@ -27,7 +27,12 @@ def scaled_parameters(m, k, l0):
 
 def scaled_start(apex, l0, time):
     units = {"foot.x": l0, "foot.y": l0, "leg.length": l0, "leg.angle": 1.0}
-    rates = {"foot.vx": l0 / time, "foot.vy": l0 / time, "leg.length_rate": l0 / time, "leg.angle_rate": 1 / time}
+    rates = {
+        "foot.vx": l0 / time,
+        "foot.vy": l0 / time,
+        "leg.length_rate": l0 / time,
+        "leg.angle_rate": 1 / time,
+    }
     return {name: value * (units | rates)[name] for name, value in apex_start(apex).items()}
 
 

@@ -1,4 +1,4 @@
-"""Dependencies declared in the model structure, against those that perturbations show in every contact mode."""
+"""Dependencies declared in the model structure, against those that perturbations show in every mode."""
 
 import random
 
