@@ -11,6 +11,8 @@ static const char *name_of_state(call_state state) {
         return "in event mode";
     case CONTINUOUS_TIME_MODE:
         return "in continuous-time mode";
+    case STEP_COMPLETE:
+        return "between steps of Co-Simulation";
     case TERMINATED:
         return "after termination";
     default:
@@ -61,7 +63,7 @@ static bool look_ahead(instance *instance, const char *call, fmi2Status *status)
 }
 
 const unit_view *current_view(instance *instance, const char *call, fmi2Status *status) {
-    const bool before_start = (instance->state & (INSTANTIATED | INITIALIZATION_MODE)) != 0;
+    const bool before_start = (instance->state & BEFORE_START) != 0;
     if (!instance->view_is_current) {
         if (before_start) {
             if (!look_ahead(instance, call, status)) {
@@ -73,4 +75,35 @@ const unit_view *current_view(instance *instance, const char *call, fmi2Status *
         instance->view_is_current = true;
     }
     return &instance->view;
+}
+
+static const char *const type_names[] = {"Real", "Integer or Enumeration", "Boolean", "String"};
+
+/* The variable of a value reference and type; NULL, after failing, if there is none. */
+const unit_variable *find_variable(instance *instance, const char *call, fmi2ValueReference reference,
+                                   unit_variable_type type) {
+    if (reference >= unit_variable_count) {
+        fail(instance, call, "there is no value reference %u", reference);
+        return NULL;
+    }
+    const unit_variable *variable = &unit_variables[reference];
+    if (variable->type != type) {
+        fail(instance, call, "%s (value reference %u) is of type %s", variable->name, reference,
+             type_names[variable->type]);
+        return NULL;
+    }
+    return variable;
+}
+
+void log_changes(const instance *instance, const tdmf_mode *before) {
+    const tdmf_mode *after = &instance->unit.motion.mode;
+    if (before->contact != after->contact || before->phase != after->phase) {
+        log_message(instance, fmi2OK, LOG_EVENTS, "%s, %s -> %s, %s (event %d, stride %d)",
+                    unit_contact_mode_names[before->contact - 1], unit_hip_phase_names[before->phase - 1],
+                    unit_contact_mode_names[after->contact - 1], unit_hip_phase_names[after->phase - 1],
+                    instance->unit.motion.record.event_count, instance->unit.motion.record.stride.count);
+    }
+    if (!before->fallen && after->fallen) {
+        log_message(instance, fmi2OK, LOG_EVENTS, "the runner has fallen");
+    }
 }

@@ -7,15 +7,20 @@
 #include "unit.h"
 #include "variables.h"
 
-/* States of the state machine of FMI 2.0, section 3.2.3; a set of them says where a function may be called.
- */
+/* States of the state machines of FMI 2.0, sections 3.2.3 and 4.2.4; a set of them says where a function may
+ * be called. */
 typedef enum {
     INSTANTIATED = 1 << 0,
     INITIALIZATION_MODE = 1 << 1,
     EVENT_MODE = 1 << 2,
     CONTINUOUS_TIME_MODE = 1 << 3,
-    TERMINATED = 1 << 4,
-    FAILED = 1 << 5 /* the standard's "error" */
+    STEP_COMPLETE = 1 << 4, /* Co-Simulation, between steps */
+    TERMINATED = 1 << 5,
+    FAILED = 1 << 6, /* the standard's "error" */
+    RUNNING = EVENT_MODE | CONTINUOUS_TIME_MODE | STEP_COMPLETE,
+    BEFORE_START = INSTANTIATED | INITIALIZATION_MODE,
+    ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED,
+    READABLE = ANYWHERE & ~INSTANTIATED
 } call_state;
 
 /* Bits of the log categories in modelDescription.xml. */
@@ -32,6 +37,7 @@ typedef struct {
     unit unit;
     unit_view view;
     bool view_is_current;
+    fmi2Type type;
     call_state state;
     unsigned log_categories;
     char *name;
@@ -64,6 +70,13 @@ bool array_is_given(instance *instance, const char *call, const void *array, siz
 /* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
  * the start values contradict each other. */
 const unit_view *current_view(instance *instance, const char *call, fmi2Status *status);
+
+/* The variable of a value reference and type; NULL, after failing, if there is none. */
+const unit_variable *find_variable(instance *instance, const char *call, fmi2ValueReference reference,
+                                   unit_variable_type type);
+
+/* Logs what an update has changed since `before`. */
+void log_changes(const instance *instance, const tdmf_mode *before);
 
 /* Something that outputs or derivatives depend on has changed. */
 void forget_view(instance *instance);

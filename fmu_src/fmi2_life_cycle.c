@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const unsigned anywhere =
-    INSTANTIATED | INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-
 const char *fmi2GetTypesPlatform(void) {
     return fmi2TypesPlatform;
 }
@@ -20,7 +17,7 @@ const char *fmi2GetVersion(void) {
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, size_t count,
                                const fmi2String names[]) {
     instance *instance = component;
-    if (!call_is_allowed(instance, "fmi2SetDebugLogging", anywhere) ||
+    if (!call_is_allowed(instance, "fmi2SetDebugLogging", ANYWHERE) ||
         !array_is_given(instance, "fmi2SetDebugLogging", names, count, count)) {
         return fmi2Error;
     }
@@ -42,8 +39,8 @@ static const char *reason_to_refuse(fmi2String name, fmi2Type type, fmi2String g
     if (name == NULL || name[0] == '\0') {
         return "the instance needs a name";
     }
-    if (type != fmi2ModelExchange) {
-        return "this unit offers Model Exchange only";
+    if (type != fmi2ModelExchange && type != fmi2CoSimulation) {
+        return "the type is neither Model Exchange nor Co-Simulation";
     }
     if (guid == NULL || strcmp(guid, UNIT_GUID) != 0) {
         return "the guid is not this unit's, " UNIT_GUID;
@@ -87,6 +84,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         }
         return NULL;
     }
+    made->type = type;
     made->logger = logger;
     made->environment = environment;
     made->log_categories = logging ? LOG_ALL : LOG_STATUS;
@@ -118,7 +116,8 @@ fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean tolerance_de
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
         return fail(instance, call, "the tolerance is not a positive number");
     }
-    instance->unit.time = start_time;
+    instance->unit.motion.time = start_time;
+    instance->unit.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
     forget_view(instance);
     return fmi2OK;
 }
@@ -138,19 +137,23 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
     if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
         return fmi2Error;
     }
+    const char *obstacle = unit_settings_obstacle(&instance->unit);
+    if (obstacle != NULL) {
+        return fail(instance, call, "%s", obstacle);
+    }
     const tdmf_refusal refusal = unit_start(&instance->unit);
     if (refusal.variable != NULL) {
         char text[256];
         return fail(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
     }
     forget_view(instance);
-    instance->state = EVENT_MODE;
+    instance->state = instance->type == fmi2CoSimulation ? STEP_COMPLETE : EVENT_MODE;
     return fmi2OK;
 }
 
 fmi2Status fmi2Terminate(fmi2Component component) {
     instance *instance = component;
-    if (!call_is_allowed(instance, "fmi2Terminate", EVENT_MODE | CONTINUOUS_TIME_MODE)) {
+    if (!call_is_allowed(instance, "fmi2Terminate", RUNNING)) {
         return fmi2Error;
     }
     instance->state = TERMINATED;
@@ -159,7 +162,7 @@ fmi2Status fmi2Terminate(fmi2Component component) {
 
 fmi2Status fmi2Reset(fmi2Component component) {
     instance *instance = component;
-    if (!call_is_allowed(instance, "fmi2Reset", anywhere)) {
+    if (!call_is_allowed(instance, "fmi2Reset", ANYWHERE)) {
         return fmi2Error;
     }
     begin_again(instance);

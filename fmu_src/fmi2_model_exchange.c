@@ -17,26 +17,13 @@ fmi2Status fmi2EnterEventMode(fmi2Component component) {
     return fmi2OK;
 }
 
-static void log_changes(const instance *instance, const tdmf_mode *before) {
-    const tdmf_mode *after = &instance->unit.mode;
-    if (before->contact != after->contact || before->phase != after->phase) {
-        log_message(instance, fmi2OK, LOG_EVENTS, "%s, %s -> %s, %s (event %d, stride %d)",
-                    unit_contact_mode_names[before->contact - 1], unit_hip_phase_names[before->phase - 1],
-                    unit_contact_mode_names[after->contact - 1], unit_hip_phase_names[after->phase - 1],
-                    instance->unit.record.event_count, instance->unit.record.stride.count);
-    }
-    if (!before->fallen && after->fallen) {
-        log_message(instance, fmi2OK, LOG_EVENTS, "the runner has fallen");
-    }
-}
-
 fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
     static const char call[] = "fmi2NewDiscreteStates";
     instance *instance = component;
     if (!call_is_allowed(instance, call, EVENT_MODE) || !array_is_given(instance, call, info, 1, 1)) {
         return fmi2Error;
     }
-    const tdmf_mode before = instance->unit.mode;
+    const tdmf_mode before = instance->unit.motion.mode;
     const tdmf_resolution resolution = unit_update(&instance->unit);
     forget_view(instance);
     log_changes(instance, &before);
@@ -46,7 +33,8 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
     memset(info, 0, sizeof *info);
     info->valuesOfContinuousStatesChanged = resolution.state_changed ? fmi2True : fmi2False;
     info->terminateSimulation =
-        instance->unit.mode.fallen && instance->unit.settings.status.terminate_on_fall ? fmi2True : fmi2False;
+        instance->unit.motion.mode.fallen && instance->unit.settings.status.terminate_on_fall ? fmi2True
+                                                                                              : fmi2False;
     return fmi2OK;
 }
 
@@ -82,7 +70,7 @@ fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
     if (!isfinite(time)) {
         return fail(instance, "fmi2SetTime", "the time is not finite");
     }
-    instance->unit.time = time;
+    instance->unit.motion.time = time;
     return fmi2OK;
 }
 
@@ -107,7 +95,7 @@ fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], s
         !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
         return fmi2Error;
     }
-    memcpy(states, instance->unit.state, sizeof instance->unit.state);
+    memcpy(states, instance->unit.motion.state, sizeof instance->unit.motion.state);
     return fmi2OK;
 }
 
@@ -119,7 +107,7 @@ fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], s
         return fmi2Error;
     }
     const unit *unit = &instance->unit;
-    tdmf_derivatives(&unit->model, &unit->inputs, &unit->mode, unit->state, derivatives);
+    tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, derivatives);
     return fmi2OK;
 }
 

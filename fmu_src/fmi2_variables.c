@@ -3,27 +3,7 @@
  */
 #include "fmi2_instance.h"
 
-static const unsigned readable =
-    INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-static const unsigned writable = INSTANTIATED | INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE;
-
-static const char *const type_names[] = {"Real", "Integer or Enumeration", "Boolean", "String"};
-
-/* The variable of a value reference and type; NULL, after failing, if there is none. */
-static const unit_variable *find(instance *instance, const char *call, fmi2ValueReference reference,
-                                 unit_variable_type type) {
-    if (reference >= unit_variable_count) {
-        fail(instance, call, "there is no value reference %u", reference);
-        return NULL;
-    }
-    const unit_variable *variable = &unit_variables[reference];
-    if (variable->type != type) {
-        fail(instance, call, "%s (value reference %u) is of type %s", variable->name, reference,
-             type_names[variable->type]);
-        return NULL;
-    }
-    return variable;
-}
+static const unsigned writable = BEFORE_START | RUNNING;
 
 static bool may_begin(instance *instance, const char *call, unsigned states,
                       const fmi2ValueReference references[], const void *values, size_t count) {
@@ -40,7 +20,7 @@ static bool is_derived(const unit_variable *variable) {
 
 static fmi2Status get_number(instance *instance, const char *call, fmi2ValueReference reference,
                              unit_variable_type type, double *value) {
-    const unit_variable *variable = find(instance, call, reference, type);
+    const unit_variable *variable = find_variable(instance, call, reference, type);
     if (variable == NULL) {
         return fmi2Error;
     }
@@ -55,7 +35,7 @@ static fmi2Status get_number(instance *instance, const char *call, fmi2ValueRefe
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], size_t count,
                        fmi2Real values[]) {
     fmi2Status status =
-        may_begin(component, "fmi2GetReal", readable, references, values, count) ? fmi2OK : fmi2Error;
+        may_begin(component, "fmi2GetReal", READABLE, references, values, count) ? fmi2OK : fmi2Error;
     for (size_t i = 0; i < count && status == fmi2OK; ++i) {
         status = get_number(component, "fmi2GetReal", references[i], VARIABLE_REAL, &values[i]);
     }
@@ -64,7 +44,7 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
 
 static fmi2Status get_integers(fmi2Component component, const char *call, unit_variable_type type,
                                const fmi2ValueReference references[], size_t count, int values[]) {
-    fmi2Status status = may_begin(component, call, readable, references, values, count) ? fmi2OK : fmi2Error;
+    fmi2Status status = may_begin(component, call, READABLE, references, values, count) ? fmi2OK : fmi2Error;
     for (size_t i = 0; i < count && status == fmi2OK; ++i) {
         double value = 0.0;
         status = get_number(component, call, references[i], type, &value);
@@ -88,9 +68,9 @@ fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference refe
 fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], size_t count,
                          fmi2String values[]) {
     static const char call[] = "fmi2GetString";
-    fmi2Status status = may_begin(component, call, readable, references, values, count) ? fmi2OK : fmi2Error;
+    fmi2Status status = may_begin(component, call, READABLE, references, values, count) ? fmi2OK : fmi2Error;
     for (size_t i = 0; i < count && status == fmi2OK; ++i) {
-        const unit_variable *variable = find(component, call, references[i], VARIABLE_STRING);
+        const unit_variable *variable = find_variable(component, call, references[i], VARIABLE_STRING);
         const unit_view *view = variable == NULL ? NULL : current_view(component, call, &status);
         if (variable == NULL) {
             status = fmi2Error;
@@ -104,13 +84,13 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference refer
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
 static bool is_settable_now(const instance *instance, const unit_variable *variable) {
-    const bool before_start = (instance->state & (INSTANTIATED | INITIALIZATION_MODE)) != 0;
+    const bool before_start = (instance->state & BEFORE_START) != 0;
     return variable->storage == STORED_INPUT || (before_start && variable->settable_before_start);
 }
 
 static fmi2Status check_set(instance *instance, const char *call, fmi2ValueReference reference,
                             unit_variable_type type, double value) {
-    const unit_variable *variable = find(instance, call, reference, type);
+    const unit_variable *variable = find_variable(instance, call, reference, type);
     if (variable == NULL) {
         return fmi2Error;
     }
@@ -128,6 +108,9 @@ static fmi2Status check_set(instance *instance, const char *call, fmi2ValueRefer
 
 static void set_number(instance *instance, fmi2ValueReference reference, double value) {
     unit_set_number(&instance->unit, &unit_variables[reference], value);
+    if (unit_variables[reference].storage == STORED_INPUT) {
+        unit_set_number_rate(&instance->unit, &unit_variables[reference], 0.0);
+    }
     forget_view(instance);
 }
 
@@ -173,7 +156,7 @@ fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference refer
         return fmi2Error;
     }
     for (size_t i = 0; i < count; ++i) {
-        const unit_variable *variable = find(component, call, references[i], VARIABLE_STRING);
+        const unit_variable *variable = find_variable(component, call, references[i], VARIABLE_STRING);
         return variable == NULL ? fmi2Error
                                 : fail(component, call, "%s cannot be set at any time", variable->name);
     }

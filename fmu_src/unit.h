@@ -5,22 +5,28 @@
 
 #include "tdmf_slip/tdmf_slip.h"
 
+typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
+
 /* Parameters of the unit rather than of the runner. Member paths are variable names, as in the core. */
 typedef struct {
     struct {
         int terminate_on_fall;
     } status;
+    struct {
+        int method; /* solver_method */
+        double relative_tolerance;
+    } solver;
 } unit_settings;
 
-typedef struct {
+typedef struct unit {
     unit_settings settings;
     tdmf_parameters parameters;
     tdmf_inputs inputs;
+    tdmf_input_rates input_rates; /* Co-Simulation: how the inputs go on from the communication point */
+    double importer_tolerance;    /* infinite where the importer has none */
     tdmf_model model;
-    double time;
-    double state[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
+    tdmf_motion motion;
+    tdmf_native_solver solver;
 } unit;
 
 /* What follows from a unit and is computed when somebody looks. */
@@ -32,10 +38,17 @@ typedef struct {
 /* Back to the start values of modelDescription.xml, at time 0. */
 void unit_reset(unit *unit);
 
-/* Begins the run at unit->time from the values set so far; on refusal the unit is left as it was. */
+/* Begins the run at unit->motion.time from the values set so far; on refusal the unit is left as it was. */
 tdmf_refusal unit_start(unit *unit);
 
 void unit_look(const unit *unit, unit_view *view);
+
+/* How all that follows from states and inputs changes along a direction: a unit whose states and inputs are
+ * the seed. Discrete outputs do not change. */
+void unit_look_along(const unit *unit, const struct unit *direction, unit_view *change);
+
+/* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
+void unit_flow(const unit *unit, struct unit *direction);
 
 /* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
  * false, and nothing taken, if one is not a number. */
@@ -49,7 +62,17 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
 /* To be called before an input may jump. */
 void unit_observe(unit *unit);
 
-/* Resolves whatever is due at unit->time. */
+/* Resolves whatever is due at unit->motion.time. */
 tdmf_resolution unit_update(unit *unit);
+
+/* Co-Simulation: moves the run on to `until` by the solver chosen. A run that fell stays readable, frozen.
+ * Returns NULL, or why it got no farther than unit->motion.time. */
+const char *unit_advance(unit *unit, double until);
+
+/* Why the settings cannot be met by this build, or NULL. */
+const char *unit_settings_obstacle(const unit *unit);
+
+/* The parameter in which two units differ first, by its row in the table of variables, or -1. */
+int unit_first_difference(const unit *a, const unit *b);
 
 #endif

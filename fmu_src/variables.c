@@ -6,7 +6,7 @@
 static const void *storage_of(const unit *unit, const unit_view *view, unit_storage storage) {
     switch (storage) {
     case STORED_TIME:
-        return &unit->time;
+        return &unit->motion.time;
     case STORED_PARAMETER:
         return &unit->parameters;
     case STORED_SETTING:
@@ -14,7 +14,7 @@ static const void *storage_of(const unit *unit, const unit_view *view, unit_stor
     case STORED_INPUT:
         return &unit->inputs;
     case STORED_STATE:
-        return unit->state;
+        return unit->motion.state;
     case STORED_DERIVATIVE:
         return view->derivatives;
     default:
@@ -60,5 +60,13 @@ void unit_set_number(unit *unit, const unit_variable *variable, double value) {
     } else {
         const int number = (int)value;
         memcpy(place, &number, sizeof number);
+    }
+}
+
+void unit_set_number_rate(unit *unit, const unit_variable *input, double rate) {
+    if (input->place == offsetof(tdmf_inputs, ground.friction)) {
+        unit->input_rates.friction = rate;
+    } else {
+        unit->input_rates.external_torque = rate;
     }
 }

@@ -16,9 +16,9 @@ import uuid
 import xml.etree.ElementTree as ElementTree
 
 # Parameters of these groups belong to the unit; all others are the core's.
-UNIT_GROUPS = {"status"}
+UNIT_GROUPS = {"status", "solver"}
 # C's enumerators of the enumerations' items.
-ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_"}
+ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_", "solver.method": "SOLVER_"}
 
 
 class Variable:

@@ -83,6 +83,13 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
     return first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
 }
 
+tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed) {
+    tdmf_inputs after = *inputs;
+    after.ground.friction = fmax(0.0, after.ground.friction + elapsed * rates->friction);
+    after.hip.external_torque += elapsed * rates->external_torque;
+    return after;
+}
+
 /* printf takes the decimal separator from the locale; a message, like a file, should not. */
 static const char *number(double value, char text[32]) {
     snprintf(text, 32, "%.9g", value);

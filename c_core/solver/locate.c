@@ -18,13 +18,6 @@ enum { DIP_SAMPLES = 16, ROOT_ITERATIONS = 100 };
 
 typedef double (*step_function)(const tdmf_search *search, int which, double fraction);
 
-tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed) {
-    tdmf_inputs after = *inputs;
-    after.ground.friction = fmax(0.0, after.ground.friction + elapsed * rates->friction);
-    after.hip.external_torque += elapsed * rates->external_torque;
-    return after;
-}
-
 static double guard_at(const tdmf_search *search, int which, double fraction) {
     double z[CHART_COUNT];
     double state[TDMF_STATE_COUNT];

@@ -15,9 +15,6 @@ typedef struct {
     tdmf_pair_step *step;
 } tdmf_search;
 
-/* Inputs some time after those given. */
-tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed);
-
 /* The earliest fraction of the step at which the mode, the phase or the clamp has to change, or 2 if none has
  * to: the first guard at or below zero, the force peak left out. */
 double tdmf_first_crossing(const tdmf_search *search, const tdmf_watch *start, const tdmf_watch *end);

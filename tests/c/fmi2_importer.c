@@ -37,12 +37,20 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
 
-fmi2Component new_instance(void) {
+static fmi2Component new_of_type(fmi2Type type) {
     forget_messages();
-    fmi2Component component = fmi2Instantiate("runner", fmi2ModelExchange, UNIT_GUID, NULL,
-                                              &importer_callbacks, fmi2False, fmi2False);
+    fmi2Component component =
+        fmi2Instantiate("runner", type, UNIT_GUID, NULL, &importer_callbacks, fmi2False, fmi2False);
     assert_non_null(component);
     return component;
+}
+
+fmi2Component new_instance(void) {
+    return new_of_type(fmi2ModelExchange);
+}
+
+fmi2Component new_slave(void) {
+    return new_of_type(fmi2CoSimulation);
 }
 
 fmi2ValueReference reference_of(const char *name) {

@@ -14,8 +14,9 @@ void forget_messages(void);
 
 extern const fmi2CallbackFunctions importer_callbacks;
 
-/* A fresh Model Exchange instance with event logging off; asserts that there is one. */
+/* A fresh instance for Model Exchange or Co-Simulation, event logging off; asserts that there is one. */
 fmi2Component new_instance(void);
+fmi2Component new_slave(void);
 
 /* Value reference of a variable; asserts that it exists. */
 fmi2ValueReference reference_of(const char *name);

@@ -15,6 +15,7 @@
 #include "tdmf_slip/solver.h"
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
+#include "tdmf_slip/tangent.h"
 #include "tdmf_slip/version.h"
 
 #endif

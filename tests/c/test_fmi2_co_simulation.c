@@ -1,0 +1,241 @@
+/* The unit's Co-Simulation: steps that arrive, inputs that move, what is refused. */
+#include "compare.h"
+#include "fmi2_importer.h"
+
+#include "unit.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#ifdef __GLIBC__
+#include <fenv.h>
+int feenableexcept(int exceptions); /* GNU extensions, hidden by -std=c99 */
+int fedisableexcept(int exceptions);
+#endif
+
+static const double period = 24.76444922801218; /* of the default gait */
+
+static int make(void **state) {
+    *state = new_slave();
+    return 0;
+}
+
+static int release(void **state) {
+    fmi2FreeInstance(*state);
+    return 0;
+}
+
+static void run(fmi2Component component, double from, double to, double step) {
+    const long steps = lround((to - from) / step);
+    for (long i = 0; i < steps; ++i) {
+        const double time = from + (double)i * step;
+        assert_int_equal(fmi2DoStep(component, time, step, fmi2True), fmi2OK);
+    }
+}
+
+/* ---- stepping ----------------------------------------------------------------------------------------- */
+
+static void steps_arrive_and_the_grid_does_not_matter(void **state) {
+    static const double steps[] = {0.01, 0.1, 1.25, 25.0, 250.0};
+    (void)state;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        fmi2Component component = new_slave();
+        initialize(component);
+        run(component, 0.0, 250.0, steps[i]);
+        assert_true(fabs(get_real(component, "time") - 250.0) < 1e-9);
+        assert_int_equal(get_integer(component, "stride.count"), 10);
+        assert_close(get_real(component, "stride.period"), period, 1e-8);
+        assert_close(get_real(component, "stride.cost_of_transport"), 0.3717046558598356, 1e-9);
+        fmi2FreeInstance(component);
+    }
+}
+
+static void rounded_communication_points_are_tolerated_and_wrong_ones_refused(void **state) {
+    initialize(*state);
+    double time = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        assert_int_equal(fmi2DoStep(*state, 0.1 * i, 0.1, fmi2True), fmi2OK); /* not 0.1 + 0.1 + ... */
+        time = 0.1 * i + 0.1;
+        assert_true(get_real(*state, "time") == time);
+    }
+    assert_int_equal(fmi2DoStep(*state, time + 0.05, 0.1, fmi2True), fmi2Error);
+    assert_non_null(strstr(last_message, "communication point"));
+}
+
+static void steps_that_are_none_are_refused(void **state) {
+    static const double steps[] = {0.0, -1.0, NAN, INFINITY};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        initialize(*state);
+        forget_messages();
+        assert_int_equal(fmi2DoStep(*state, 0.0, steps[i], fmi2True), fmi2Error);
+        assert_int_equal(message_count, 1);
+        assert_int_equal(fmi2Reset(*state), fmi2OK);
+    }
+}
+
+static void a_run_may_start_at_any_time(void **state) {
+    assert_int_equal(fmi2SetupExperiment(*state, fmi2False, 0.0, 1000.0, fmi2False, 0.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(*state), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(*state), fmi2OK);
+    run(*state, 1000.0, 1000.0 + 2.0 * period, period);
+    assert_close(get_real(*state, "apex.time"), 1000.0 + 2.0 * period, 1e-6);
+}
+
+static void a_fall_freezes_and_stays_readable(void **state) {
+    assert_int_equal(set_real(*state, "foot.y", 100.0), fmi2OK);
+    initialize(*state);
+    run(*state, 0.0, 2000.0, 100.0);
+    const fmi2ValueReference fallen = reference_of("status.fallen");
+    fmi2Boolean value = fmi2False;
+    assert_int_equal(fmi2GetBoolean(*state, &fallen, 1, &value), fmi2OK);
+    assert_int_equal(value, fmi2True);
+    const double x = get_real(*state, "foot.x");
+    run(*state, 2000.0, 2100.0, 10.0);
+    assert_true(get_real(*state, "foot.x") == x);
+    assert_true(get_real(*state, "time") == 2100.0);
+}
+
+static void stiff_parameters_end_in_a_message(void **state) {
+    assert_int_equal(set_real(*state, "leg.damping", 1e11), fmi2OK);
+    initialize(*state);
+    assert_int_equal(fmi2DoStep(*state, 0.0, 1e3, fmi2True), fmi2Error);
+    assert_non_null(strstr(last_message, "stiff"));
+    assert_true(isfinite(get_real(*state, "foot.x")));
+}
+
+static void the_tighter_tolerance_wins(void **state) {
+    (void)state;
+    double energies[2];
+    for (int i = 0; i < 2; ++i) {
+        fmi2Component component = new_slave();
+        assert_int_equal(set_real(component, "solver.relative_tolerance", 1e-4), fmi2OK);
+        assert_int_equal(fmi2SetupExperiment(component, i == 1, 1e-11, 0.0, fmi2False, 0.0), fmi2OK);
+        assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+        assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+        run(component, 0.0, period, period);
+        energies[i] =
+            fabs(get_real(component, "energy.total") - get_real(component, "hip.work") +
+                 get_real(component, "energy.damper_loss") + get_real(component, "energy.friction_loss") +
+                 get_real(component, "energy.impact_loss") - 0.587225);
+        fmi2FreeInstance(component);
+    }
+    assert_true(energies[0] != energies[1]);
+}
+
+/* ---- inputs and outputs that move --------------------------------------------------------------------- */
+
+static fmi2Status set_rate(fmi2Component component, const char *name, fmi2Integer order, double rate) {
+    const fmi2ValueReference reference = reference_of(name);
+    return fmi2SetRealInputDerivatives(component, &reference, 1, &order, &rate);
+}
+
+static void an_input_goes_on_at_its_rate_until_it_is_set(void **state) {
+    initialize(*state);
+    assert_int_equal(set_rate(*state, "ground.friction", 1, -0.01), fmi2OK);
+    run(*state, 0.0, 20.0, 10.0);
+    assert_close(get_real(*state, "ground.friction"), 0.4, 1e-12);
+    assert_int_equal(set_real(*state, "ground.friction", 0.5), fmi2OK);
+    run(*state, 20.0, 40.0, 10.0);
+    assert_true(get_real(*state, "ground.friction") == 0.5);
+}
+
+static void bad_rates_are_refused(void **state) {
+    initialize(*state);
+    assert_int_equal(set_rate(*state, "ground.friction", 1, NAN), fmi2Discard);
+    assert_int_equal(set_rate(*state, "ground.friction", 2, 0.0), fmi2Error);
+    assert_int_equal(fmi2Reset(*state), fmi2OK);
+    assert_int_equal(set_rate(*state, "body.mass", 1, 0.0), fmi2Error);
+}
+
+static void bad_inputs_in_mid_run_are_discarded(void **state) {
+    static const double bad[] = {NAN, -0.1, INFINITY};
+    initialize(*state);
+    run(*state, 0.0, 12.0, 12.0);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        assert_int_equal(set_real(*state, "ground.friction", bad[i]), fmi2Discard);
+        assert_true(get_real(*state, "ground.friction") == 0.6);
+    }
+    run(*state, 12.0, 24.0, 12.0);
+}
+
+static void output_derivatives_are_slopes(void **state) {
+    static const char *names[] = {"body.y",         "com.vx",     "contact.fy",
+                                  "energy.kinetic", "hip.torque", "leg.angle"};
+    static const double delta = 1e-5;
+    initialize(*state);
+    run(*state, 0.0, 12.0, 12.0);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        const fmi2ValueReference reference = reference_of(names[i]);
+        const fmi2Integer order = 1;
+        double slope = 0.0;
+        const double time = get_real(*state, "time");
+        const double before = get_real(*state, names[i]);
+        assert_int_equal(fmi2DoStep(*state, time, delta, fmi2True), fmi2OK);
+        assert_int_equal(fmi2GetRealOutputDerivatives(*state, &reference, 1, &order, &slope), fmi2OK);
+        assert_int_equal(fmi2DoStep(*state, time + delta, delta, fmi2True), fmi2OK);
+        assert_close((get_real(*state, names[i]) - before) / (2.0 * delta), slope, 1e-7);
+    }
+}
+
+static void nothing_is_asynchronous(void **state) {
+    fmi2Status status;
+    double time = 0.0;
+    initialize(*state);
+    run(*state, 0.0, 5.0, 5.0);
+    assert_int_equal(fmi2GetStatus(*state, fmi2DoStepStatus, &status), fmi2Discard);
+    assert_int_equal(fmi2GetRealStatus(*state, fmi2LastSuccessfulTime, &time), fmi2OK);
+    assert_true(time == 5.0);
+    assert_int_equal(fmi2CancelStep(*state), fmi2Error);
+}
+
+static void cvode_is_refused_where_it_is_missing(void **state) {
+    const fmi2ValueReference method = reference_of("solver.method");
+    const fmi2Integer cvode = SOLVER_CVODE;
+    assert_int_equal(fmi2SetInteger(*state, &method, 1, &cvode), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(*state), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(*state), fmi2Error);
+    assert_non_null(strstr(last_message, "SUNDIALS"));
+}
+
+static void model_exchange_calls_are_refused(void **state) {
+    initialize(*state);
+    assert_int_equal(fmi2EnterContinuousTimeMode(*state), fmi2Error);
+    assert_non_null(strstr(last_message, "Co-Simulation"));
+}
+
+static void ten_strides_raise_no_floating_point_exception(void **state) {
+#ifdef __GLIBC__
+    initialize(*state);
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    run(*state, 0.0, 250.0, 2.5);
+    fedisableexcept(FE_ALL_EXCEPT);
+#else
+    (void)state;
+    skip();
+#endif
+}
+
+#define ON_FRESH_INSTANCE(test) cmocka_unit_test_setup_teardown(test, make, release)
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steps_arrive_and_the_grid_does_not_matter),
+        ON_FRESH_INSTANCE(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
+        ON_FRESH_INSTANCE(steps_that_are_none_are_refused),
+        ON_FRESH_INSTANCE(a_run_may_start_at_any_time),
+        ON_FRESH_INSTANCE(a_fall_freezes_and_stays_readable),
+        ON_FRESH_INSTANCE(stiff_parameters_end_in_a_message),
+        cmocka_unit_test(the_tighter_tolerance_wins),
+        ON_FRESH_INSTANCE(an_input_goes_on_at_its_rate_until_it_is_set),
+        ON_FRESH_INSTANCE(bad_rates_are_refused),
+        ON_FRESH_INSTANCE(bad_inputs_in_mid_run_are_discarded),
+        ON_FRESH_INSTANCE(output_derivatives_are_slopes),
+        ON_FRESH_INSTANCE(nothing_is_asynchronous),
+        ON_FRESH_INSTANCE(cvode_is_refused_where_it_is_missing),
+        ON_FRESH_INSTANCE(model_exchange_calls_are_refused),
+        ON_FRESH_INSTANCE(ten_strides_raise_no_floating_point_exception),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

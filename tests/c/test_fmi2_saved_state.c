@@ -1,0 +1,199 @@
+/* Saved and serialized states: bit for bit across instances, in the middle of every mode, and what is
+ * refused. */
+#include "compare.h"
+#include "fmi2_importer.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BYTES = 8192 };
+
+static void step(fmi2Component component, double length) {
+    assert_int_equal(fmi2DoStep(component, get_real(component, "time"), length, fmi2True), fmi2OK);
+}
+
+/* All that two instances have to say, compared bit for bit. */
+static void assert_same(fmi2Component a, fmi2Component b) {
+    static const char *names[] = {"time",
+                                  "foot.x",
+                                  "foot.y",
+                                  "leg.length",
+                                  "leg.angle",
+                                  "foot.vx",
+                                  "foot.vy",
+                                  "hip.work",
+                                  "leg.length_rate",
+                                  "leg.angle_rate",
+                                  "stride.period",
+                                  "stride.length",
+                                  "apex.time",
+                                  "stride.peak_force",
+                                  "event.last_time",
+                                  "energy.impact_loss"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        const double of_a = get_real(a, names[i]);
+        const double of_b = get_real(b, names[i]);
+        assert_memory_equal(&of_a, &of_b, sizeof of_a);
+    }
+    assert_int_equal(get_integer(a, "event.count"), get_integer(b, "event.count"));
+    assert_int_equal(get_integer(a, "stride.count"), get_integer(b, "stride.count"));
+    assert_int_equal(get_integer(a, "stride.word_code"), get_integer(b, "stride.word_code"));
+}
+
+static size_t serialize(fmi2Component component, fmi2Byte bytes[BYTES]) {
+    fmi2FMUstate saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
+    assert_true(size <= BYTES);
+    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes, size), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    assert_null(saved);
+    return size;
+}
+
+static void restore(fmi2Component component, const fmi2Byte bytes[BYTES], size_t size) {
+    fmi2FMUstate saved = NULL;
+    assert_int_equal(fmi2DeSerializeFMUstate(component, bytes, size, &saved), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+}
+
+/* Steps of 0.03 stop in every mode of the stance, the graze of 0.08 included. */
+static void co_simulation_goes_on_as_if_never_stopped(void **unused) {
+    (void)unused;
+    bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
+    fmi2Component straight = new_slave();
+    initialize(straight);
+    step(straight, 11.8);
+    for (int i = 0; i < 50; ++i) {
+        fmi2Byte bytes[BYTES];
+        fmi2Component other = new_slave();
+        step(straight, 0.03);
+        seen[get_integer(straight, "contact.mode")] = true;
+        const size_t size = serialize(straight, bytes);
+        restore(other, bytes, size);
+        assert_same(straight, other);
+        step(other, 20.0);
+        fmi2Component again = new_slave();
+        restore(again, bytes, size);
+        step(again, 20.0);
+        assert_same(other, again);
+        fmi2FreeInstance(other);
+        fmi2FreeInstance(again);
+    }
+    for (int mode = TDMF_CONTACT_FLIGHT; mode <= TDMF_CONTACT_GRAZE; ++mode) {
+        assert_true(seen[mode]);
+    }
+    fmi2FreeInstance(straight);
+}
+
+static void model_exchange_restores_its_call_state(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL;
+    double states[TDMF_STATE_COUNT];
+    double derivatives[2][TDMF_STATE_COUNT];
+    fmi2Component component = new_instance();
+    start_running(component);
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(component, derivatives[0], TDMF_STATE_COUNT), fmi2OK);
+    memset(states, 0, sizeof states);
+    states[TDMF_LEG_LENGTH] = 0.9;
+    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(component, derivatives[1], TDMF_STATE_COUNT), fmi2OK);
+    assert_memory_equal(derivatives[0], derivatives[1], sizeof derivatives[0]);
+    assert_int_equal(fmi2SetTime(component, 1.0), fmi2OK);
+    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT),
+                     fmi2OK); /* continuous again */
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    fmi2FreeInstance(component);
+}
+
+static void an_error_is_left_by_an_older_state(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL;
+    fmi2Component component = new_slave();
+    initialize(component);
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, 0.0, -1.0, fmi2True), fmi2Error);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    step(component, 1.0);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    fmi2FreeInstance(component);
+}
+
+/* ---- refusals ----------------------------------------------------------------------------------------- */
+
+static void assert_bytes_refused(const fmi2Byte bytes[BYTES], size_t size, const char *reason) {
+    fmi2FMUstate saved = NULL;
+    fmi2Component component = new_slave();
+    fmi2Component twin = new_slave();
+    initialize(component);
+    initialize(twin);
+    step(component, 12.0);
+    step(twin, 12.0);
+    assert_int_equal(fmi2DeSerializeFMUstate(component, bytes, size, &saved), fmi2Discard);
+    assert_non_null(strstr(last_message, reason));
+    assert_null(saved);
+    assert_same(component, twin);
+    step(component, 5.0);
+    fmi2FreeInstance(component);
+    fmi2FreeInstance(twin);
+}
+
+static void bytes_that_are_no_state_are_refused(void **unused) {
+    (void)unused;
+    fmi2Byte good[BYTES] = {0};
+    fmi2Byte bad[BYTES];
+    fmi2Component component = new_slave();
+    initialize(component);
+    const size_t size = serialize(component, good);
+    fmi2FreeInstance(component);
+    assert_bytes_refused(good, size - 1, "bytes are no state");
+    assert_bytes_refused(good, 0, "bytes are no state");
+    memcpy(bad, good, sizeof bad);
+    bad[size - 9] = (fmi2Byte)(bad[size - 9] ^ 1);
+    assert_bytes_refused(bad, size, "changed");
+    memcpy(bad, good, sizeof bad);
+    bad[3] = (fmi2Byte)(bad[3] ^ 1);
+    assert_bytes_refused(bad, size, "another version");
+    memset(bad, 0, sizeof bad);
+    assert_bytes_refused(bad, size, "another program");
+}
+
+static void states_of_other_parameters_or_interfaces_are_refused(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL;
+    fmi2Component slave = new_slave();
+    fmi2Component heavy = new_slave();
+    fmi2Component exchange = new_instance();
+    initialize(slave);
+    assert_int_equal(set_real(heavy, "body.mass", 2.0), fmi2OK);
+    assert_int_equal(fmi2GetFMUstate(slave, &saved), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(heavy, saved), fmi2Discard);
+    assert_non_null(strstr(last_message, "body.mass"));
+    assert_int_equal(fmi2SetFMUstate(exchange, saved), fmi2Discard);
+    assert_non_null(strstr(last_message, "interface"));
+    assert_int_equal(fmi2SetFMUstate(slave, NULL), fmi2Discard);
+    assert_int_equal(fmi2FreeFMUstate(slave, &saved), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(slave, &saved), fmi2OK); /* a null pointer is nothing to free */
+    fmi2FreeInstance(slave);
+    fmi2FreeInstance(heavy);
+    fmi2FreeInstance(exchange);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(co_simulation_goes_on_as_if_never_stopped),
+        cmocka_unit_test(model_exchange_restores_its_call_state),
+        cmocka_unit_test(an_error_is_left_by_an_older_state),
+        cmocka_unit_test(bytes_that_are_no_state_are_refused),
+        cmocka_unit_test(states_of_other_parameters_or_interfaces_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,132 @@
+/* Exact directional derivatives against numerical differentiation, in every mode. */
+#include "compare.h"
+#include "differentiate.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { OUTPUTS = 15, UNKNOWNS = TDMF_STATE_COUNT + OUTPUTS };
+
+typedef struct {
+    const runner *runner;
+    double direction[TDMF_STATE_COUNT];
+    tdmf_inputs input_direction;
+    int unknown;
+} line;
+
+static void outputs_of(tdmf_point body, tdmf_point com, tdmf_ground_force contact, double torque,
+                       tdmf_energy energy, double values[OUTPUTS]) {
+    const double all[OUTPUTS] = {body.x, body.y,         body.vx,          body.vy,        com.x,
+                                 com.y,  com.vx,         com.vy,           contact.fx,     contact.fy,
+                                 torque, energy.kinetic, energy.potential, energy.elastic, energy.total};
+    memcpy(values, all, sizeof all);
+}
+
+static void values_of(const runner *runner, double values[UNKNOWNS]) {
+    const tdmf_model *model = &runner->model;
+    tdmf_derivatives(model, &runner->inputs, &runner->mode, runner->state, values);
+    outputs_of(tdmf_body(runner->state), tdmf_center_of_mass(model, runner->state),
+               tdmf_contact_force(model, &runner->inputs, &runner->mode, runner->state),
+               tdmf_hip_torque(model, &runner->inputs, &runner->mode, runner->state),
+               tdmf_mechanical_energy(model, runner->state), values + TDMF_STATE_COUNT);
+}
+
+static runner moved_along(const line *line, double t) {
+    runner moved = *line->runner;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        moved.state[i] += t * line->direction[i];
+    }
+    moved.inputs.ground.friction += t * line->input_direction.ground.friction;
+    moved.inputs.hip.external_torque += t * line->input_direction.hip.external_torque;
+    return moved;
+}
+
+static long double unknown_on_line(long double t, const void *context) {
+    const line *line = context;
+    double values[UNKNOWNS];
+    const runner moved = moved_along(line, (double)t);
+    values_of(&moved, values);
+    return values[line->unknown];
+}
+
+static line random_line(random_source *source, const runner *runner) {
+    const tdmf_scales *scales = &runner->model.scales;
+    const double units[TDMF_MECHANICAL_COUNT] = {
+        scales->length, scales->length, scales->length, 1.0,
+        scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time};
+    line line = {.runner = runner};
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        line.direction[i] = units[i] * random_uniform(source, -1.0, 1.0);
+    }
+    line.input_direction.ground.friction = random_uniform(source, -1.0, 1.0);
+    line.input_direction.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
+    return line;
+}
+
+/* Rounding of a force or energy among much larger ones, over the step, is what differences cannot see. */
+static double numerical_noise(const line *line, double step) {
+    double largest = 0.0;
+    for (double t = -4.0 * step; t <= 4.0 * step; t += 8.0 * step) {
+        largest = fmax(largest, fabs((double)unknown_on_line((long double)t, line)));
+    }
+    return largest / step;
+}
+
+/* Positive work has a kink where the power changes its sign. */
+static bool differentiable(const line *line, double step) {
+    const runner before = moved_along(line, -4.0 * step);
+    const runner after = moved_along(line, 4.0 * step);
+    double a[UNKNOWNS];
+    double b[UNKNOWNS];
+    values_of(&before, a);
+    values_of(&after, b);
+    return line->unknown != TDMF_HIP_POSITIVE_WORK || a[TDMF_HIP_WORK] * b[TDMF_HIP_WORK] > 0.0;
+}
+
+static void tangent_agrees(random_source *source, const runner *runner) {
+    static const double step = 1e-3;
+    line line = random_line(source, runner);
+    double exact[UNKNOWNS];
+    const tdmf_tangent tangent = tdmf_tangent_along(&runner->model, &runner->inputs, &runner->mode,
+                                                    runner->state, &line.input_direction, line.direction);
+    memcpy(exact, tangent.derivatives, sizeof tangent.derivatives);
+    outputs_of(tangent.body, tangent.com, tangent.contact, tangent.torque, tangent.energy,
+               exact + TDMF_STATE_COUNT);
+    for (line.unknown = 0; line.unknown < UNKNOWNS; ++line.unknown) {
+        if (differentiable(&line, step)) {
+            const double numerical = (double)derivative_at_zero(unknown_on_line, &line, step);
+            const double tolerance = 1e-8 * fabs(exact[line.unknown]) + 1e-11 * numerical_noise(&line, step);
+            assert_close(numerical, exact[line.unknown], tolerance);
+        }
+    }
+}
+
+static void tangents_are_derivatives(void **unused) {
+    (void)unused;
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        random_source source = {5000 + (uint64_t)contact};
+        for (int i = 0; i < 300; ++i) {
+            runner runner = scene_random(&source, (tdmf_contact_mode)contact);
+            if (fabs(sin(runner.state[TDMF_LEG_ANGLE])) > 0.05) { /* graze: tau_eq is steep near upright */
+                tangent_agrees(&source, &runner);
+            }
+        }
+    }
+}
+
+static void a_frozen_run_has_derivatives_that_do_not_change(void **unused) {
+    (void)unused;
+    random_source source = {1};
+    runner runner = scene_random(&source, TDMF_CONTACT_STICK);
+    runner.mode.fallen = true;
+    tangent_agrees(&source, &runner);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tangents_are_derivatives),
+        cmocka_unit_test(a_frozen_run_has_derivatives_that_do_not_change),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
