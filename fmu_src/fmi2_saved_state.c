@@ -19,8 +19,8 @@ typedef struct {
 typedef struct {
     header header;
     struct {
-        int type;
-        int state;
+        fmi2Type type;
+        call_state state;
         unit unit;
     } content;
 } saved_state;
@@ -41,7 +41,7 @@ static void fill(saved_state *saved, const instance *instance) {
     saved->header.byte_order = 0x01020304;
     saved->header.size = sizeof *saved;
     saved->content.type = instance->type;
-    saved->content.state = (int)instance->state;
+    saved->content.state = instance->state;
     memcpy(&saved->content.unit, &instance->unit, sizeof instance->unit);
     saved->header.checksum = checksum_of(saved);
 }
@@ -86,7 +86,7 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
         return discard(instance, call, "the state is a null pointer");
     }
     const char *reason = reason_to_reject(saved);
-    if (reason == NULL && saved->content.type != (int)instance->type) {
+    if (reason == NULL && saved->content.type != instance->type) {
         reason = "it was saved in the other interface";
     }
     if (reason != NULL) {
@@ -98,7 +98,7 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
                        unit_variables[other].name);
     }
     memcpy(&instance->unit, &saved->content.unit, sizeof instance->unit);
-    instance->state = (call_state)saved->content.state;
+    instance->state = saved->content.state;
     forget_view(instance);
     return fmi2OK;
 }

@@ -1,6 +1,7 @@
 /* A runner with its settings, FMI left out. */
 #include "unit.h"
 
+#include "tdmf_slip/cvode.h"
 #include "variables.h"
 
 #include <math.h>
@@ -113,7 +114,7 @@ tdmf_resolution unit_update(unit *unit) {
 }
 
 const char *unit_settings_obstacle(const unit *unit) {
-    if (unit->settings.solver.method == SOLVER_CVODE) {
+    if (unit->settings.solver.method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
         return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
     }
     return NULL;
@@ -121,8 +122,9 @@ const char *unit_settings_obstacle(const unit *unit) {
 
 const char *unit_advance(unit *unit, double until) {
     const double start = unit->motion.time;
-    const tdmf_outcome outcome = tdmf_native_advance(&unit->solver, &unit->model, &unit->inputs,
-                                                     &unit->input_rates, until, &unit->motion);
+    const bool by_cvode = unit->settings.solver.method == SOLVER_CVODE;
+    const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
+        &unit->solver, &unit->model, &unit->inputs, &unit->input_rates, until, &unit->motion);
     if (outcome == TDMF_FELL) {
         unit->motion.time = until;
     }

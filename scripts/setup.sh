@@ -27,6 +27,21 @@ need_debian_packages() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
+# SUNDIALS, for the second solver of Co-Simulation. Installing its development package would bring some 160 others
+# (MPI, PETSc); of these only its own headers and static libraries are needed, so it is unpacked, not installed.
+get_sundials() {
+    local folder=$PWD/build/sundials
+    [ -e /usr/include/cvode/cvode.h ] && return 0
+    if [ ! -e "$folder/usr/include/cvode/cvode.h" ] && command -v apt-get >/dev/null; then
+        say "Fetching SUNDIALS (Debian's libsundials-dev) into build/sundials"
+        mkdir -p "$folder"
+        (cd "$folder" && { apt-get download -qq libsundials-dev || { apt-get update -qq && apt-get download -qq libsundials-dev; }; } >&2 2>/dev/null) ||
+            { say "SUNDIALS could not be fetched: the unit is built without CVODE"; return 0; }
+        dpkg -x "$folder"/libsundials-dev_*.deb "$folder"
+    fi
+    export CVODE_ROOT=$folder/usr
+}
+
 # Whatever python3 it is: Debian keeps what makes environments in a package of its own.
 need_python() {
     command -v python3 >/dev/null || need_debian_packages python3

@@ -35,7 +35,7 @@ typedef struct {
 
 tdmf_native_solver tdmf_native_solver_default(void) {
     const tdmf_native_solver solver = {
-        .relative_tolerance = 1e-11, .step_limit = 10000000, .event_limit = 1000000};
+        .relative_tolerance = 1e-11, .step_limit = 1000000, .event_limit = 100000};
     return solver;
 }
 

@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 
+#include "tdmf_slip/cvode.h"
 #include "unit.h"
 
 #include <float.h>
@@ -189,13 +190,40 @@ static void nothing_is_asynchronous(void **state) {
     assert_int_equal(fmi2CancelStep(*state), fmi2Error);
 }
 
-static void cvode_is_refused_where_it_is_missing(void **state) {
+static fmi2Status start_with_cvode(fmi2Component component) {
     const fmi2ValueReference method = reference_of("solver.method");
     const fmi2Integer cvode = SOLVER_CVODE;
-    assert_int_equal(fmi2SetInteger(*state, &method, 1, &cvode), fmi2OK);
-    assert_int_equal(fmi2EnterInitializationMode(*state), fmi2OK);
-    assert_int_equal(fmi2ExitInitializationMode(*state), fmi2Error);
+    assert_int_equal(fmi2SetInteger(component, &method, 1, &cvode), fmi2OK);
+    assert_int_equal(set_real(component, "solver.relative_tolerance", 1e-10), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    return fmi2ExitInitializationMode(component);
+}
+
+static void cvode_is_refused_where_it_is_missing(void **state) {
+    if (tdmf_cvode_is_available()) {
+        skip();
+    }
+    assert_int_equal(start_with_cvode(*state), fmi2Error);
     assert_non_null(strstr(last_message, "SUNDIALS"));
+}
+
+static void cvode_agrees_with_the_native_solver(void **state) {
+    static const char *names[] = {"stride.period",    "stride.length",  "stride.cost_of_transport",
+                                  "apex.com_height",  "apex.leg_angle", "energy.impact_loss",
+                                  "stride.peak_force"};
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    fmi2Component native = new_slave();
+    initialize(native);
+    assert_int_equal(start_with_cvode(*state), fmi2OK);
+    run(native, 0.0, 3.5 * period, 0.5 * period);
+    run(*state, 0.0, 3.5 * period, 0.5 * period);
+    assert_int_equal(get_integer(*state, "event.count"), get_integer(native, "event.count"));
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        assert_relatively_close(get_real(*state, names[i]), get_real(native, names[i]), 1e-6);
+    }
+    fmi2FreeInstance(native);
 }
 
 static void model_exchange_calls_are_refused(void **state) {
@@ -234,6 +262,7 @@ int main(void) {
         ON_FRESH_INSTANCE(output_derivatives_are_slopes),
         ON_FRESH_INSTANCE(nothing_is_asynchronous),
         ON_FRESH_INSTANCE(cvode_is_refused_where_it_is_missing),
+        ON_FRESH_INSTANCE(cvode_agrees_with_the_native_solver),
         ON_FRESH_INSTANCE(model_exchange_calls_are_refused),
         ON_FRESH_INSTANCE(ten_strides_raise_no_floating_point_exception),
     };

@@ -38,7 +38,7 @@ typedef enum {
     TDMF_NO_PROGRESS      /* no step, however short, has a finite result */
 } tdmf_outcome;
 
-/* Default tolerance 1e-11, and limits that no run of ten thousand strides reaches. */
+/* Default tolerance 1e-11, and limits that no call over a thousand strides reaches. */
 tdmf_native_solver tdmf_native_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time. On

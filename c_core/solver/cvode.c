@@ -1,0 +1,174 @@
+/* CVODE on the automaton: integrate tdmf_derivatives, stop where one of tdmf_guards reaches zero, take the
+ * transition, start anew. Problem: TDMF_STATE_COUNT states, TDMF_GUARD_COUNT root functions, dense Newton. */
+#include "tdmf_slip/cvode.h"
+
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/dynamics.h"
+
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+bool tdmf_cvode_is_available(void) {
+    return true;
+}
+
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs; /* at `start` */
+    const tdmf_input_rates *rates;
+    double start;
+    tdmf_motion *motion;
+    tdmf_native_solver *options;
+} problem;
+
+/* All that CVODE allocates. */
+typedef struct {
+    SUNContext context;
+    N_Vector state, tolerances;
+    SUNMatrix matrix;
+    SUNLinearSolver linear_solver;
+    void *integrator;
+} workspace;
+
+static tdmf_inputs inputs_at(const problem *problem, double time) {
+    return tdmf_inputs_after(problem->inputs, problem->rates, time - problem->start);
+}
+
+static int right_hand_side(realtype time, N_Vector state, N_Vector slope, void *data) {
+    problem *problem = data;
+    const tdmf_inputs inputs = inputs_at(problem, time);
+    tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state),
+                     N_VGetArrayPointer(slope));
+    ++problem->options->evaluations;
+    return 0;
+}
+
+static int root_functions(realtype time, N_Vector state, realtype *guards, void *data) {
+    const problem *problem = data;
+    const tdmf_inputs inputs = inputs_at(problem, time);
+    tdmf_guards(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state), guards);
+    return 0;
+}
+
+/* Failures are told by return codes, which every caller checks; nothing goes to stderr. */
+static void stay_silent(int code, const char *module, const char *function, char *message, void *data) {
+    (void)code;
+    (void)module;
+    (void)function;
+    (void)message;
+    (void)data;
+}
+
+static void set_tolerances(const tdmf_model *model, double relative, N_Vector tolerances) {
+    const tdmf_scales *scales = &model->scales;
+    const double units[TDMF_STATE_COUNT] = {
+        scales->length, scales->length, scales->length, 1.0,
+        scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time,
+        scales->energy, scales->energy, scales->energy, scales->energy};
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        N_VGetArrayPointer(tolerances)[i] = relative * units[i];
+    }
+}
+
+static void destroy(workspace *space) {
+    if (space->integrator != NULL) {
+        CVodeFree(&space->integrator);
+    }
+    if (space->linear_solver != NULL) {
+        SUNLinSolFree(space->linear_solver);
+    }
+    if (space->matrix != NULL) {
+        SUNMatDestroy(space->matrix);
+    }
+    if (space->tolerances != NULL) {
+        N_VDestroy(space->tolerances);
+    }
+    if (space->state != NULL) {
+        N_VDestroy(space->state);
+    }
+    if (space->context != NULL) {
+        SUNContext_Free(&space->context);
+    }
+}
+
+static bool allocate(workspace *space) {
+    if (SUNContext_Create(NULL, &space->context) != 0) {
+        return false;
+    }
+    space->state = N_VNew_Serial(TDMF_STATE_COUNT, space->context);
+    space->tolerances = N_VNew_Serial(TDMF_STATE_COUNT, space->context);
+    space->matrix = SUNDenseMatrix(TDMF_STATE_COUNT, TDMF_STATE_COUNT, space->context);
+    if (space->state == NULL || space->tolerances == NULL || space->matrix == NULL) {
+        return false;
+    }
+    space->linear_solver = SUNLinSol_Dense(space->state, space->matrix, space->context);
+    space->integrator = CVodeCreate(CV_BDF, space->context);
+    return space->linear_solver != NULL && space->integrator != NULL;
+}
+
+static bool configure(workspace *space, problem *problem) {
+    void *cvode = space->integrator;
+    const double tolerance = problem->options->relative_tolerance;
+    set_tolerances(problem->model, tolerance, space->tolerances);
+    memcpy(N_VGetArrayPointer(space->state), problem->motion->state, sizeof problem->motion->state);
+    return CVodeSetErrHandlerFn(cvode, stay_silent, NULL) == CV_SUCCESS &&
+           CVodeInit(cvode, right_hand_side, problem->motion->time, space->state) == CV_SUCCESS &&
+           CVodeSetUserData(cvode, problem) == CV_SUCCESS &&
+           CVodeSVtolerances(cvode, tolerance, space->tolerances) == CV_SUCCESS &&
+           CVodeSetLinearSolver(cvode, space->linear_solver, space->matrix) == CV_SUCCESS &&
+           CVodeRootInit(cvode, TDMF_GUARD_COUNT, root_functions) == CV_SUCCESS &&
+           CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS &&
+           CVodeSetMaxNumSteps(cvode, problem->options->step_limit) == CV_SUCCESS;
+}
+
+/* Takes the transitions due at CVODE's present time and state, and restarts it there. */
+static bool take_events(workspace *space, problem *problem) {
+    tdmf_motion *motion = problem->motion;
+    const tdmf_inputs inputs = inputs_at(problem, motion->time);
+    tdmf_resolve(problem->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    ++problem->options->events;
+    memcpy(N_VGetArrayPointer(space->state), motion->state, sizeof motion->state);
+    return CVodeReInit(space->integrator, motion->time, space->state) == CV_SUCCESS;
+}
+
+static tdmf_outcome integrate(workspace *space, problem *problem, double until) {
+    tdmf_motion *motion = problem->motion;
+    for (long events = problem->options->event_limit; motion->time < until && !motion->mode.fallen;
+         --events) {
+        if (events <= 0) {
+            return TDMF_TOO_MANY_EVENTS;
+        }
+        if (CVodeSetStopTime(space->integrator, until) != CV_SUCCESS) {
+            return TDMF_NO_PROGRESS;
+        }
+        realtype time = motion->time;
+        const int flag = CVode(space->integrator, until, space->state, &time, CV_NORMAL);
+        if (flag < 0) {
+            return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
+        }
+        motion->time = flag == CV_ROOT_RETURN ? time : until;
+        memcpy(motion->state, N_VGetArrayPointer(space->state), sizeof motion->state);
+        if (flag == CV_ROOT_RETURN && !take_events(space, problem)) {
+            return TDMF_NO_PROGRESS;
+        }
+    }
+    return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
+}
+
+tdmf_outcome tdmf_cvode_advance(tdmf_native_solver *options, const tdmf_model *model,
+                                const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
+                                tdmf_motion *motion) {
+    problem problem = {model, inputs, rates, motion->time, motion, options};
+    workspace space = {0};
+    tdmf_outcome outcome = TDMF_NO_PROGRESS;
+    /* An input may have jumped since the last call. */
+    tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    if (allocate(&space) && configure(&space, &problem)) {
+        outcome = integrate(&space, &problem, until);
+    }
+    destroy(&space);
+    return outcome;
+}

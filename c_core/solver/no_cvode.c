@@ -1,0 +1,18 @@
+/* In place of cvode.c where SUNDIALS is missing. */
+#include "tdmf_slip/cvode.h"
+
+bool tdmf_cvode_is_available(void) {
+    return false;
+}
+
+tdmf_outcome tdmf_cvode_advance(tdmf_native_solver *options, const tdmf_model *model,
+                                const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
+                                tdmf_motion *motion) {
+    (void)options;
+    (void)model;
+    (void)inputs;
+    (void)rates;
+    (void)until;
+    (void)motion;
+    return TDMF_NO_PROGRESS;
+}
