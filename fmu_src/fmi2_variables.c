@@ -15,7 +15,8 @@ static bool may_begin(instance *instance, const char *call, unsigned states,
 /* ---- getting ------------------------------------------------------------------------------------------ */
 
 static bool is_derived(const unit_variable *variable) {
-    return variable->storage == STORED_OUTPUT || variable->storage == STORED_DERIVATIVE;
+    return variable->storage == STORED_OUTPUT || variable->storage == STORED_DERIVATIVE ||
+           variable->storage == STORED_WORK;
 }
 
 static fmi2Status get_number(instance *instance, const char *call, fmi2ValueReference reference,

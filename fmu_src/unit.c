@@ -4,6 +4,7 @@
 #include "tdmf_slip/cvode.h"
 #include "variables.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,10 +37,16 @@ tdmf_refusal unit_start(unit *unit) {
                       &unit->motion.record);
 }
 
+static int as_integer(long count) {
+    return count < INT_MAX ? (int)count : INT_MAX;
+}
+
 void unit_look(const unit *unit, unit_view *view) {
     tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, view->derivatives);
     view->outputs = tdmf_outputs_of(&unit->model, &unit->inputs, &unit->motion.mode, &unit->motion.record,
                                     unit->motion.state);
+    view->work.solver.steps = as_integer(unit->solver.steps);
+    view->work.solver.evaluations = as_integer(unit->solver.evaluations);
 }
 
 void unit_look_along(const unit *unit, const struct unit *direction, unit_view *change) {

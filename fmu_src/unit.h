@@ -29,9 +29,18 @@ typedef struct unit {
     tdmf_native_solver solver;
 } unit;
 
+/* What the solver of Co-Simulation has done; stops counting at the largest Integer. */
+typedef struct {
+    struct {
+        int steps;
+        int evaluations;
+    } solver;
+} unit_work;
+
 /* What follows from a unit and is computed when somebody looks. */
 typedef struct {
     tdmf_outputs outputs;
+    unit_work work;
     double derivatives[TDMF_STATE_COUNT];
 } unit_view;
 

@@ -17,6 +17,8 @@ static const void *storage_of(const unit *unit, const unit_view *view, unit_stor
         return unit->motion.state;
     case STORED_DERIVATIVE:
         return view->derivatives;
+    case STORED_WORK:
+        return &view->work;
     default:
         return &view->outputs;
     }

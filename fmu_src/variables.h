@@ -17,7 +17,8 @@ typedef enum {
     STORED_INPUT,      /* offset in tdmf_inputs */
     STORED_STATE,      /* index in the state vector */
     STORED_DERIVATIVE, /* index in the state vector */
-    STORED_OUTPUT      /* offset in tdmf_outputs */
+    STORED_OUTPUT,     /* offset in tdmf_outputs */
+    STORED_WORK        /* offset in unit_work */
 } unit_storage;
 
 typedef struct {

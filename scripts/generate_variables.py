@@ -154,6 +154,8 @@ def storage(variable, table):
         return "PARAMETER", f"offsetof(tdmf_parameters, {variable.name})"
     if variable.causality == "input":
         return "INPUT", f"offsetof(tdmf_inputs, {variable.name})"
+    if variable.group == "solver":
+        return "WORK", f"offsetof(unit_work, {variable.name})"
     return "OUTPUT", f"offsetof(tdmf_outputs, {variable.name})"
 
 

@@ -145,7 +145,10 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
             return TDMF_NO_PROGRESS;
         }
         realtype time = motion->time;
+        long steps = 0;
         const int flag = CVode(space->integrator, until, space->state, &time, CV_NORMAL);
+        CVodeGetNumSteps(space->integrator, &steps); /* since the last restart */
+        problem->options->steps += steps;
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }
