@@ -1,0 +1,116 @@
+"""Co-Simulation through FMPy: the five gaits to the native solver's accuracy, states across processes."""
+
+import multiprocessing
+import pathlib
+
+import fmpy
+import pytest
+from conftest import apex_start, reference_gaits
+from fmpy.fmi2 import FMU2Slave
+
+QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
+OUTPUTS = [f"stride.{name}" for name in QUANTITIES]
+
+
+@pytest.mark.parametrize("gait", reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+def test_three_strides_of_a_gait(unpacked, description, gait):
+    rows = fmpy.simulate_fmu(
+        unpacked,
+        model_description=description,
+        fmi_type="CoSimulation",
+        stop_time=3.3 * gait["period"],
+        output_interval=0.7,
+        start_values=apex_start(gait["apex"]) | {"ground.friction": gait["friction"]},
+        output=[*OUTPUTS, "stride.count"],
+    )
+    assert rows["stride.count"][-1] == 3
+    for name in QUANTITIES:
+        assert rows[f"stride.{name}"][-1] == pytest.approx(gait[name], rel=1e-8), name
+
+
+class Slave:
+    """A Co-Simulation instance that can be made in any process."""
+
+    def __init__(self, unpacked):
+        description = fmpy.read_model_description(unpacked)
+        self.references = {variable.name: variable.valueReference for variable in description.modelVariables}
+        self.model = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=unpacked,
+            modelIdentifier=description.coSimulation.modelIdentifier,
+            instanceName="runner",
+        )
+        self.model.instantiate()
+
+    def start(self):
+        self.model.setupExperiment()
+        self.model.enterInitializationMode()
+        self.model.exitInitializationMode()
+
+    def step(self, start, length):
+        self.model.doStep(currentCommunicationPoint=start, communicationStepSize=length)
+
+    def read(self, *names):
+        return self.model.getReal([self.references[name] for name in names])
+
+    def saved(self):
+        state = self.model.getFMUstate()
+        serialized = self.model.serializeFMUstate(state)
+        self.model.freeFMUstate(state)
+        return serialized
+
+    def restore(self, serialized):
+        state = self.model.deSerializeFMUstate(serialized)
+        self.model.setFMUstate(state)
+        self.model.freeFMUstate(state)
+
+
+OBSERVED = (
+    "time",
+    "foot.x",
+    "leg.angle",
+    "hip.work",
+    "stride.period",
+    "apex.com_height",
+    "energy.impact_loss",
+)
+
+
+def go_on(unpacked, serialized, queue):
+    slave = Slave(unpacked)
+    slave.restore(serialized)
+    slave.step(12.5, 40.0)
+    queue.put(slave.read(*OBSERVED))
+
+
+def test_a_serialized_state_goes_on_in_another_process(unpacked):
+    """Saved in mid-stance, with a stride under way; equal to the last bit."""
+    slave = Slave(unpacked)
+    slave.start()
+    slave.step(0.0, 12.5)
+    serialized = slave.saved()
+    context = multiprocessing.get_context("spawn")
+    queue = context.Queue()
+    other = context.Process(target=go_on, args=(str(pathlib.Path(unpacked)), serialized, queue))
+    other.start()
+    there = queue.get(timeout=60)
+    other.join()
+    slave.step(12.5, 40.0)
+    assert slave.read(*OBSERVED) == there
+
+
+def test_directional_derivatives_through_the_importer(new_instance):
+    """Foot acceleration by leg angle, against a central difference, with the foot in flight."""
+    instance = new_instance()
+    instance.start()
+    instance.model.enterContinuousTimeMode()
+    unknown, known = instance.references["der(foot.vx)"], instance.references["leg.angle"]
+    (exact,) = instance.model.getDirectionalDerivative([unknown], [known], [1.0])
+    states = instance.continuous_states()
+    values = []
+    for sign in (1, -1):
+        moved = states.copy()
+        moved[instance.states.index("leg.angle")] += sign * 1e-6
+        instance.set_continuous_states(moved)
+        values.append(instance.real("der(foot.vx)")[0])
+    assert exact == pytest.approx((values[0] - values[1]) / 2e-6, rel=1e-7)
