@@ -1,0 +1,99 @@
+"""Other importers: each runs the default unit in Co-Simulation for ten strides and sees the reference gait.
+
+The tools are the optional dependency `importers`; one that is not installed is skipped. Each runs in a process of its own: they bring native libraries, and some print what they like.
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import reference_gaits
+
+(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
+
+# The programs get the unit's path and the value references of the quantities and of stride.count.
+LIBCOSIM = """
+from libcosimpy.CosimExecution import CosimExecution
+from libcosimpy.CosimObserver import CosimObserver
+from libcosimpy.CosimSlave import CosimLocalSlave
+
+execution = CosimExecution.from_step_size(step_size=10**8)
+slave = execution.add_local_slave(CosimLocalSlave(fmu_path=unit, instance_name="runner"))
+observer = CosimObserver.create_last_value()
+execution.add_observer(observer)
+execution.simulate_until(250 * 10**9)
+values = observer.last_real_values(slave_index=slave, variable_references=[references[n] for n in names])
+(count,) = observer.last_integer_values(slave_index=slave, variable_references=[references["stride.count"]])
+"""
+
+ECOS = """
+from ecospy import EcosSimulation, EcosSimulationStructure
+
+structure = EcosSimulationStructure()
+structure.add_model("runner", unit)
+with EcosSimulation(structure=structure, step_size=0.1) as simulation:
+    simulation.init()
+    simulation.step(2500)
+    values = [simulation.get_real(f"runner::{name}") for name in names]
+    count = simulation.get_integer("runner::stride.count")
+"""
+
+CONTAINER = """
+import pathlib, subprocess
+import fmpy
+
+folder = pathlib.Path(unit).parent
+tool = pathlib.Path(sys.executable).with_name("fmucontainer")
+plan = {"name": "box.fmu", "step_size": 0.1, "fmu": [pathlib.Path(unit).name]}
+(folder / "box.json").write_text(json.dumps(plan))
+command = [tool, "-fmu-directory", folder, "-container", "box.json"]
+subprocess.run(command, check=True, cwd=folder, capture_output=True)
+wanted = [*names, "stride.count"]
+rows = fmpy.simulate_fmu(str(folder / "box.fmu"), stop_time=250, output_interval=0.1, output=wanted)
+values = [float(rows[name][-1]) for name in names]
+count = int(rows["stride.count"][-1])
+"""
+
+PROGRAM = """
+import json, sys
+unit, references, names = sys.argv[1], json.loads(sys.argv[2]), json.loads(sys.argv[3])
+{program}
+print("RESULT " + json.dumps([count, *values]), flush=True)
+"""
+
+
+def run(program, unit, description):
+    references = {variable.name: variable.valueReference for variable in description.modelVariables}
+    names = [f"stride.{name}" for name in QUANTITIES]
+    source = PROGRAM.format(program=program)
+    command = [sys.executable, "-c", source, str(unit), json.dumps(references), json.dumps(names)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
+    assert lines, done.stdout[-2000:] + done.stderr[-2000:]
+    return json.loads(lines[-1].removeprefix("RESULT "))
+
+
+@pytest.mark.parametrize(
+    ("module", "program"),
+    [("libcosimpy", LIBCOSIM), ("ecospy", ECOS), ("fmu_manipulation_toolbox", CONTAINER)],
+    ids=["libcosimpy", "ecospy", "fmu-manipulation-toolbox"],
+)
+def test_ten_strides(fmu, description, tmp_path, module, program):
+    pytest.importorskip(module, exc_type=ImportError)
+    unit = shutil.copy(fmu, tmp_path / "TDMF_SLIP.fmu")
+    count, *values = run(program, unit, description)
+    assert count == 10
+    assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
+
+
+def test_toolbox_finds_no_fault(fmu):
+    """`fmutool -check`, the second static checker beside FMPy's."""
+    tool = shutil.which("fmutool", path=str(sys.prefix) + "/bin")
+    if tool is None:
+        pytest.skip("fmu-manipulation-toolbox is not installed")
+    done = subprocess.run([tool, "-input", fmu, "-check"], capture_output=True, text=True, timeout=60)
+    said = done.stdout + done.stderr
+    assert "compliant with FMI-2.0" in said and "No semantic error" in said, said
