@@ -3,13 +3,13 @@
 import ctypes
 import importlib.resources
 import json
-import math
 
 import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
+from tdmf_slip import section
 
 
 @pytest.fixture(scope="session")
@@ -33,21 +33,9 @@ def reference_gaits():
     return json.loads(text)["gaits"]
 
 
-def apex_start(apex, body_mass=1.0, foot_mass=0.1):
-    """Start values of a runner at an apex, from the section's six coordinates."""
-    height, speed, r, theta, r_rate, theta_rate = apex
-    share = body_mass / (body_mass + foot_mass)
-    sine, cosine = math.sin(theta), math.cos(theta)
-    return {
-        "foot.x": 0.0,
-        "foot.y": height - share * r * cosine,
-        "leg.length": r,
-        "leg.angle": theta,
-        "foot.vx": speed + share * (r_rate * sine + r * theta_rate * cosine),
-        "foot.vy": -share * (r_rate * cosine - r * theta_rate * sine),
-        "leg.length_rate": r_rate,
-        "leg.angle_rate": theta_rate,
-    }
+def apex_start(apex):
+    """Start values of a Table 1 runner at an apex, from the section's six coordinates."""
+    return section.start_values(tdmf_slip.load(), apex)
 
 
 class Instance:

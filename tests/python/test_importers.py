@@ -1,6 +1,7 @@
 """Other importers: each runs the default unit in Co-Simulation for ten strides and sees the reference gait.
 
-The tools are the optional dependency `importers`; one that is not installed is skipped. Each runs in a process of its own: they bring native libraries, and some print what they like.
+The tools are the optional dependency `importers`; one that is not installed is skipped. Each runs in a
+process of its own, because they bring native libraries, and some print what they like.
 """
 
 import json
