@@ -21,7 +21,7 @@ void unit_reset(unit *unit) {
     }
     tdmf_model_create(&unit->model, &unit->parameters);
     unit->importer_tolerance = INFINITY;
-    unit->solver = tdmf_native_solver_default();
+    unit->solver = tdmf_solver_default();
 }
 
 tdmf_refusal unit_start(unit *unit) {

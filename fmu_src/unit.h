@@ -26,7 +26,7 @@ typedef struct unit {
     double importer_tolerance;    /* infinite where the importer has none */
     tdmf_model model;
     tdmf_motion motion;
-    tdmf_native_solver solver;
+    tdmf_solver solver;
 } unit;
 
 /* What the solver of Co-Simulation has done; stops counting at the largest Integer. */

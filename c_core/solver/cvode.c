@@ -21,7 +21,7 @@ typedef struct {
     const tdmf_input_rates *rates;
     double start;
     tdmf_motion *motion;
-    tdmf_native_solver *options;
+    tdmf_solver *options;
 } problem;
 
 /* All that CVODE allocates. */
@@ -161,9 +161,8 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
 }
 
-tdmf_outcome tdmf_cvode_advance(tdmf_native_solver *options, const tdmf_model *model,
-                                const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
-                                tdmf_motion *motion) {
+tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
+                                const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     problem problem = {model, inputs, rates, motion->time, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;

@@ -114,7 +114,7 @@ double tdmf_guard_crossing(const tdmf_search *search, tdmf_guard guard, double f
                                                          : never;
 }
 
-double tdmf_power_reversal(const tdmf_search *search) {
+double tdmf_power_reversal(const tdmf_search *search, double fraction) {
     const int sign = power_at(search, 1, 0.0) > 0.0 ? 1 : -1;
-    return root(power_at, search, sign, 0.0, 1.0);
+    return root(power_at, search, sign, 0.0, fraction);
 }

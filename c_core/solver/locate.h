@@ -22,7 +22,7 @@ double tdmf_first_crossing(const tdmf_search *search, const tdmf_watch *start, c
 /* The fraction at which one guard, positive at the start, crosses zero for good before `fraction`, or 2. */
 double tdmf_guard_crossing(const tdmf_search *search, tdmf_guard guard, double fraction);
 
-/* The fraction at which the hip's power changes its sign, known to differ at the ends. */
-double tdmf_power_reversal(const tdmf_search *search);
+/* The fraction at which the hip's power changes its sign, known to differ at 0 and at `fraction`. */
+double tdmf_power_reversal(const tdmf_search *search, double fraction);
 
 #endif

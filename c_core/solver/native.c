@@ -12,14 +12,16 @@
 #include <math.h>
 #include <string.h>
 
+/* Control of the step size. */
 static const double safety = 0.9;
 static const double largest_growth = 6.0;
 static const double strongest_cut = 0.2;
 
+/* The larger, the shorter the first step in a mode; chosen for the fewest evaluations per stride. */
 static const double first_step_caution = 0.1;
 
 typedef struct {
-    tdmf_native_solver *solver;
+    tdmf_solver *solver;
     const tdmf_model *model;
     tdmf_inputs inputs; /* at motion->time */
     tdmf_input_rates rates;
@@ -33,9 +35,8 @@ typedef struct {
     long steps_left, events_left;
 } march;
 
-tdmf_native_solver tdmf_native_solver_default(void) {
-    const tdmf_native_solver solver = {
-        .relative_tolerance = 1e-11, .step_limit = 1000000, .event_limit = 100000};
+tdmf_solver tdmf_solver_default(void) {
+    const tdmf_solver solver = {.relative_tolerance = 1e-11, .step_limit = 1000000, .event_limit = 100000};
     return solver;
 }
 
@@ -173,9 +174,9 @@ static void sum_positive_work(march *march, const tdmf_search *search, double fr
     const double start_power = march->step.slopes[0][CHART_HIP_WORK];
     const double end_power = end_slope[CHART_HIP_WORK];
     double turning_work = start_work;
-    if (start_power * end_power < 0.0 && fraction == 1.0) {
+    if (start_power * end_power < 0.0) {
         double z[CHART_COUNT];
-        tdmf_pair_within(&march->chart, &march->step, tdmf_power_reversal(search), z);
+        tdmf_pair_within(&march->chart, &march->step, tdmf_power_reversal(search, fraction), z);
         turning_work = z[CHART_HIP_WORK];
     }
     march->chart.positive_work += fmax(0.0, turning_work - start_work) + fmax(0.0, end_work - turning_work);
@@ -256,7 +257,7 @@ static tdmf_outcome advance_once(march *march) {
     return TDMF_ARRIVED;
 }
 
-static march begin(tdmf_native_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+static march begin(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                    const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march;
     march.solver = solver;
@@ -275,7 +276,7 @@ static march begin(tdmf_native_solver *solver, const tdmf_model *model, const td
 
 /* Until the time asked for, or until `strides` have closed. */
 static tdmf_outcome advance(march *march, int strides) {
-    const tdmf_motion *motion = march->motion;
+    tdmf_motion *motion = march->motion;
     while (motion->time < march->until && !motion->mode.fallen && motion->record.stride.count < strides) {
         if (march->events_left <= 0) {
             return TDMF_TOO_MANY_EVENTS;
@@ -285,17 +286,18 @@ static tdmf_outcome advance(march *march, int strides) {
             return outcome;
         }
     }
+    /* The caller may change an input now. */
+    tdmf_observe(march->model, &march->inputs, motion->state, &motion->mode, &motion->record);
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
 }
 
-tdmf_outcome tdmf_native_advance(tdmf_native_solver *solver, const tdmf_model *model,
-                                 const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
-                                 tdmf_motion *motion) {
+tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march = begin(solver, model, inputs, rates, until, motion);
     return advance(&march, INT_MAX);
 }
 
-tdmf_stride_outcome tdmf_native_stride(tdmf_native_solver *solver, const tdmf_model *model,
+tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
     static const tdmf_input_rates held = {0.0, 0.0};
     const int count = motion->record.stride.count;

@@ -5,9 +5,8 @@ bool tdmf_cvode_is_available(void) {
     return false;
 }
 
-tdmf_outcome tdmf_cvode_advance(tdmf_native_solver *options, const tdmf_model *model,
-                                const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
-                                tdmf_motion *motion) {
+tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
+                                const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     (void)options;
     (void)model;
     (void)inputs;

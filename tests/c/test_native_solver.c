@@ -19,8 +19,7 @@ static tdmf_motion motion_of(const runner *runner) {
     return motion;
 }
 
-static void assert_arrives(tdmf_native_solver *solver, const runner *runner, double until,
-                           tdmf_motion *motion) {
+static void assert_arrives(tdmf_solver *solver, const runner *runner, double until, tdmf_motion *motion) {
     assert_int_equal(tdmf_native_advance(solver, &runner->model, &runner->inputs, &held, until, motion),
                      TDMF_ARRIVED);
     assert_true(motion->time == until);
@@ -34,7 +33,7 @@ static void a_stride_of_every_gait(void **state) {
         const reference_gait *gait = &reference_gaits[i];
         const runner runner = runner_at_reference_apex(gait);
         tdmf_motion motion = motion_of(&runner);
-        tdmf_native_solver solver = tdmf_native_solver_default();
+        tdmf_solver solver = tdmf_solver_default();
         const tdmf_stride_outcome outcome =
             tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion);
         const tdmf_stride *stride = &motion.record.stride;
@@ -61,7 +60,7 @@ static double ledger(const tdmf_motion *motion) {
  * most. */
 static void run_in_steps(const runner *runner, double step, double until, tdmf_motion *motion) {
     random_source source = {7};
-    tdmf_native_solver solver = tdmf_native_solver_default();
+    tdmf_solver solver = tdmf_solver_default();
     while (motion->time < until) {
         const double length = step > 0.0 ? step : random_uniform(&source, 0.0, -step);
         assert_arrives(&solver, runner, fmin(until, motion->time + length), motion);
@@ -103,7 +102,7 @@ static void random_runs_have_the_same_events(void **state) {
     for (int i = 0; i < RUNS; ++i) {
         runner runner = random_runner_near_the_gait(&source);
         tdmf_motion motion = motion_of(&runner);
-        tdmf_native_solver solver = tdmf_native_solver_default();
+        tdmf_solver solver = tdmf_solver_default();
         while (runner.time < 60.0 && runner_advance(&runner, 2e-3)) {
         }
         const tdmf_outcome outcome =
@@ -136,7 +135,7 @@ static void a_touch_that_turns_back_is_found(void **state) {
         runner.state[TDMF_FOOT_Y] = lowest + clearance;
         runner_start(&runner);
         tdmf_motion motion = motion_of(&runner);
-        tdmf_native_solver solver = tdmf_native_solver_default();
+        tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-6; /* long steps */
         assert_arrives(&solver, &runner, 1.8, &motion);
         assert_int_equal(motion.record.open.touchdowns, clearance < 0.0 ? 1 : 0);
@@ -153,7 +152,7 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
     const runner runner = runner_at_reference_apex(&reference_gaits[1]);
     tdmf_motion ramped = motion_of(&runner);
     tdmf_motion stepped = ramped;
-    tdmf_native_solver solver = tdmf_native_solver_default();
+    tdmf_solver solver = tdmf_solver_default();
     assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &ramp, until, &ramped),
                      TDMF_ARRIVED);
     for (int i = 0; i < PIECES; ++i) {
@@ -177,7 +176,7 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
     (void)state;
     const runner runner = runner_at_reference_apex(&reference_gaits[2]);
     tdmf_motion motion = motion_of(&runner);
-    tdmf_native_solver solver = tdmf_native_solver_default();
+    tdmf_solver solver = tdmf_solver_default();
     solver.step_limit = 10;
     assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
                      TDMF_TOO_MANY_STEPS);
@@ -199,7 +198,7 @@ static void stiff_parameters_end_in_words(void **state) {
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
-    tdmf_native_solver solver = tdmf_native_solver_default();
+    tdmf_solver solver = tdmf_solver_default();
     solver.step_limit = 10000;
     const tdmf_outcome outcome =
         tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion);
@@ -216,7 +215,7 @@ static void a_fall_is_where_the_run_stays(void **state) {
     runner.state[TDMF_FOOT_Y] = 100.0;
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
-    tdmf_native_solver solver = tdmf_native_solver_default();
+    tdmf_solver solver = tdmf_solver_default();
     assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 1e4, &motion),
                      TDMF_FELL);
     const double time = motion.time;

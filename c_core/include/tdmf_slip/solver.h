@@ -28,7 +28,7 @@ typedef struct {
     long event_limit;          /* events in one call */
     /* Work done so far, for whoever wants to know. */
     long steps, rejected_steps, evaluations, events;
-} tdmf_native_solver;
+} tdmf_solver;
 
 typedef enum {
     TDMF_ARRIVED,         /* at the time asked for */
@@ -39,13 +39,12 @@ typedef enum {
 } tdmf_outcome;
 
 /* Default tolerance 1e-11, and limits that no call over a thousand strides reaches. */
-tdmf_native_solver tdmf_native_solver_default(void);
+tdmf_solver tdmf_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time. On
  * every outcome the motion is valid and stands where the solver got to. A fallen run stays as it is. */
-tdmf_outcome tdmf_native_advance(tdmf_native_solver *solver, const tdmf_model *model,
-                                 const tdmf_inputs *inputs, const tdmf_input_rates *rates, double until,
-                                 tdmf_motion *motion);
+tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion);
 
 /* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. TDMF_ARRIVED
  * means that the stride did not close before. */
@@ -53,7 +52,7 @@ typedef struct {
     tdmf_outcome outcome;
     bool closed;
 } tdmf_stride_outcome;
-tdmf_stride_outcome tdmf_native_stride(tdmf_native_solver *solver, const tdmf_model *model,
+tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion);
 
 /* An outcome in words. */
