@@ -13,6 +13,7 @@ from pathlib import Path
 import click
 
 from . import __version__, files
+from .bench import bench
 from .errors import InputError, TdmfSlipError
 from .events import as_json
 from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
@@ -158,6 +159,14 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
         gallery.draw(pictures, validation.gaits, load(), show_progress=True)
     if not validation.passed:
         raise SystemExit(1)
+
+
+@commands.command("bench")
+@JSON_OPTION
+def bench_command(as_json_object: bool) -> None:
+    """The unit's native solver against CVODE, on the same stride at equal accuracy."""
+    measured = bench(show_progress=True)
+    click.echo(_json(measured.as_json()) if as_json_object else measured.as_text())
 
 
 def _start_values(
