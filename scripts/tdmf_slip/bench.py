@@ -2,14 +2,11 @@
 
 import platform
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict, dataclass
-
-from fmpy.fmi2 import FMU2Slave
 
 from . import progress, reference
 from .errors import RunError
+from .instance import opened
 from .section import COORDINATES, scales, start_values
 from .text import table
 from .unit import Unit, load
@@ -69,65 +66,32 @@ class Bench:
         return f"{table(header, rows)}\nnative is {self.ratio:.0f} times as fast as CVODE on {self.machine}"
 
 
-class Slave:
-    """A Co-Simulation instance at the apex of the reference gait."""
-
-    def __init__(self, unit: Unit, solver: str, tolerance: float) -> None:
-        """Instantiate, set and start."""
-        self.references = {v.name: v.valueReference for v in unit.description.modelVariables}
-        self.fmu = FMU2Slave(
-            guid=unit.description.guid,
-            unzipDirectory=unit.folder,
-            modelIdentifier=unit.description.coSimulation.modelIdentifier,
-            instanceName=solver,
-        )
-        self.fmu.instantiate()
-        gait = known_gait()
-        starts = {"ground.friction": FRICTION, **start_values(unit, gait["apex"])}
-        self.fmu.setReal([self.references[name] for name in starts], list(starts.values()))
-        self.fmu.setReal([self.references["solver.relative_tolerance"]], [tolerance])
-        self.fmu.setInteger([self.references["solver.method"]], [("native", "cvode").index(solver) + 1])
-        self.fmu.setupExperiment()
-        self.fmu.enterInitializationMode()
-        self.fmu.exitInitializationMode()
-        self.time = 0.0
-
-    def advance(self, duration: float) -> None:
-        """One communication step."""
-        self.fmu.doStep(currentCommunicationPoint=self.time, communicationStepSize=duration)
-        self.time += duration
-
-    def apex(self) -> list[float]:
-        """The section at the last apex."""
-        return self.fmu.getReal([self.references[f"apex.{name}"] for name in COORDINATES])
-
-    def evaluations(self) -> int:
-        """Evaluations of the right-hand side since the start."""
-        return self.fmu.getInteger([self.references["solver.evaluations"]])[0]
-
-
-@contextmanager
-def slave(unit: Unit, solver: str, tolerance: float) -> Iterator[Slave]:
-    """A started instance, freed at the end."""
-    made = Slave(unit, solver, tolerance)
-    try:
-        yield made
-    finally:
-        made.fmu.freeInstance()
-
-
 def known_gait() -> dict:
     """The reference gait that is run."""
     return next(gait for gait in reference.gaits() if gait["friction"] == FRICTION)
 
 
+def starts(unit: Unit, solver: str, tolerance: float) -> dict[str, float | int]:
+    """Start values of a run from the gait's apex by a solver."""
+    methods = unit.variables["solver.method"].items
+    return {
+        **start_values(unit, known_gait()["apex"]),
+        "ground.friction": FRICTION,
+        "solver.method": {name: number for number, name in methods.items()}[solver],
+        "solver.relative_tolerance": tolerance,
+    }
+
+
 def stride_error(unit: Unit, solver: str, tolerance: float) -> tuple[float, int]:
     """Error of the apex after one stride, and the evaluations that took."""
     gait = known_gait()
-    with slave(unit, solver, tolerance) as runner:
-        runner.advance(1.001 * gait["period"])
-        pairs = zip(runner.apex(), gait["apex"], scales(unit), strict=True)
-        return max(abs(found - known) / scale for found, known, scale in pairs), runner.evaluations()
+    with opened(unit, "cs") as runner:
+        runner.start(starts(unit, solver, tolerance))
+        runner.advance(0.0, 1.001 * gait["period"])
+        found = runner.read(f"apex.{name}" for name in COORDINATES).values()
+        pairs = zip(found, gait["apex"], scales(unit), strict=True)
+        error = max(abs(value - known) / scale for value, known, scale in pairs)
+        return error, runner.value("solver.evaluations")
 
 
 def loosest_tolerance(unit: Unit, solver: str) -> tuple[float, float]:
@@ -155,11 +119,12 @@ def measure(unit: Unit, solver: str, strides: int, repeats: int) -> Measurement:
     duration = strides * known_gait()["period"]
     times, evaluations = [], 0
     for _ in range(repeats):
-        with slave(unit, solver, tolerance) as runner:
+        with opened(unit, "cs") as runner:
+            runner.start(starts(unit, solver, tolerance))
             start = time.perf_counter()
-            runner.advance(duration)
+            runner.advance(0.0, duration)
             times.append(time.perf_counter() - start)
-            evaluations = runner.evaluations()
+            evaluations = runner.value("solver.evaluations")
     return Measurement(solver, tolerance, error, evaluations / strides, 1e6 * min(times) / strides)
 
 
@@ -172,7 +137,8 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         unit: the unit to measure; by default that of `fmu_path`.
 
     Raises:
-        RunError: a solver does not reach the wanted error, or the unit was built without CVODE.
+        InputError: the unit was built without CVODE.
+        RunError: a solver does not reach the wanted error.
     """
     unit = load() if unit is None else unit
     measurements = []

@@ -101,6 +101,34 @@ class Instance:
         except Exception as problem:  # FMPy raises bare Exceptions
             raise self._account_of(problem) from problem
 
+    def start(self, values: Mapping[str, float | int | bool]) -> None:
+        """Set start values and initialize, to go on by `advance` (Co-Simulation).
+
+        Raises:
+            InputError: the unit refused a value, or how several go together.
+        """
+        setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
+        try:
+            for name, value in values.items():
+                variable = self.unit.variables[name]
+                setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
+            self._fmu.setupExperiment()
+            self._fmu.enterInitializationMode()
+            self._fmu.exitInitializationMode()
+        except FMICallException as problem:
+            raise self._account_of(problem) from problem
+
+    def advance(self, time: float, duration: float) -> None:
+        """One communication step from `time` on; both in s.
+
+        Raises:
+            RunError: the unit could not take it; the message has what it said.
+        """
+        try:
+            self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
+        except FMICallException as problem:
+            raise self._account_of(problem) from problem
+
     def _account_of(self, problem: Exception) -> TdmfSlipError:
         said = "; ".join(dict.fromkeys(self.messages))
         if isinstance(problem, FMICallException) and problem.function.startswith(REFUSING_CALLS):
