@@ -2,16 +2,15 @@
 
     python examples/ice_patch.py
 
-What a co-simulation is for: the ground is another unit's business. The runner goes by its own solver; the script
-only says, twenty times in each sqrt(m/k), how slippery the ground under the foot is.
+What a co-simulation is for: the ground is somebody else's business. The runner goes by its own solver; the
+script only says, twenty times in each sqrt(m/k), how slippery the ground under the foot is.
 """
 
 import shutil
 
 import fmpy
-from fmpy.fmi2 import FMU2Slave
-
 import tdmf_slip
+from fmpy.fmi2 import FMU2Slave
 
 ICE = (60.0, 140.0)
 """Where the ice begins and ends, in l0."""
