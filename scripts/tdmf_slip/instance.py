@@ -1,5 +1,6 @@
 """One instance of the unit in FMPy: made, run, read, and always freed."""
 
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -11,6 +12,9 @@ from fmpy.fmi1 import FMICallException
 
 from .errors import InputError, RunError, TdmfSlipError
 from .unit import Unit
+
+# FMPy's CVODE says its warnings on stdout, unless SUNDIALS is told otherwise before its first use.
+os.environ.setdefault("SUNLOGGER_WARNING_FILENAME", "stderr")
 
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import subprocess
+import sys
 
 import netCDF4
 import pytest
@@ -76,6 +78,16 @@ def test_a_fall_is_a_result(command):
     run = json.loads(out)
     assert status == 0
     assert run["fallen"] and run["fall_time"] < 400
+
+
+def test_what_cvode_complains_of_goes_to_stderr():
+    """A torque beyond reason; SUNDIALS writes past Python, so this runs in a process of its own."""
+    options = ["--set", "hip.stance_torque=1e18", "--stop-time", "60", "--json"]
+    command = [sys.executable, "-m", "tdmf_slip", "simulate", *options]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "CVode" in done.stderr.splitlines()[-1]
 
 
 BAD = [
