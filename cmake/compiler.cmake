@@ -6,7 +6,7 @@ function(tdmf_slip_compile target)
         return()
     endif()
     # Contraction into fused multiply-adds would make results depend on the processor.
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off -fno-math-errno
                            $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:-Werror>)
     if(TDMF_SLIP_SANITIZE)
         set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

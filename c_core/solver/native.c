@@ -1,42 +1,29 @@
-/* The native solver. Between events it integrates the coordinates of the present mode's chart; a step is
- * taken, judged by its error, searched for the first event, and cut there. */
+/* The native solver. The motion is expanded into Taylor series of its present mode, searched for the first
+ * event as far as the series may be trusted, and goes on from there. No step is ever refused. */
 #include "tdmf_slip/solver.h"
 
-#include "chart_slope.h"
-#include "locate.h"
-#include "pair.h"
+#include "crossing.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/contact.h"
 
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-
-/* Control of the step size. */
-static const double safety = 0.9;
-static const double largest_growth = 6.0;
-static const double strongest_cut = 0.2;
-
-/* The larger, the shorter the first step in a mode; chosen for the fewest evaluations per stride. */
-static const double first_step_caution = 0.1;
 
 typedef struct {
     tdmf_solver *solver;
     const tdmf_model *model;
     tdmf_inputs inputs; /* at motion->time */
     tdmf_input_rates rates;
-    tdmf_motion *motion;
+    tdmf_motion *motion; /* its state is that of the last event; the chart is ahead of it */
     double until;
-    double size; /* of the next step */
+    int order; /* of the series */
     tdmf_chart chart;
-    tdmf_pair_step step;
-    tdmf_watch watch;
-    double allowed[CHART_COUNT];
+    tdmf_step step;
     long steps_left, events_left;
 } march;
 
 tdmf_solver tdmf_solver_default(void) {
-    const tdmf_solver solver = {.relative_tolerance = 1e-11, .step_limit = 1000000, .event_limit = 100000};
+    const tdmf_solver solver = {.relative_tolerance = 1e-11, .step_limit = 200000, .event_limit = 100000};
     return solver;
 }
 
@@ -55,167 +42,75 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
     }
 }
 
-/* Errors are measured in the runner's own units, and relative to what exceeds them; travel and integrals,
- * which grow for ever, in the units alone. */
-static void allow_errors(march *march) {
-    const tdmf_scales *scales = &march->model->scales;
-    const double units[CHART_COUNT] = {scales->length, 1.0,
-                                       scales->speed,  1.0 / scales->time,
-                                       scales->energy, scales->energy,
-                                       scales->length, scales->speed,
-                                       scales->energy, 1.0};
-    static const bool grows[CHART_COUNT] = {[CHART_HIP_WORK] = true,
-                                            [CHART_DAMPER_LOSS] = true,
-                                            [CHART_FOOT_X] = true,
-                                            [CHART_FRICTION_LOSS] = true};
-    for (int i = 0; i < CHART_COUNT; ++i) {
-        const double magnitude = grows[i] ? units[i] : fmax(units[i], fabs(march->step.start[i]));
-        march->allowed[i] = march->solver->relative_tolerance * magnitude;
-    }
-}
-
-static void accelerations(const tdmf_chart *chart, const double slope[CHART_COUNT],
-                          double derivatives[TDMF_STATE_COUNT]) {
-    memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
-    derivatives[TDMF_LEG_ANGLE] = slope[CHART_LEG_ANGLE];
-    derivatives[TDMF_LEG_LENGTH_RATE] = slope[CHART_LEG_LENGTH_RATE];
-    derivatives[TDMF_LEG_ANGLE_RATE] = slope[CHART_LEG_ANGLE_RATE];
-    derivatives[TDMF_FOOT_VX] = chart->in_flight ? 0.0 : slope[CHART_FOOT_VX];
-}
-
-static tdmf_watch watch_state(const march *march, const tdmf_inputs *inputs,
-                              const double state[TDMF_STATE_COUNT], const double slope[CHART_COUNT]) {
-    double derivatives[TDMF_STATE_COUNT];
-    accelerations(&march->chart, slope, derivatives);
-    return tdmf_watch_guards(march->model, inputs, &march->rates, &march->motion->mode, state, derivatives);
-}
-
-/* The end of the accepted step becomes the start of the next. */
-static void shift(march *march, double elapsed) {
-    tdmf_chart_shift(&march->chart, elapsed);
-    memcpy(march->step.start, march->step.end, sizeof march->step.start);
-    memcpy(march->step.slopes[0], march->step.slopes[PAIR_STAGES], sizeof march->step.slopes[0]);
-}
-
-/* The eighth root, by square roots: cheaper than pow, and the same on every platform. */
-static double eighth_root(double x) {
-    return sqrt(sqrt(sqrt(x)));
-}
-
-static double new_size(double size, double error) {
-    const double factor = error > 0.0 ? safety / eighth_root(error) : largest_growth;
-    return size * fmin(largest_growth, fmax(strongest_cut, factor));
-}
-
-/* A first step from the first two derivatives (Hairer, Norsett and Wanner, II.4): neither so long that it is
- * refused, nor so short that the steps must grow. */
-static double first_step_size(march *march) {
-    const int count = tdmf_chart_count(&march->chart);
-    const double time = march->model->scales.time;
-    const double probe = 1e-3 * time;
-    double z[CHART_COUNT];
-    double slope[CHART_COUNT];
-    double curvature = 0.0;
-    for (int i = 0; i < CHART_COUNT; ++i) {
-        z[i] = march->step.start[i] + (i < count ? probe * march->step.slopes[0][i] : 0.0);
-    }
-    chart_slope(&march->chart, probe, z, slope);
-    ++march->solver->evaluations;
-    for (int i = 0; i < count; ++i) {
-        const double change = fabs(slope[i] - march->step.slopes[0][i]) / march->allowed[i];
-        curvature = fmax(curvature, time * time * change / probe);
-    }
-    return time / fmax(1.0, eighth_root(first_step_caution * curvature));
-}
-
 /* Begins integrating in the present mode from the present state. */
 static void open_mode(march *march) {
-    tdmf_motion *motion = march->motion;
-    tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state,
-                    march->step.start);
-    chart_slope(&march->chart, 0.0, march->step.start, march->step.slopes[0]);
-    ++march->solver->evaluations;
-    march->watch = watch_state(march, &march->inputs, motion->state, march->step.slopes[0]);
-    allow_errors(march);
-    march->size = first_step_size(march);
+    const tdmf_motion *motion = march->motion;
+    tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state);
 }
 
-/* Tries steps until one is accurate enough. */
-static tdmf_outcome take_accurate_step(march *march) {
-    allow_errors(march);
-    for (;;) {
-        if (march->steps_left-- <= 0) {
-            return TDMF_TOO_MANY_STEPS;
-        }
-        const double left = march->until - march->motion->time;
-        march->step.size = march->size < left ? march->size : left;
-        tdmf_pair_take(&march->chart, &march->step);
-        march->solver->evaluations += PAIR_STAGES;
-        ++march->solver->steps;
-        const double error = tdmf_pair_error(&march->chart, &march->step, march->allowed);
-        if (error <= 1.0) {
-            const double proposal = new_size(march->step.size, error);
-            march->size = march->step.size < march->size ? fmax(march->size, proposal) : proposal;
-            return TDMF_ARRIVED;
-        }
-        ++march->solver->rejected_steps;
-        march->size = isfinite(error) ? new_size(march->step.size, error) : strongest_cut * march->step.size;
-        if (!(march->motion->time + march->size > march->motion->time)) {
-            return TDMF_NO_PROGRESS;
-        }
-    }
+static void write_state(march *march, double elapsed, const tdmf_coordinates *coordinates) {
+    tdmf_chart_state(&march->chart, elapsed, coordinates, march->motion->state);
 }
 
-/* Adds what of the work in the step, up to a fraction, was done at positive power. */
-static void sum_positive_work(march *march, const tdmf_search *search, double fraction,
-                              const double end[CHART_COUNT], const double end_slope[CHART_COUNT]) {
-    const double start_work = march->step.start[CHART_HIP_WORK];
-    const double end_work = end[CHART_HIP_WORK];
-    const double start_power = march->step.slopes[0][CHART_HIP_WORK];
-    const double end_power = end_slope[CHART_HIP_WORK];
-    double turning_work = start_work;
-    if (start_power * end_power < 0.0) {
-        double z[CHART_COUNT];
-        tdmf_pair_within(&march->chart, &march->step, tdmf_power_reversal(search, fraction), z);
-        turning_work = z[CHART_HIP_WORK];
-    }
-    march->chart.positive_work += fmax(0.0, turning_work - start_work) + fmax(0.0, end_work - turning_work);
-}
+/* Turns that are looked for in a step: as many as a series can have. */
+enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
 
-/* Notes a peak of the ground force up to a fraction of the step. It changes nothing but the record, so the
- * step goes on. */
-static void observe_ground_force(march *march, const tdmf_search *search, double fraction) {
-    tdmf_mode *mode = &march->motion->mode;
-    const double turn = tdmf_guard_crossing(search, TDMF_GUARD_FORCE_PEAK, fraction);
-    if (turn > fraction) {
+/* Adds what of the hip's work in the step was done at positive power. */
+static void sum_positive_work(march *march, double end, double total) {
+    double from = 0.0;
+    double work = 0.0;
+    if (tdmf_power_keeps_sign(&march->step)) {
+        march->chart.positive_work += fmax(0.0, total);
         return;
     }
-    if (mode->ground_force_rising) {
-        double state[TDMF_STATE_COUNT];
-        double z[CHART_COUNT];
-        const tdmf_inputs inputs = tdmf_inputs_after(&march->inputs, &march->rates, turn * march->step.size);
-        tdmf_pair_within(&march->chart, &march->step, turn, z);
-        tdmf_chart_state(&march->chart, turn * march->step.size, z, state);
-        const double force = tdmf_contact_force(march->model, &inputs, mode, state).fy;
-        march->motion->record.open.peak_force = fmax(march->motion->record.open.peak_force, force);
+    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
+        const tdmf_root turn = tdmf_power_turn(&march->step, from, end);
+        const double to = turn.is_root ? turn.time : end;
+        const double work_so_far = to < end ? tdmf_step_work(&march->step, to) : total;
+        march->chart.positive_work += fmax(0.0, work_so_far - work);
+        work = work_so_far;
+        from = to;
     }
-    mode->ground_force_rising = !mode->ground_force_rising;
+}
+
+/* Notes the peaks of the ground force. They change nothing but the record, so the step goes on. */
+static void observe_ground_force(march *march, double end) {
+    tdmf_mode *mode = &march->motion->mode;
+    double *peak = &march->motion->record.open.peak_force;
+    double from = 0.0;
+    for (int i = 0; tdmf_in_contact(mode) && i < TURN_LIMIT; ++i) {
+        const tdmf_root turn = tdmf_force_turn(&march->step, mode->ground_force_rising, from, end);
+        if (!turn.is_root) {
+            return;
+        }
+        from = turn.time;
+        if (mode->ground_force_rising) {
+            *peak = fmax(*peak, series_at(march->step.series.ground.press, march->step.order - 1, from));
+        }
+        mode->ground_force_rising = !mode->ground_force_rising;
+    }
+}
+
+/* A friction that falls stays at zero from then on. */
+static double time_to_no_friction(const march *march) {
+    return march->rates.friction < 0.0 ? march->inputs.ground.friction / -march->rates.friction : INFINITY;
 }
 
 static void move_inputs(march *march, double elapsed) {
+    const bool friction_ends = elapsed >= time_to_no_friction(march);
     march->inputs = tdmf_inputs_after(&march->inputs, &march->rates, elapsed);
+    if (friction_ends) {
+        march->inputs.ground.friction = 0.0;
+        march->rates.friction = 0.0;
+        march->chart.friction = 0.0;
+        march->chart.friction_rate = 0.0;
+    }
 }
 
-/* Stops at a fraction of the step, where an event is due, and takes it. */
-static void stop_at_event(march *march, const tdmf_search *search, double fraction) {
+/* Takes the event that is due after `elapsed`. */
+static void stop_at_event(march *march, double elapsed, const tdmf_coordinates *reached) {
     tdmf_motion *motion = march->motion;
-    double z[CHART_COUNT];
-    double slope[CHART_COUNT];
-    const double elapsed = fraction * march->step.size;
-    tdmf_pair_within(&march->chart, &march->step, fraction, z);
-    chart_slope(&march->chart, elapsed, z, slope);
-    sum_positive_work(march, search, fraction, z, slope);
-    tdmf_chart_state(&march->chart, elapsed, z, motion->state);
+    write_state(march, elapsed, reached);
     motion->time += elapsed;
     move_inputs(march, elapsed);
     tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode, &motion->record);
@@ -224,67 +119,75 @@ static void stop_at_event(march *march, const tdmf_search *search, double fracti
     open_mode(march);
 }
 
+static void go_on(march *march, double elapsed, const tdmf_coordinates *reached) {
+    tdmf_motion *motion = march->motion;
+    motion->time = elapsed < march->until - motion->time ? motion->time + elapsed : march->until;
+    tdmf_chart_shift(&march->chart, elapsed, reached);
+    move_inputs(march, elapsed);
+}
+
+static bool is_finite(const tdmf_coordinates *c) {
+    return isfinite(c->length + c->angle + c->length_rate + c->angle_rate + c->x + c->y + c->vx + c->vy +
+                    c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss);
+}
+
 static tdmf_outcome advance_once(march *march) {
     tdmf_motion *motion = march->motion;
-    const tdmf_outcome outcome = take_accurate_step(march);
-    if (outcome != TDMF_ARRIVED) {
-        return outcome;
+    tdmf_step *step = &march->step;
+    if (march->steps_left-- <= 0) {
+        return TDMF_TOO_MANY_STEPS;
     }
-    const double size = march->step.size;
-    const double *end_slope = march->step.slopes[PAIR_STAGES];
-    const tdmf_inputs inputs = tdmf_inputs_after(&march->inputs, &march->rates, size);
-    double state[TDMF_STATE_COUNT];
-    tdmf_chart_state(&march->chart, size, march->step.end, state);
-    const tdmf_watch end = watch_state(march, &inputs, state, end_slope);
-    const tdmf_search search = {&march->chart, march->model,  &march->inputs,
-                                &march->rates, &motion->mode, &march->step};
-    const double fraction = tdmf_first_crossing(&search, &march->watch, &end);
-    if (fraction <= 1.0 || end.value[TDMF_GUARD_FORCE_PEAK] <= 0.0) {
-        observe_ground_force(march, &search, fmin(1.0, fraction));
+    ++march->solver->steps;
+    tdmf_step_expand(step, &march->chart, march->order, march->solver->relative_tolerance);
+    march->solver->evaluations += step->order;
+    if (!(motion->time + step->size > motion->time)) {
+        return TDMF_NO_PROGRESS;
     }
-    march->solver->evaluations += march->step.has_dense ? PAIR_ALL_STAGES - PAIR_STAGES - 1 : 0;
-    if (fraction <= 1.0) {
-        stop_at_event(march, &search, fraction);
-        return TDMF_ARRIVED;
+    step->size = fmin(step->size, fmin(march->until - motion->time, time_to_no_friction(march)));
+    tdmf_reach_to(&step->reach, step->size, step->order);
+    const tdmf_root crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode);
+    const double end = fmin(step->size, crossing.time);
+    const tdmf_coordinates reached = tdmf_step_at(step, end);
+    if (!is_finite(&reached)) {
+        return TDMF_NO_PROGRESS;
     }
-    sum_positive_work(march, &search, 1.0, march->step.end, end_slope);
-    state[TDMF_HIP_POSITIVE_WORK] = march->chart.positive_work;
-    memcpy(motion->state, state, sizeof state);
-    motion->time = size < march->until - motion->time ? motion->time + size : march->until;
-    move_inputs(march, size);
-    shift(march, size);
-    march->watch = end;
+    observe_ground_force(march, end);
+    sum_positive_work(march, end, reached.work - march->chart.start.work);
+    if (crossing.is_root) {
+        stop_at_event(march, end, &reached);
+    } else {
+        go_on(march, end, &reached);
+    }
     return TDMF_ARRIVED;
 }
 
-static march begin(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                   const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
-    march march;
-    march.solver = solver;
-    march.model = model;
-    march.inputs = *inputs;
-    march.rates = *rates;
-    march.motion = motion;
-    march.until = until;
-    march.steps_left = solver->step_limit;
-    march.events_left = solver->event_limit;
+static void begin(march *march, tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+    march->solver = solver;
+    march->model = model;
+    march->inputs = *inputs;
+    march->rates = *rates;
+    march->motion = motion;
+    march->until = until;
+    march->order = tdmf_step_order(solver->relative_tolerance);
+    march->steps_left = solver->step_limit;
+    march->events_left = solver->event_limit;
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
-    open_mode(&march);
-    return march;
+    open_mode(march);
 }
 
 /* Until the time asked for, or until `strides` have closed. */
 static tdmf_outcome advance(march *march, int strides) {
     tdmf_motion *motion = march->motion;
-    while (motion->time < march->until && !motion->mode.fallen && motion->record.stride.count < strides) {
-        if (march->events_left <= 0) {
-            return TDMF_TOO_MANY_EVENTS;
-        }
-        const tdmf_outcome outcome = advance_once(march);
-        if (outcome != TDMF_ARRIVED) {
-            return outcome;
-        }
+    tdmf_outcome outcome = TDMF_ARRIVED;
+    while (outcome == TDMF_ARRIVED && motion->time < march->until && !motion->mode.fallen &&
+           motion->record.stride.count < strides) {
+        outcome = march->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(march);
+    }
+    write_state(march, 0.0, &march->chart.start);
+    if (outcome != TDMF_ARRIVED) {
+        return outcome;
     }
     /* The caller may change an input now. */
     tdmf_observe(march->model, &march->inputs, motion->state, &motion->mode, &motion->record);
@@ -293,7 +196,8 @@ static tdmf_outcome advance(march *march, int strides) {
 
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
-    march march = begin(solver, model, inputs, rates, until, motion);
+    march march;
+    begin(&march, solver, model, inputs, rates, until, motion);
     return advance(&march, INT_MAX);
 }
 
@@ -301,7 +205,8 @@ tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *mo
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
     static const tdmf_input_rates held = {0.0, 0.0};
     const int count = motion->record.stride.count;
-    march march = begin(solver, model, inputs, &held, until, motion);
+    march march;
+    begin(&march, solver, model, inputs, &held, until, motion);
     const tdmf_outcome outcome = advance(&march, count + 1);
     const tdmf_stride_outcome result = {outcome, motion->record.stride.count > count};
     return result;

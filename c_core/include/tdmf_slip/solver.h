@@ -1,7 +1,9 @@
 /* The native solver: takes a run from one time to another, event by event.
  *
- * An explicit Runge-Kutta pair of order 8 with a dense output on which events are located. Nothing is
- * allocated and nothing is kept between calls but a step size, so that a solver may be copied like any value.
+ * The motion of each contact mode is expanded into Taylor series, as long and of as high an order as the
+ * tolerance asks for; guards are polynomials in time, whose first root is found by a march that cannot jump
+ * over one. Nothing is allocated and nothing is kept between calls, so that a solver may be copied like any
+ * value.
  */
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
@@ -24,10 +26,11 @@ typedef struct {
 
 typedef struct {
     double relative_tolerance; /* of a step, in the runner's scales */
-    long step_limit;           /* steps, accepted or not, in one call */
+    long step_limit;           /* steps in one call */
     long event_limit;          /* events in one call */
     /* Work done so far, for whoever wants to know. */
-    long steps, rejected_steps, evaluations, events;
+    long steps, evaluations,
+        events; /* evaluations: of the right-hand side, or of a coefficient of its series */
 } tdmf_solver;
 
 typedef enum {

@@ -1,0 +1,361 @@
+/* The guards of model/guards.c as polynomials in time. What a guard is made of has been expanded with the
+ * motion, so that a guard is a sum of series, as exact as the step, and no crossing is missed, however short.
+ *
+ * A polynomial is zero a little after its guard: what it finds due is due to the model beyond rounding. */
+#include "crossing.h"
+
+#include "first_root.h"
+#include "tdmf_slip/hip.h"
+
+/* A guard is due at -TDMF_GUARD_MARGIN of its scale. */
+static const double beyond = -2.0 * TDMF_GUARD_MARGIN;
+
+/* Edge of the dead band of signs that are remembered; see guards.c. */
+static const double beyond_dead_band = -2e-10;
+
+/* Share of its unit up to which a power's factor counts as zero. */
+static const double zero_power = 1e-14;
+
+typedef struct {
+    const tdmf_step *step;
+    tdmf_root first;
+} search;
+
+/* Of two findings, the one that ends a step sooner. */
+static tdmf_root sooner(tdmf_root a, tdmf_root b) {
+    return b.time < a.time || (b.time == a.time && b.is_root) ? b : a;
+}
+
+/* A series that is `above` zero at the start of the step stays there. */
+static bool stays_above(const search *search, double above, const double *c, int order) {
+    return above > tdmf_spread(c, order, &search->step->reach);
+}
+
+static tdmf_polynomial scaled(const double *c, double factor, int order) {
+    tdmf_polynomial p;
+    p.order = order;
+    for (int k = 0; k <= order; ++k) {
+        p.c[k] = factor * c[k];
+    }
+    return p;
+}
+
+static void add(tdmf_polynomial *p, const double *c, double factor) {
+    for (int k = 0; k <= p->order; ++k) {
+        p->c[k] += factor * c[k];
+    }
+}
+
+static void add_parabola(tdmf_polynomial *p, double value, double rate, double curvature) {
+    p->c[0] += value;
+    p->c[1] += rate;
+    p->c[2] += curvature;
+}
+
+/* Adds the product of two series. */
+static void add_product(tdmf_polynomial *p, const double *a, const double *b) {
+    for (int i = 0; i <= p->order; ++i) {
+        for (int k = i; k <= p->order; ++k) {
+            p->c[k] += a[i] * b[k - i];
+        }
+    }
+}
+
+static tdmf_polynomial derivative(const double *c, double factor, int order) {
+    tdmf_polynomial p;
+    p.order = order - 1;
+    for (int k = 0; k < order; ++k) {
+        p.c[k] = factor * (double)(k + 1) * c[k + 1];
+    }
+    return p;
+}
+
+/* Notes the first time at which the polynomial, in units of `scale`, falls to `floor`. */
+static void watch(search *search, const tdmf_polynomial *p, double scale, double floor) {
+    const double to = fmin(search->step->size, search->first.time);
+    search->first =
+        sooner(search->first, tdmf_first_root(p, &search->step->reach, 1.0, floor * scale, 0.0, to));
+}
+
+static void watch_length(search *search, const double *length) {
+    const tdmf_model *model = search->step->chart->model;
+    tdmf_polynomial p = scaled(length, 1.0, search->step->order);
+    p.c[0] -= model->parameters.leg.min_length;
+    watch(search, &p, model->scales.length, beyond);
+}
+
+/* ---- flight ------------------------------------------------------------------------------------------- */
+
+/* r cos(theta), by (cos)' = -w sin and (sin)' = w cos. */
+static void expand_drop(const flight_series *f, int order, double drop[SERIES_TERMS]) {
+    double sine[SERIES_TERMS], cosine[SERIES_TERMS];
+    sine[0] = sin(f->angle[0]);
+    cosine[0] = cos(f->angle[0]);
+    for (int k = 0; k < order; ++k) {
+        double rise = 0.0;
+        double fall = 0.0;
+        for (int i = 0; i <= k; ++i) {
+            rise += f->angle_rate[i] * cosine[k - i];
+            fall += f->angle_rate[i] * sine[k - i];
+        }
+        sine[k + 1] = rise * series_reciprocal[k + 1];
+        cosine[k + 1] = -fall * series_reciprocal[k + 1];
+    }
+    for (int k = 0; k <= order; ++k) {
+        drop[k] = 0.0;
+        for (int i = 0; i <= k; ++i) {
+            drop[k] += f->length[i] * cosine[k - i];
+        }
+    }
+}
+
+static double center_of_mass_height(const tdmf_chart *chart, double t) {
+    return chart->com_y + t * (chart->com_vy - 0.5 * chart->model->parameters.gravity * t);
+}
+
+static void watch_heights(search *search, double longest) {
+    const tdmf_step *step = search->step;
+    const tdmf_chart *chart = step->chart;
+    const flight_series *f = &step->series.flight;
+    const double share = chart->model->parameters.body.mass / chart->model->total_mass;
+    const double length = chart->model->scales.length;
+    const double lowest = fmin(chart->com_y, center_of_mass_height(chart, step->size));
+    double drop[SERIES_TERMS];
+    /* Neither end of the leg reaches the ground, wherever the leg points: a parabola is lowest at an end. */
+    if (lowest > fmax(share, 1.0 - share) * longest) {
+        return;
+    }
+    expand_drop(f, step->order, drop);
+    tdmf_polynomial foot = scaled(drop, -share, step->order);
+    tdmf_polynomial body = scaled(drop, 1.0 - share, step->order);
+    const double curvature = -0.5 * chart->model->parameters.gravity;
+    add_parabola(&foot, chart->com_y, chart->com_vy, curvature);
+    add_parabola(&body, chart->com_y, chart->com_vy, curvature);
+    watch(search, &foot, length, beyond);
+    watch(search, &body, length, beyond);
+}
+
+static void watch_flight(search *search, const tdmf_mode *mode) {
+    const tdmf_step *step = search->step;
+    const tdmf_chart *chart = step->chart;
+    const tdmf_model *model = chart->model;
+    const flight_series *f = &step->series.flight;
+    const double spread = tdmf_spread(f->length, step->order, &step->reach);
+    if (f->length[0] - spread <= model->parameters.leg.min_length) {
+        watch_length(search, f->length);
+    }
+    watch_heights(search, f->length[0] + spread);
+    if (mode->phase != TDMF_PHASE_RETRACT) {
+        return;
+    }
+    const tdmf_polynomial rise = {{chart->com_vy, -model->parameters.gravity, 0.0}, 2};
+    watch(search, &rise, model->scales.speed, beyond);
+    const double sign = mode->clamp_closed ? -1.0 : 1.0;
+    tdmf_polynomial clamp = scaled(f->angle, -sign * model->parameters.hip.kp, step->order - 1);
+    add(&clamp, f->angle_rate, -sign * model->parameters.hip.kd);
+    clamp.c[0] +=
+        sign * model->parameters.hip.kp * model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+    watch(search, &clamp, model->scales.energy, beyond_dead_band);
+}
+
+/* ---- on the ground ------------------------------------------------------------------------------------ */
+
+static void watch_standing_leg(search *search) {
+    const tdmf_step *step = search->step;
+    const tdmf_model *model = step->chart->model;
+    const ground_series *g = &step->series.ground;
+    if (!stays_above(search, g->y[0], g->y, step->order)) {
+        const tdmf_polynomial body = scaled(g->y, 1.0, step->order);
+        watch(search, &body, model->scales.length, beyond);
+    }
+    if (!stays_above(search, g->length[0] - model->parameters.leg.min_length, g->length, step->order)) {
+        watch_length(search, g->length);
+    }
+}
+
+/* theta, by the body's place over the foot. */
+static void watch_mid_stance(search *search) {
+    const ground_series *g = &search->step->series.ground;
+    if (stays_above(search, -g->x[0], g->x, search->step->order)) {
+        return;
+    }
+    const tdmf_polynomial ahead = scaled(g->x, -1.0, search->step->order);
+    watch(search, &ahead, 2.0 * g->length[0], beyond);
+}
+
+/* mu f_y + sign f_x. */
+static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+                       double sign) {
+    const ground_series *g = &search->step->series.ground;
+    tdmf_polynomial room = scaled(g->press, inputs->ground.friction, search->step->order - 1);
+    add(&room, g->pull, -sign);
+    if (rates->friction != 0.0) {
+        for (int k = 1; k <= room.order; ++k) {
+            room.c[k] += rates->friction * g->press[k - 1];
+        }
+    }
+    watch(search, &room, search->step->chart->model->scales.force, beyond);
+}
+
+static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+                         bool sticks) {
+    const tdmf_step *step = search->step;
+    const ground_series *g = &step->series.ground;
+    const int order = step->order - 1;
+    const double press_spread = tdmf_spread(g->press, order, &step->reach);
+    if (!(g->press[0] > press_spread)) {
+        const tdmf_polynomial press = scaled(g->press, 1.0, order);
+        watch(search, &press, step->chart->model->scales.force, beyond);
+    }
+    if (!sticks) {
+        return;
+    }
+    const double room = inputs->ground.friction * (g->press[0] - press_spread) - fabs(g->pull[0]);
+    if (rates->friction != 0.0 || !stays_above(search, room, g->pull, order)) {
+        watch_cone(search, inputs, rates, 1.0);
+        watch_cone(search, inputs, rates, -1.0);
+    }
+}
+
+static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+                          const tdmf_mode *mode) {
+    const tdmf_step *step = search->step;
+    const ground_series *g = &step->series.ground;
+    const double sign = tdmf_slip_sign(mode);
+    watch_standing_leg(search);
+    watch_forces(search, inputs, rates, mode->contact == TDMF_CONTACT_STICK);
+    if (mode->phase == TDMF_PHASE_DRIVE && step->chart->turn == 0.0) {
+        watch_mid_stance(search);
+    }
+    if (sign != 0.0 && !stays_above(search, sign * g->foot_vx[0], g->foot_vx, step->order)) {
+        const tdmf_polynomial speed = scaled(g->foot_vx, sign, step->order);
+        watch(search, &speed, step->chart->model->scales.speed, beyond);
+    }
+}
+
+/* ---- graze -------------------------------------------------------------------------------------------- */
+
+/* Argument of the flight law, without the external torque: -kp (theta - target) - kd thetadot. */
+static tdmf_polynomial flight_law(const tdmf_step *step, const tdmf_mode *mode, double angle) {
+    const tdmf_parameters *p = &step->chart->model->parameters;
+    const double *rate = step->series.ground.angle_rate;
+    const double target = mode->phase == TDMF_PHASE_RETRACT
+                              ? p->hip.liftoff_angle_factor * mode->liftoff_angle
+                              : p->hip.touchdown_angle;
+    tdmf_polynomial law = scaled(rate, -p->hip.kd, step->order - 1);
+    law.c[0] -= p->hip.kp * (angle - target);
+    for (int k = 1; k <= law.order; ++k) {
+        law.c[k] -= p->hip.kp * rate[k - 1] * series_reciprocal[k];
+    }
+    return law;
+}
+
+/* X/r^2: what a torque presses the foot down with. */
+static void expand_lever(const ground_series *g, int order, double lever[SERIES_TERMS]) {
+    for (int k = 0; k <= order; ++k) {
+        lever[k] = g->x[k];
+        for (int i = 0; i < k; ++i) {
+            lever[k] -= lever[i] * g->square[k - i];
+        }
+        lever[k] /= g->square[0];
+    }
+}
+
+/* Ground force, times `sign`, under a law that graze excludes. */
+static void watch_press(search *search, const tdmf_input_rates *rates, const double lever[SERIES_TERMS],
+                        double sign, tdmf_polynomial law) {
+    const tdmf_chart *chart = search->step->chart;
+    const ground_series *g = &search->step->series.ground;
+    law.c[0] += chart->torque;
+    law.c[1] += rates->external_torque;
+    tdmf_polynomial press = scaled(g->axial_y, sign, law.order);
+    press.c[0] += sign * chart->model->parameters.foot.mass * chart->model->parameters.gravity;
+    for (int k = 0; k <= law.order; ++k) {
+        law.c[k] *= sign;
+    }
+    add_product(&press, law.c, lever);
+    watch(search, &press, chart->model->scales.force, beyond);
+}
+
+static void watch_graze(search *search, const tdmf_input_rates *rates, const tdmf_mode *mode) {
+    const tdmf_step *step = search->step;
+    const tdmf_chart *chart = step->chart;
+    const tdmf_model *model = chart->model;
+    const ground_series *g = &step->series.ground;
+    const int order = step->order - 1;
+    const double zero = 1e-12 * model->scales.energy;
+    double lever[SERIES_TERMS];
+    tdmf_polynomial flight = flight_law(step, mode, atan2(-chart->start.x, chart->start.y) + chart->turn);
+    const double closed[SERIES_TERMS] = {0.0};
+    tdmf_polynomial stance = scaled(closed, 0.0, order);
+    stance.c[0] = tdmf_hip_stance_law(model, mode);
+    expand_lever(g, order, lever);
+    watch_standing_leg(search);
+    if (mode->phase == TDMF_PHASE_RETRACT) {
+        const tdmf_polynomial rise =
+            scaled(g->vy, model->parameters.body.mass / model->total_mass, step->order);
+        watch(search, &rise, model->scales.speed, beyond);
+        tdmf_root kink = tdmf_first_sign_change(&flight, &step->reach, zero, 0.0, step->size);
+        kink.is_root = false;
+        search->first = sooner(search->first, kink);
+        const bool pulls = fabs(flight.c[0]) > zero ? flight.c[0] > 0.0 : flight.c[1] > 0.0;
+        if (!pulls) {
+            flight = scaled(closed, 0.0, order);
+        }
+    }
+    watch_press(search, rates, lever, -1.0, stance);
+    watch_press(search, rates, lever, 1.0, flight);
+}
+
+/* ---- all ---------------------------------------------------------------------------------------------- */
+
+tdmf_root tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+                              const tdmf_mode *mode) {
+    search search = {step, {INFINITY, false}};
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        watch_flight(&search, mode);
+    } else if (mode->contact == TDMF_CONTACT_GRAZE) {
+        watch_graze(&search, rates, mode);
+    } else {
+        watch_contact(&search, inputs, rates, mode);
+    }
+    return search.first;
+}
+
+tdmf_root tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to) {
+    const tdmf_scales *scales = &step->chart->model->scales;
+    const tdmf_polynomial rate = derivative(step->series.ground.press, rising ? 1.0 : -1.0, step->order - 1);
+    return tdmf_first_root(&rate, &step->reach, 1.0, beyond_dead_band * scales->force / scales->time, from,
+                           to);
+}
+
+bool tdmf_power_keeps_sign(const tdmf_step *step) {
+    const tdmf_reach *reach = &step->reach;
+    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
+        double torque[SERIES_TERMS];
+        const double *momentum = step->series.flight.momentum;
+        for (int k = 0; k < step->order; ++k) {
+            torque[k] = (double)(k + 1) * momentum[k + 1];
+        }
+        return fabs(momentum[0]) > tdmf_spread(momentum, step->order, reach) &&
+               fabs(torque[0]) > tdmf_spread(torque, step->order - 1, reach);
+    }
+    const double *moment = step->series.ground.moment;
+    const double *torque = step->series.ground.torque;
+    const double torque_spread = tdmf_spread(torque, step->order - 1, reach);
+    return (torque[0] == 0.0 && torque_spread == 0.0) ||
+           (fabs(torque[0]) > torque_spread && fabs(moment[0]) > tdmf_spread(moment, step->order, reach));
+}
+
+tdmf_root tdmf_power_turn(const tdmf_step *step, double from, double to) {
+    const tdmf_scales *scales = &step->chart->model->scales;
+    const bool flies = step->chart->contact == TDMF_CONTACT_FLIGHT;
+    const tdmf_polynomial momentum =
+        scaled(flies ? step->series.flight.momentum : step->series.ground.moment, 1.0, step->order);
+    const tdmf_polynomial torque = flies ? derivative(step->series.flight.momentum, 1.0, step->order)
+                                         : scaled(step->series.ground.torque, 1.0, step->order - 1);
+    const double inverse_mobility = scales->length * scales->length / scales->time;
+    return sooner(tdmf_first_sign_change(&momentum, &step->reach, zero_power * inverse_mobility, from, to),
+                  tdmf_first_sign_change(&torque, &step->reach, zero_power * inverse_mobility / scales->time,
+                                         from, to));
+}

@@ -1,0 +1,81 @@
+/* Flight: the centre of mass is exactly ballistic, so only the leg is expanded, and gravity drops out of its
+ * equations with every sine and cosine. With M = 1/m + 1/m_f, v = rdot, w = thetadot and L = r^2 w,
+ *
+ *     vdot = r w^2 + M (k (l0 - r) - c v),      Ldot = M tau,      w = L/r^2,
+ *     tau = G (theta_target - theta) - D w + tau_1 + tau_2 t.
+ *
+ * `real` is a number, or a vector of them: one number for each of several runners. */
+
+/* The products of series: r r, r^2 w, r w, r w w, w w, v v. */
+enum { FLIGHT_PRODUCTS = 6 };
+
+typedef struct {
+    real length[SERIES_TERMS];       /* r */
+    real length_rate[SERIES_TERMS];  /* v */
+    real angle[SERIES_TERMS];        /* theta */
+    real momentum[SERIES_TERMS];     /* L */
+    real angle_rate[SERIES_TERMS];   /* w, up to order - 1, as all that follows */
+    real rate_square[SERIES_TERMS];  /* w^2 */
+    real speed_square[SERIES_TERMS]; /* v^2 */
+    real left[SERIES_TERMS][FLIGHT_PRODUCTS], right[SERIES_TERMS][FLIGHT_PRODUCTS];
+} flight_series;
+
+/* What the series depend on, besides their first coefficients. */
+typedef struct {
+    real stiffness; /* M k */
+    real damping;   /* M c */
+    real free_length;
+    real gain, rate_gain; /* M G, M D */
+    real target;
+    real push, push_rate; /* M tau_1, M tau_2 */
+} flight_coefficients;
+
+/* From length, angle, length rate and angle rate. */
+static inline void expand_flight(const flight_coefficients *a, const real start[4], int order,
+                                 flight_series *f) {
+    const real inverse_square = 1.0 / (start[0] * start[0]);
+    real r = start[0], theta = start[1], v = start[2], w = start[3];
+    real square = r * r, L = square * w, across = r * w, centrifugal = across * w;
+    f->rate_square[0] = w * w;
+    f->speed_square[0] = v * v;
+    for (int k = 0; k < order; ++k) {
+        if (k > 0) {
+            real sum[FLIGHT_PRODUCTS];
+            SUM_PRODUCTS(FLIGHT_PRODUCTS, sum, f->left, f->right, k);
+            const real r0 = f->length[0], w0 = f->angle_rate[0], v0 = f->length_rate[0];
+            square = sum[0] + 2.0 * r0 * r;
+            w = (L - sum[1] - square * w0) * inverse_square;
+            across = sum[2] + r0 * w + r * w0;
+            centrifugal = sum[3] + f->left[0][3] * w + across * w0;
+            f->rate_square[k] = sum[4] + 2.0 * w0 * w;
+            f->speed_square[k] = sum[5] + 2.0 * v0 * v;
+        }
+        const real left[FLIGHT_PRODUCTS] = {r, square, r, across, w, v};
+        const real right[FLIGHT_PRODUCTS] = {r, w, w, w, w, v};
+        for (int lane = 0; lane < FLIGHT_PRODUCTS; ++lane) {
+            f->left[k][lane] = left[lane];
+            f->right[k][lane] = right[lane];
+        }
+        f->length[k] = r;
+        f->length_rate[k] = v;
+        f->angle[k] = theta;
+        f->momentum[k] = L;
+        f->angle_rate[k] = w;
+        real force = centrifugal - a->stiffness * r - a->damping * v;
+        real torque = -a->gain * theta - a->rate_gain * w;
+        if (k == 0) {
+            force += a->stiffness * a->free_length;
+            torque += a->gain * a->target + a->push;
+        } else if (k == 1) {
+            torque += a->push_rate;
+        }
+        r = v * series_reciprocal[k + 1];
+        v = force * series_reciprocal[k + 1];
+        theta = w * series_reciprocal[k + 1];
+        L = torque * series_reciprocal[k + 1];
+    }
+    f->length[order] = r;
+    f->length_rate[order] = v;
+    f->angle[order] = theta;
+    f->momentum[order] = L;
+}

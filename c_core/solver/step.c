@@ -1,0 +1,176 @@
+/* Expansion, step size and evaluation.
+ *
+ * A step is as long as the last two coefficients allow: were the series cut there, what is left out would be
+ * as small as the tolerance. On the ground that is asked of the forces themselves, because events are located
+ * on them. */
+#include "step.h"
+
+#include <float.h>
+
+int tdmf_step_order(double tolerance) {
+    const int order = (int)ceil(-2.0 * log10(tolerance));
+    return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
+}
+
+static void expand_leg_in_flight(tdmf_step *step) {
+    const tdmf_chart *chart = step->chart;
+    const tdmf_model *model = chart->model;
+    const tdmf_parameters *p = &model->parameters;
+    const double mobility = model->inverse_body_mass + model->inverse_foot_mass;
+    const flight_coefficients coefficients = {
+        .stiffness = mobility * p->leg.stiffness,
+        .damping = mobility * p->leg.damping,
+        .free_length = p->leg.free_length,
+        .gain = mobility * chart->gain,
+        .rate_gain = mobility * chart->rate_gain,
+        .target = chart->target,
+        .push = mobility * chart->torque,
+        .push_rate = mobility * chart->torque_rate,
+    };
+    const double start[4] = {chart->start.length, chart->start.angle, chart->start.length_rate,
+                             chart->start.angle_rate};
+    expand_flight(&coefficients, start, step->order, &step->series.flight);
+}
+
+static void expand_standing_leg(tdmf_step *step) {
+    const tdmf_chart *chart = step->chart;
+    const tdmf_model *model = chart->model;
+    const tdmf_parameters *p = &model->parameters;
+    const ground_coefficients coefficients = {
+        .stiffness = p->leg.stiffness,
+        .damping = p->leg.damping,
+        .free_length = p->leg.free_length,
+        .inverse_body_mass = model->inverse_body_mass,
+        .inverse_foot_mass = model->inverse_foot_mass,
+        .foot_weight = p->foot.mass * p->gravity,
+        .gravity = p->gravity,
+        .torque = chart->torque,
+        .torque_rate = chart->torque_rate,
+        .friction = chart->friction,
+        .friction_rate = chart->friction_rate,
+    };
+    const double start[GROUND_START_COUNT] = {chart->start.x, chart->start.y, chart->start.vx,
+                                              chart->start.vy, chart->start.foot_vx};
+    ground_series *ground = &step->series.ground;
+    switch (chart->contact) {
+    case TDMF_CONTACT_STICK:
+        expand_ground(&coefficients, start, step->order, false, false, ground);
+        break;
+    case TDMF_CONTACT_GRAZE:
+        expand_ground(&coefficients, start, step->order, false, true, ground);
+        break;
+    default:
+        expand_ground(&coefficients, start, step->order, true, false, ground);
+    }
+}
+
+/* x^(1/n) within a few per cent, and the same on every platform. */
+static double rough_root(double x, int n) {
+    int exponent;
+    const double mantissa = frexp(fmin(x, DBL_MAX), &exponent);
+    const double logarithm = ((double)exponent + 2.0 * (mantissa - 1.0)) / n;
+    const double whole = floor(logarithm);
+    return ldexp(1.0 + 0.67 * (logarithm - whole), (int)whole);
+}
+
+/* The last two coefficients, summed over the coordinates in their units, so that one that is not a number
+ * shows.
+ */
+typedef struct {
+    double last, last_but_one;
+    int order;
+} remainder_of_series;
+
+static void note_remainder(remainder_of_series *remainder, const double *c, double unit) {
+    const double allowed = 1.0 / fmax(unit, fabs(c[0]));
+    remainder->last += fabs(c[remainder->order]) * allowed;
+    remainder->last_but_one += fabs(c[remainder->order - 1]) * allowed;
+}
+
+static double trusted_size(const remainder_of_series *remainder, double tolerance) {
+    double size = INFINITY;
+    if (!isfinite(remainder->last + remainder->last_but_one)) {
+        return NAN;
+    }
+    if (remainder->last > 0.0) {
+        size = rough_root(tolerance / remainder->last, remainder->order);
+    }
+    if (remainder->last_but_one > 0.0) {
+        size = fmin(size, rough_root(tolerance / remainder->last_but_one, remainder->order - 1));
+    }
+    return size;
+}
+
+void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance) {
+    const tdmf_scales *scales = &chart->model->scales;
+    remainder_of_series remainder = {0.0, 0.0, 0};
+    step->chart = chart;
+    step->order = order;
+    remainder.order = order - 1;
+    if (chart->contact == TDMF_CONTACT_FLIGHT) {
+        expand_leg_in_flight(step);
+        note_remainder(&remainder, step->series.flight.length_rate, scales->speed);
+        note_remainder(&remainder, step->series.flight.angle_rate, 1.0 / scales->time);
+    } else {
+        expand_standing_leg(step);
+        note_remainder(&remainder, step->series.ground.press, scales->force);
+        note_remainder(&remainder, step->series.ground.pull, scales->force);
+        note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
+    }
+    step->size = trusted_size(&remainder, tolerance);
+}
+
+static double flight_work(const tdmf_step *step, double t) {
+    const tdmf_chart *chart = step->chart;
+    const flight_series *f = &step->series.flight;
+    const int order = step->order;
+    const double turned = series_integral(f->angle_rate, order - 1, t);
+    double work = chart->gain * turned * (chart->target - chart->start.angle - 0.5 * turned) -
+                  chart->rate_gain * series_integral(f->rate_square, order - 1, t) + chart->torque * turned;
+    if (chart->torque_rate != 0.0) {
+        /* By parts: the integral of t w. */
+        const double angle_integral = series_integral(f->angle, order, t) - t * chart->start.angle;
+        work += chart->torque_rate * (t * turned - angle_integral);
+    }
+    return work;
+}
+
+double tdmf_step_work(const tdmf_step *step, double elapsed) {
+    return step->chart->contact == TDMF_CONTACT_FLIGHT
+               ? flight_work(step, elapsed)
+               : series_integral(step->series.ground.power, step->order - 1, elapsed);
+}
+
+static void flight_at(const tdmf_step *step, double t, tdmf_coordinates *at) {
+    const flight_series *f = &step->series.flight;
+    const double damping = step->chart->model->parameters.leg.damping;
+    at->length = series_at(f->length, step->order, t);
+    at->length_rate = series_at(f->length_rate, step->order, t);
+    at->angle = series_at(f->angle, step->order, t);
+    at->angle_rate = series_at(f->momentum, step->order, t) / (at->length * at->length);
+    at->damper_loss += damping * series_integral(f->speed_square, step->order - 1, t);
+}
+
+static void ground_at(const tdmf_step *step, double t, tdmf_coordinates *at) {
+    const ground_series *g = &step->series.ground;
+    const double damping = step->chart->model->parameters.leg.damping;
+    at->x = series_at(g->x, step->order, t);
+    at->y = series_at(g->y, step->order, t);
+    at->foot_vx = series_at(g->foot_vx, step->order, t);
+    at->vx = series_at(g->vx, step->order, t) + at->foot_vx;
+    at->vy = series_at(g->vy, step->order, t);
+    at->foot_x += series_integral(g->foot_vx, step->order, t);
+    at->damper_loss += damping * series_integral(g->speed_square, step->order - 1, t);
+    at->friction_loss += series_integral(g->friction_power, step->order - 1, t);
+}
+
+tdmf_coordinates tdmf_step_at(const tdmf_step *step, double elapsed) {
+    tdmf_coordinates at = step->chart->start;
+    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
+        flight_at(step, elapsed, &at);
+    } else {
+        ground_at(step, elapsed, &at);
+    }
+    at.work += tdmf_step_work(step, elapsed);
+    return at;
+}

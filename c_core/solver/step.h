@@ -1,0 +1,33 @@
+/* One step of the native solver: the motion from a chart's instant on, as Taylor series. */
+#ifndef TDMF_SOLVER_STEP_H
+#define TDMF_SOLVER_STEP_H
+
+#include "chart.h"
+#include "first_root.h"
+#include "scalar_series.h"
+
+typedef struct {
+    const tdmf_chart *chart;
+    int order;
+    double size;
+    tdmf_reach reach;
+    union {
+        flight_series flight;
+        ground_series ground;
+    } series;
+} tdmf_step;
+
+/* The order at which steps of a relative tolerance cost least. */
+int tdmf_step_order(double tolerance);
+
+/* Expands the motion of a chart and finds how long the series may be trusted: step->size, infinity for a
+ * motion that is a polynomial, not a number where the series is not finite. */
+void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance);
+
+/* Coordinates at a time within the step. */
+tdmf_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);
+
+/* Hip work since the step's start. */
+double tdmf_step_work(const tdmf_step *step, double elapsed);
+
+#endif
