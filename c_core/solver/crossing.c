@@ -18,12 +18,20 @@ static const double zero_power = 1e-14;
 
 typedef struct {
     const tdmf_step *step;
-    tdmf_root first;
+    tdmf_crossing first;
 } search;
 
 /* Of two findings, the one that ends a step sooner. */
 static tdmf_root sooner(tdmf_root a, tdmf_root b) {
     return b.time < a.time || (b.time == a.time && b.is_root) ? b : a;
+}
+
+static void note(search *search, tdmf_guard guard, tdmf_root found) {
+    const tdmf_root first = sooner(search->first.at, found);
+    if (first.time != search->first.at.time || first.is_root != search->first.at.is_root) {
+        search->first.at = first;
+        search->first.guard = guard;
+    }
 }
 
 /* A series that is `above` zero at the start of the step stays there. */
@@ -71,17 +79,16 @@ static tdmf_polynomial derivative(const double *c, double factor, int order) {
 }
 
 /* Notes the first time at which the polynomial, in units of `scale`, falls to `floor`. */
-static void watch(search *search, const tdmf_polynomial *p, double scale, double floor) {
-    const double to = fmin(search->step->size, search->first.time);
-    search->first =
-        sooner(search->first, tdmf_first_root(p, &search->step->reach, 1.0, floor * scale, 0.0, to));
+static void watch(search *search, tdmf_guard guard, const tdmf_polynomial *p, double scale, double floor) {
+    const double to = fmin(search->step->size, search->first.at.time);
+    note(search, guard, tdmf_first_root(p, &search->step->reach, 1.0, floor * scale, 0.0, to));
 }
 
 static void watch_length(search *search, const double *length) {
     const tdmf_model *model = search->step->chart->model;
     tdmf_polynomial p = scaled(length, 1.0, search->step->order);
     p.c[0] -= model->parameters.leg.min_length;
-    watch(search, &p, model->scales.length, beyond);
+    watch(search, TDMF_GUARD_LEG_TOO_SHORT, &p, model->scales.length, beyond);
 }
 
 /* ---- flight ------------------------------------------------------------------------------------------- */
@@ -131,8 +138,8 @@ static void watch_heights(search *search, double longest) {
     const double curvature = -0.5 * chart->model->parameters.gravity;
     add_parabola(&foot, chart->com_y, chart->com_vy, curvature);
     add_parabola(&body, chart->com_y, chart->com_vy, curvature);
-    watch(search, &foot, length, beyond);
-    watch(search, &body, length, beyond);
+    watch(search, TDMF_GUARD_TOUCHDOWN, &foot, length, beyond);
+    watch(search, TDMF_GUARD_BODY_DOWN, &body, length, beyond);
 }
 
 static void watch_flight(search *search, const tdmf_mode *mode) {
@@ -149,13 +156,13 @@ static void watch_flight(search *search, const tdmf_mode *mode) {
         return;
     }
     const tdmf_polynomial rise = {{chart->com_vy, -model->parameters.gravity, 0.0}, 2};
-    watch(search, &rise, model->scales.speed, beyond);
+    watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, beyond);
     const double sign = mode->clamp_closed ? -1.0 : 1.0;
     tdmf_polynomial clamp = scaled(f->angle, -sign * model->parameters.hip.kp, step->order - 1);
     add(&clamp, f->angle_rate, -sign * model->parameters.hip.kd);
     clamp.c[0] +=
         sign * model->parameters.hip.kp * model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-    watch(search, &clamp, model->scales.energy, beyond_dead_band);
+    watch(search, TDMF_GUARD_CLAMP, &clamp, model->scales.energy, beyond_dead_band);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -166,7 +173,7 @@ static void watch_standing_leg(search *search) {
     const ground_series *g = &step->series.ground;
     if (!stays_above(search, g->y[0], g->y, step->order)) {
         const tdmf_polynomial body = scaled(g->y, 1.0, step->order);
-        watch(search, &body, model->scales.length, beyond);
+        watch(search, TDMF_GUARD_BODY_DOWN, &body, model->scales.length, beyond);
     }
     if (!stays_above(search, g->length[0] - model->parameters.leg.min_length, g->length, step->order)) {
         watch_length(search, g->length);
@@ -180,7 +187,7 @@ static void watch_mid_stance(search *search) {
         return;
     }
     const tdmf_polynomial ahead = scaled(g->x, -1.0, search->step->order);
-    watch(search, &ahead, 2.0 * g->length[0], beyond);
+    watch(search, TDMF_GUARD_MID_STANCE, &ahead, 2.0 * g->length[0], beyond);
 }
 
 /* mu f_y + sign f_x. */
@@ -194,7 +201,8 @@ static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_inp
             room.c[k] += rates->friction * g->press[k - 1];
         }
     }
-    watch(search, &room, search->step->chart->model->scales.force, beyond);
+    watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
+          search->step->chart->model->scales.force, beyond);
 }
 
 static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
@@ -205,7 +213,7 @@ static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_i
     const double press_spread = tdmf_spread(g->press, order, &step->reach);
     if (!(g->press[0] > press_spread)) {
         const tdmf_polynomial press = scaled(g->press, 1.0, order);
-        watch(search, &press, step->chart->model->scales.force, beyond);
+        watch(search, TDMF_GUARD_LIFT_OFF, &press, step->chart->model->scales.force, beyond);
     }
     if (!sticks) {
         return;
@@ -229,7 +237,7 @@ static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_
     }
     if (sign != 0.0 && !stays_above(search, sign * g->foot_vx[0], g->foot_vx, step->order)) {
         const tdmf_polynomial speed = scaled(g->foot_vx, sign, step->order);
-        watch(search, &speed, step->chart->model->scales.speed, beyond);
+        watch(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, &speed, step->chart->model->scales.speed, beyond);
     }
 }
 
@@ -274,7 +282,8 @@ static void watch_press(search *search, const tdmf_input_rates *rates, const dou
         law.c[k] *= sign;
     }
     add_product(&press, law.c, lever);
-    watch(search, &press, chart->model->scales.force, beyond);
+    watch(search, sign > 0.0 ? TDMF_GUARD_GRAZE_TO_FLIGHT : TDMF_GUARD_GRAZE_TO_CONTACT, &press,
+          chart->model->scales.force, beyond);
 }
 
 static void watch_graze(search *search, const tdmf_input_rates *rates, const tdmf_mode *mode) {
@@ -294,10 +303,10 @@ static void watch_graze(search *search, const tdmf_input_rates *rates, const tdm
     if (mode->phase == TDMF_PHASE_RETRACT) {
         const tdmf_polynomial rise =
             scaled(g->vy, model->parameters.body.mass / model->total_mass, step->order);
-        watch(search, &rise, model->scales.speed, beyond);
+        watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, beyond);
         tdmf_root kink = tdmf_first_sign_change(&flight, &step->reach, zero, 0.0, step->size);
         kink.is_root = false;
-        search->first = sooner(search->first, kink);
+        note(search, TDMF_GUARD_CLAMP, kink);
         const bool pulls = fabs(flight.c[0]) > zero ? flight.c[0] > 0.0 : flight.c[1] > 0.0;
         if (!pulls) {
             flight = scaled(closed, 0.0, order);
@@ -309,9 +318,9 @@ static void watch_graze(search *search, const tdmf_input_rates *rates, const tdm
 
 /* ---- all ---------------------------------------------------------------------------------------------- */
 
-tdmf_root tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
-                              const tdmf_mode *mode) {
-    search search = {step, {INFINITY, false}};
+tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode) {
+    search search = {step, {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);
     } else if (mode->contact == TDMF_CONTACT_GRAZE) {

@@ -5,11 +5,17 @@
 #include "step.h"
 #include "tdmf_slip/automaton.h"
 
+/* What ends a step: a guard where `at.is_root`. */
+typedef struct {
+    tdmf_root at;
+    tdmf_guard guard;
+} tdmf_crossing;
+
 /* The first time within the step at which the mode, the phase or the clamp has to change. Without one, the
  * time up to which the step may be used: a law has a kink there, or the search took too long; else infinity.
  */
-tdmf_root tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
-                              const tdmf_mode *mode);
+tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode);
 
 /* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back. In
  * contact only. */

@@ -22,6 +22,7 @@ typedef struct {
 
 /* What the series depend on, besides their first coefficients. */
 typedef struct {
+    real mobility;  /* M */
     real stiffness; /* M k */
     real damping;   /* M c */
     real free_length;

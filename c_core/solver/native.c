@@ -2,8 +2,11 @@
  * event as far as the series may be trusted, and goes on from there. No step is ever refused. */
 #include "tdmf_slip/solver.h"
 
+#include "carried.h"
 #include "crossing.h"
+#include "saltation.h"
 #include "tdmf_slip/automaton.h"
+#include "tdmf_slip/dynamics.h"
 
 #include <limits.h>
 #include <math.h>
@@ -20,6 +23,11 @@ typedef struct {
     tdmf_chart chart;
     tdmf_step step;
     long steps_left, events_left;
+    /* First variations, if any: as of the last event, and where the chart is. */
+    int count;
+    const tdmf_change *changes;
+    tdmf_variation *variations;
+    tdmf_carried carried[TDMF_VARIATION_LIMIT];
 } march;
 
 tdmf_solver tdmf_solver_default(void) {
@@ -46,10 +54,18 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
 static void open_mode(march *march) {
     const tdmf_motion *motion = march->motion;
     tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state);
+    for (int i = 0; i < march->count; ++i) {
+        march->carried[i] =
+            tdmf_carry(&march->chart, motion->state, &march->changes[i], &march->variations[i]);
+    }
 }
 
 static void write_state(march *march, double elapsed, const tdmf_coordinates *coordinates) {
-    tdmf_chart_state(&march->chart, elapsed, coordinates, march->motion->state);
+    double *state = march->motion->state;
+    tdmf_chart_state(&march->chart, elapsed, coordinates, state);
+    for (int i = 0; i < march->count; ++i) {
+        march->variations[i] = tdmf_carried_to(&march->chart, state, &march->changes[i], &march->carried[i]);
+    }
 }
 
 /* Turns that are looked for in a step: as many as a series can have. */
@@ -107,13 +123,39 @@ static void move_inputs(march *march, double elapsed) {
     }
 }
 
+static tdmf_side side_of(const march *march) {
+    const tdmf_motion *motion = march->motion;
+    tdmf_side side;
+    memcpy(side.state, motion->state, sizeof side.state);
+    side.mode = motion->mode;
+    tdmf_derivatives(march->model, &march->inputs, &side.mode, side.state, side.derivatives);
+    return side;
+}
+
+/* Takes what is due now, on the motion and on its variations. */
+static void resolve(march *march, tdmf_guard guard) {
+    tdmf_motion *motion = march->motion;
+    if (march->count == 0) {
+        tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode,
+                     &motion->record);
+        return;
+    }
+    const tdmf_side before = side_of(march);
+    tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    const tdmf_side after = side_of(march);
+    for (int i = 0; i < march->count; ++i) {
+        march->variations[i] = tdmf_saltation(march->model, &march->inputs, guard, &before, &after,
+                                              &march->changes[i], &march->variations[i]);
+    }
+}
+
 /* Takes the event that is due after `elapsed`. */
-static void stop_at_event(march *march, double elapsed, const tdmf_coordinates *reached) {
+static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const tdmf_coordinates *reached) {
     tdmf_motion *motion = march->motion;
     write_state(march, elapsed, reached);
     motion->time += elapsed;
     move_inputs(march, elapsed);
-    tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    resolve(march, guard);
     ++march->solver->events;
     --march->events_left;
     open_mode(march);
@@ -145,16 +187,19 @@ static tdmf_outcome advance_once(march *march) {
     }
     step->size = fmin(step->size, fmin(march->until - motion->time, time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
-    const tdmf_root crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode);
-    const double end = fmin(step->size, crossing.time);
+    const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode);
+    const double end = fmin(step->size, crossing.at.time);
     const tdmf_coordinates reached = tdmf_step_at(step, end);
     if (!is_finite(&reached)) {
         return TDMF_NO_PROGRESS;
     }
     observe_ground_force(march, end);
     sum_positive_work(march, end, reached.work - march->chart.start.work);
-    if (crossing.is_root) {
-        stop_at_event(march, end, &reached);
+    for (int i = 0; i < march->count; ++i) {
+        tdmf_carry_on(step, end, &motion->mode, &march->changes[i], &march->carried[i]);
+    }
+    if (crossing.at.is_root) {
+        stop_at_event(march, crossing.guard, end, &reached);
     } else {
         go_on(march, end, &reached);
     }
@@ -172,6 +217,7 @@ static void begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->order = tdmf_step_order(solver->relative_tolerance);
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
+    march->count = 0;
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     open_mode(march);
@@ -201,13 +247,32 @@ tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, c
     return advance(&march, INT_MAX);
 }
 
+static tdmf_stride_outcome advance_a_stride(march *march) {
+    const tdmf_record *record = &march->motion->record;
+    const int count = record->stride.count;
+    const tdmf_outcome outcome = advance(march, count + 1);
+    const tdmf_stride_outcome result = {outcome, record->stride.count > count};
+    return result;
+}
+
+static const tdmf_input_rates held = {0.0, 0.0};
+
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
-    static const tdmf_input_rates held = {0.0, 0.0};
-    const int count = motion->record.stride.count;
     march march;
     begin(&march, solver, model, inputs, &held, until, motion);
-    const tdmf_outcome outcome = advance(&march, count + 1);
-    const tdmf_stride_outcome result = {outcome, motion->record.stride.count > count};
-    return result;
+    return advance_a_stride(&march);
+}
+
+tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
+                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                              const tdmf_change *changes, tdmf_variation *variations,
+                                              int count) {
+    march march;
+    begin(&march, solver, model, inputs, &held, until, motion);
+    march.count = count < TDMF_VARIATION_LIMIT ? count : TDMF_VARIATION_LIMIT;
+    march.changes = changes;
+    march.variations = variations;
+    open_mode(&march);
+    return advance_a_stride(&march);
 }

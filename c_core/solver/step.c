@@ -12,12 +12,12 @@ int tdmf_step_order(double tolerance) {
     return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
 }
 
-static void expand_leg_in_flight(tdmf_step *step) {
-    const tdmf_chart *chart = step->chart;
+flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart) {
     const tdmf_model *model = chart->model;
     const tdmf_parameters *p = &model->parameters;
     const double mobility = model->inverse_body_mass + model->inverse_foot_mass;
     const flight_coefficients coefficients = {
+        .mobility = mobility,
         .stiffness = mobility * p->leg.stiffness,
         .damping = mobility * p->leg.damping,
         .free_length = p->leg.free_length,
@@ -27,13 +27,10 @@ static void expand_leg_in_flight(tdmf_step *step) {
         .push = mobility * chart->torque,
         .push_rate = mobility * chart->torque_rate,
     };
-    const double start[4] = {chart->start.length, chart->start.angle, chart->start.length_rate,
-                             chart->start.angle_rate};
-    expand_flight(&coefficients, start, step->order, &step->series.flight);
+    return coefficients;
 }
 
-static void expand_standing_leg(tdmf_step *step) {
-    const tdmf_chart *chart = step->chart;
+ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart) {
     const tdmf_model *model = chart->model;
     const tdmf_parameters *p = &model->parameters;
     const ground_coefficients coefficients = {
@@ -49,10 +46,22 @@ static void expand_standing_leg(tdmf_step *step) {
         .friction = chart->friction,
         .friction_rate = chart->friction_rate,
     };
-    const double start[GROUND_START_COUNT] = {chart->start.x, chart->start.y, chart->start.vx,
-                                              chart->start.vy, chart->start.foot_vx};
+    return coefficients;
+}
+
+static void expand_leg_in_flight(tdmf_step *step) {
+    const tdmf_coordinates *at = &step->chart->start;
+    const flight_coefficients coefficients = tdmf_step_flight_coefficients(step->chart);
+    const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
+    expand_flight(&coefficients, start, step->order, &step->series.flight);
+}
+
+static void expand_standing_leg(tdmf_step *step) {
+    const tdmf_coordinates *at = &step->chart->start;
+    const ground_coefficients coefficients = tdmf_step_ground_coefficients(step->chart);
+    const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
     ground_series *ground = &step->series.ground;
-    switch (chart->contact) {
+    switch (step->chart->contact) {
     case TDMF_CONTACT_STICK:
         expand_ground(&coefficients, start, step->order, false, false, ground);
         break;

@@ -20,6 +20,10 @@ typedef struct {
 /* The order at which steps of a relative tolerance cost least. */
 int tdmf_step_order(double tolerance);
 
+/* What the series of a chart depend on. */
+flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart);
+ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart);
+
 /* Expands the motion of a chart and finds how long the series may be trusted: step->size, infinity for a
  * motion that is a polynomial, not a number where the series is not finite. */
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance);

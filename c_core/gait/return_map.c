@@ -1,0 +1,196 @@
+/* A point of the section is a state with vy_c = 0; x is dropped, because nothing depends on it. With the
+ * variation d_x of the state at a fixed time, the next section is met later by dT = d_vy_c/g, so that on it
+ * the variation is d_x + f dT. */
+#include "tdmf_slip/return_map.h"
+
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/dynamics.h"
+#include "tdmf_slip/kinematics.h"
+
+#include <math.h>
+#include <string.h>
+
+void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
+                        double state[TDMF_STATE_COUNT]) {
+    const double share = model->parameters.body.mass / model->total_mass;
+    const double r = section[TDMF_SECTION_LEG_LENGTH];
+    const double sine = sin(section[TDMF_SECTION_LEG_ANGLE]);
+    const double cosine = cos(section[TDMF_SECTION_LEG_ANGLE]);
+    const double along = section[TDMF_SECTION_LEG_LENGTH_RATE];
+    const double across = r * section[TDMF_SECTION_LEG_ANGLE_RATE];
+    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
+    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - share * r * cosine;
+    state[TDMF_LEG_LENGTH] = r;
+    state[TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE];
+    state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] + share * (along * sine + across * cosine);
+    state[TDMF_FOOT_VY] = -share * (along * cosine - across * sine);
+    state[TDMF_LEG_LENGTH_RATE] = along;
+    state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
+}
+
+/* Of the map above, along a direction on the section and in the masses. */
+static void vary_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
+                               const double d_section[TDMF_SECTION_COUNT], const tdmf_change *change,
+                               double d_state[TDMF_STATE_COUNT]) {
+    const double total = model->total_mass;
+    const double share = model->parameters.body.mass / total;
+    const double d_share = (change->parameters.body.mass * model->parameters.foot.mass -
+                            model->parameters.body.mass * change->parameters.foot.mass) /
+                           (total * total);
+    const double r = section[TDMF_SECTION_LEG_LENGTH];
+    const double d_r = d_section[TDMF_SECTION_LEG_LENGTH];
+    const double d_angle = d_section[TDMF_SECTION_LEG_ANGLE];
+    const double sine = sin(section[TDMF_SECTION_LEG_ANGLE]);
+    const double cosine = cos(section[TDMF_SECTION_LEG_ANGLE]);
+    const double along = section[TDMF_SECTION_LEG_LENGTH_RATE];
+    const double across = r * section[TDMF_SECTION_LEG_ANGLE_RATE];
+    const double d_along = d_section[TDMF_SECTION_LEG_LENGTH_RATE];
+    const double d_across =
+        d_r * section[TDMF_SECTION_LEG_ANGLE_RATE] + r * d_section[TDMF_SECTION_LEG_ANGLE_RATE];
+    memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
+    d_state[TDMF_FOOT_X] = 0.0;
+    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - d_share * r * cosine -
+                           share * (d_r * cosine - r * sine * d_angle);
+    d_state[TDMF_LEG_LENGTH] = d_r;
+    d_state[TDMF_LEG_ANGLE] = d_angle;
+    d_state[TDMF_FOOT_VX] =
+        d_section[TDMF_SECTION_COM_SPEED] + d_share * (along * sine + across * cosine) +
+        share * (d_along * sine + d_across * cosine + (along * cosine - across * sine) * d_angle);
+    d_state[TDMF_FOOT_VY] =
+        -d_share * (along * cosine - across * sine) -
+        share * (d_along * cosine - d_across * sine - (along * sine + across * cosine) * d_angle);
+    d_state[TDMF_LEG_LENGTH_RATE] = d_along;
+    d_state[TDMF_LEG_ANGLE_RATE] = d_section[TDMF_SECTION_LEG_ANGLE_RATE];
+}
+
+/* The centre of mass of a state, varied. */
+static tdmf_point vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                      const double d_state[TDMF_STATE_COUNT], const tdmf_change *change) {
+    const double section[TDMF_SECTION_COUNT] = {
+        [TDMF_SECTION_LEG_LENGTH] = state[TDMF_LEG_LENGTH],
+        [TDMF_SECTION_LEG_ANGLE] = state[TDMF_LEG_ANGLE],
+        [TDMF_SECTION_LEG_LENGTH_RATE] = state[TDMF_LEG_LENGTH_RATE],
+        [TDMF_SECTION_LEG_ANGLE_RATE] = state[TDMF_LEG_ANGLE_RATE],
+    };
+    const double d_section[TDMF_SECTION_COUNT] = {
+        [TDMF_SECTION_LEG_LENGTH] = d_state[TDMF_LEG_LENGTH],
+        [TDMF_SECTION_LEG_ANGLE] = d_state[TDMF_LEG_ANGLE],
+        [TDMF_SECTION_LEG_LENGTH_RATE] = d_state[TDMF_LEG_LENGTH_RATE],
+        [TDMF_SECTION_LEG_ANGLE_RATE] = d_state[TDMF_LEG_ANGLE_RATE],
+    };
+    const double share = model->parameters.body.mass / model->total_mass;
+    const double d_share = (change->parameters.body.mass * model->parameters.foot.mass -
+                            model->parameters.body.mass * change->parameters.foot.mass) /
+                           (model->total_mass * model->total_mass);
+    double d_offset[TDMF_STATE_COUNT]; /* of the foot from the centre of mass */
+    vary_section_state(model, section, d_section, change, d_offset);
+    const double d_offset_x =
+        d_share * state[TDMF_LEG_LENGTH] * sin(state[TDMF_LEG_ANGLE]) +
+        share * (d_state[TDMF_LEG_LENGTH] * sin(state[TDMF_LEG_ANGLE]) +
+                 state[TDMF_LEG_LENGTH] * cos(state[TDMF_LEG_ANGLE]) * d_state[TDMF_LEG_ANGLE]);
+    const tdmf_point d_com = {
+        .x = d_state[TDMF_FOOT_X] - d_offset_x,
+        .y = d_state[TDMF_FOOT_Y] - d_offset[TDMF_FOOT_Y],
+        .vx = d_state[TDMF_FOOT_VX] - d_offset[TDMF_FOOT_VX],
+        .vy = d_state[TDMF_FOOT_VY] - d_offset[TDMF_FOOT_VY],
+    };
+    return d_com;
+}
+
+/* Projects a variation at the time of an apex on the section. */
+static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion *motion,
+                                     const double derivatives[TDMF_STATE_COUNT], const tdmf_change *change,
+                                     const double start_com_x, const double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_point com = tdmf_center_of_mass(model, motion->state);
+    const tdmf_point d_com = vary_center_of_mass(model, motion->state, d_state, change);
+    const double shift = d_com.vy / model->parameters.gravity;
+    const tdmf_stride_change result = {
+        .apex = {d_com.y + com.vy * shift, d_com.vx,
+                 d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
+                 d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
+                 d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,
+                 d_state[TDMF_LEG_ANGLE_RATE] + derivatives[TDMF_LEG_ANGLE_RATE] * shift},
+        .period = shift,
+        .length = d_com.x + com.vx * shift - start_com_x,
+        .work = d_state[TDMF_HIP_WORK] + derivatives[TDMF_HIP_WORK] * shift,
+    };
+    return result;
+}
+
+typedef struct {
+    int count;
+    tdmf_change changes[TDMF_VARIATION_LIMIT];
+    tdmf_variation variations[TDMF_VARIATION_LIMIT];
+    double start_com_x[TDMF_VARIATION_LIMIT];
+} bundle;
+
+static void open_bundle(bundle *bundle, const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
+                        const double state[TDMF_STATE_COUNT], const tdmf_change *changes, int count) {
+    static const tdmf_change none = {0};
+    bundle->count = TDMF_SECTION_COUNT + count;
+    for (int i = 0; i < bundle->count; ++i) {
+        double d_section[TDMF_SECTION_COUNT] = {0.0};
+        if (i < TDMF_SECTION_COUNT) {
+            d_section[i] = 1.0;
+        }
+        const tdmf_change *change = i < TDMF_SECTION_COUNT ? &none : &changes[i - TDMF_SECTION_COUNT];
+        bundle->changes[i] = *change;
+        tdmf_variation *variation = &bundle->variations[i];
+        vary_section_state(model, section, d_section, change, variation->state);
+        variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
+        bundle->start_com_x[i] = vary_center_of_mass(model, state, variation->state, change).x;
+    }
+}
+
+static void close_bundle(const bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
+                         const tdmf_motion *motion, tdmf_return *result) {
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
+    for (int i = 0; i < bundle->count; ++i) {
+        const tdmf_stride_change change = on_section(model, motion, derivatives, &bundle->changes[i],
+                                                     bundle->start_com_x[i], bundle->variations[i].state);
+        if (i < TDMF_SECTION_COUNT) {
+            result->by_section[i] = change;
+        } else {
+            result->by_parameter[i - TDMF_SECTION_COUNT] = change;
+        }
+    }
+}
+
+tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                            const tdmf_change *changes, int count) {
+    tdmf_return result;
+    tdmf_motion motion;
+    bundle bundle;
+    memset(&result, 0, sizeof result);
+    motion.time = 0.0;
+    tdmf_section_state(model, section, motion.state);
+    if (tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable ||
+        !motion.record.open.began_at_apex) {
+        return result;
+    }
+    result.began_at_apex = true;
+    if (derivatives) {
+        open_bundle(&bundle, model, section, motion.state, changes, count);
+        result.outcome = tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
+                                                   bundle.variations, bundle.count);
+    } else {
+        result.outcome = tdmf_native_stride(solver, model, inputs, until, &motion);
+    }
+    if (!result.outcome.closed) {
+        return result;
+    }
+    const tdmf_apex *apex = &motion.record.apex;
+    const double next[TDMF_SECTION_COUNT] = {apex->com_height, apex->com_speed,       apex->leg_length,
+                                             apex->leg_angle,  apex->leg_length_rate, apex->leg_angle_rate};
+    memcpy(result.apex, next, sizeof next);
+    result.stride = motion.record.stride;
+    result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
+    result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
+    result.impact_loss = motion.record.impact_loss;
+    if (derivatives) {
+        close_bundle(&bundle, model, inputs, &motion, &result);
+    }
+    return result;
+}

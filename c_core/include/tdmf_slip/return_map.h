@@ -1,0 +1,54 @@
+/* The return map: from one apex to the next, and its exact Jacobian. */
+#ifndef TDMF_SLIP_RETURN_MAP_H
+#define TDMF_SLIP_RETURN_MAP_H
+
+#include "tdmf_slip/solver.h"
+#include "tdmf_slip/variation.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Coordinates of the apex section, where the centre of mass rises no more: its height and speed, and the leg.
+ */
+enum {
+    TDMF_SECTION_COM_HEIGHT,      /* y_c, m */
+    TDMF_SECTION_COM_SPEED,       /* m/s */
+    TDMF_SECTION_LEG_LENGTH,      /* r, m */
+    TDMF_SECTION_LEG_ANGLE,       /* theta, rad */
+    TDMF_SECTION_LEG_LENGTH_RATE, /* m/s */
+    TDMF_SECTION_LEG_ANGLE_RATE,  /* rad/s */
+    TDMF_SECTION_COUNT
+};
+
+/* The state at an apex above x = 0, integrals zero. */
+void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
+                        double state[TDMF_STATE_COUNT]);
+
+/* How the next apex and the stride change with something. */
+typedef struct {
+    double apex[TDMF_SECTION_COUNT];
+    double period, length, work;
+} tdmf_stride_change;
+
+/* What became of a stride. The derivatives are there if it closed and they were asked for. */
+typedef struct {
+    tdmf_stride_outcome outcome;
+    bool began_at_apex; /* the start is one: in flight, above the ground, not refused */
+    double apex[TDMF_SECTION_COUNT];
+    tdmf_stride stride;
+    double damper_loss, friction_loss, impact_loss; /* J in the stride */
+    tdmf_stride_change by_section[TDMF_SECTION_COUNT];
+    tdmf_stride_change by_parameter[2];
+} tdmf_return;
+
+/* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
+ * coordinates and along `count` directions of parameters and inputs, two at the most. */
+tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                            const tdmf_change *changes, int count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,44 @@
+/* First variations: how a run changes with its start and with the parameters, exactly.
+ *
+ * Between events the variational equations of the mode are solved along with it; at an event the saltation
+ * matrix takes over, with guard and reset differentiated by hand. */
+#ifndef TDMF_SLIP_VARIATION_H
+#define TDMF_SLIP_VARIATION_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/solver.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A direction in the space of parameters and inputs. */
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_inputs inputs;
+} tdmf_change;
+
+/* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the hip's work is varied;
+ * the others stay 0. */
+typedef struct {
+    double state[TDMF_STATE_COUNT];
+    double liftoff_angle; /* of mode.liftoff_angle */
+} tdmf_variation;
+
+/* As many directions are carried along at once: the section's six coordinates and two parameters. */
+enum { TDMF_VARIATION_LIMIT = 8 };
+
+/* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
+ * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
+ * then. A run on the edge of an event, where a crossing is a touch, has no variation; values are then not
+ * finite. */
+tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
+                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                              const tdmf_change *changes, tdmf_variation *variations,
+                                              int count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,20 @@
+/* Saltation: what an event makes of a first variation. */
+#ifndef TDMF_SOLVER_SALTATION_H
+#define TDMF_SOLVER_SALTATION_H
+
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/variation.h"
+
+/* A runner on one side of an event. */
+typedef struct {
+    double state[TDMF_STATE_COUNT];
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_mode mode;
+} tdmf_side;
+
+/* The variation after an event that `guard` has fired, from that before it, each at a fixed time. */
+tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
+                              const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
+                              const tdmf_variation *variation);
+
+#endif
