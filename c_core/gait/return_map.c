@@ -186,6 +186,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
                                              apex->leg_angle,  apex->leg_length_rate, apex->leg_angle_rate};
     memcpy(result.apex, next, sizeof next);
     result.stride = motion.record.stride;
+    result.liftoff_angle = motion.mode.liftoff_angle;
     result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
     result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
     result.impact_loss = motion.record.impact_loss;

@@ -132,10 +132,25 @@ static tdmf_side side_of(const march *march) {
     return side;
 }
 
+static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_side *before,
+                      const tdmf_mode *after) {
+    if (log && log->count < TDMF_EVENT_CAPACITY) {
+        tdmf_event *event = &log->events[log->count];
+        event->time = time;
+        event->guard = (int)guard;
+        event->before = before->mode;
+        event->after = *after;
+        memcpy(event->state, before->state, sizeof event->state);
+    }
+    if (log) {
+        ++log->count;
+    }
+}
+
 /* Takes what is due now, on the motion and on its variations. */
 static void resolve(march *march, tdmf_guard guard) {
     tdmf_motion *motion = march->motion;
-    if (march->count == 0) {
+    if (march->count == 0 && !march->solver->log) {
         tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode,
                      &motion->record);
         return;
@@ -143,6 +158,7 @@ static void resolve(march *march, tdmf_guard guard) {
     const tdmf_side before = side_of(march);
     tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode, &motion->record);
     const tdmf_side after = side_of(march);
+    log_event(march->solver->log, motion->time, guard, &before, &after.mode);
     for (int i = 0; i < march->count; ++i) {
         march->variations[i] = tdmf_saltation(march->model, &march->inputs, guard, &before, &after,
                                               &march->changes[i], &march->variations[i]);

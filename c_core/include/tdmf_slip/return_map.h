@@ -37,6 +37,7 @@ typedef struct {
     bool began_at_apex; /* the start is one: in flight, above the ground, not refused */
     double apex[TDMF_SECTION_COUNT];
     tdmf_stride stride;
+    double liftoff_angle;                           /* theta_LO of the stride, rad */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     tdmf_stride_change by_section[TDMF_SECTION_COUNT];
     tdmf_stride_change by_parameter[2];

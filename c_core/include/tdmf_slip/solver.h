@@ -24,10 +24,26 @@ typedef struct {
     tdmf_record record;
 } tdmf_motion;
 
+/* An event that the solver has located and taken. */
+typedef struct {
+    double time; /* s */
+    int guard;   /* the tdmf_guard that fired */
+    tdmf_mode before, after;
+    double state[TDMF_STATE_COUNT]; /* before */
+} tdmf_event;
+
+/* Where events are noted, for whoever wants to see them; those beyond the capacity are only counted. */
+enum { TDMF_EVENT_CAPACITY = 32 };
+typedef struct {
+    int count;
+    tdmf_event events[TDMF_EVENT_CAPACITY];
+} tdmf_event_log;
+
 typedef struct {
     double relative_tolerance; /* of a step, in the runner's scales */
     long step_limit;           /* steps in one call */
     long event_limit;          /* events in one call */
+    tdmf_event_log *log;       /* or NULL */
     /* Work done so far, for whoever wants to know. */
     long steps, evaluations,
         events; /* evaluations: of the right-hand side, or of a coefficient of its series */

@@ -10,12 +10,15 @@
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"
 #include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/orbit.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/parameters.h"
+#include "tdmf_slip/return_map.h"
 #include "tdmf_slip/solver.h"
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 #include "tdmf_slip/tangent.h"
+#include "tdmf_slip/variation.h"
 #include "tdmf_slip/version.h"
 
 #endif

@@ -1,0 +1,48 @@
+/* Periodic gaits: fixed points of the return map, stable or not. */
+#ifndef TDMF_SLIP_ORBIT_H
+#define TDMF_SLIP_ORBIT_H
+
+#include "tdmf_slip/return_map.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    TDMF_ORBIT_FOUND,
+    TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
+    TDMF_ORBIT_FELL,      /* the runner falls, or closes no stride, from where the search got to */
+    TDMF_ORBIT_NO_START   /* the guess is no apex: below the ground, or refused */
+} tdmf_orbit_outcome;
+
+/* A gait and its stride. Values other than the outcome are those of the last apex tried. */
+typedef struct {
+    tdmf_orbit_outcome outcome;
+    int iterations;
+    double error; /* largest difference of the apex and the next, over the coordinates' scales */
+    double section[TDMF_SECTION_COUNT];
+    tdmf_return stride; /* from `section`, with derivatives, also along the change given */
+} tdmf_orbit;
+
+/* Scales of the section's coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m). */
+void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COUNT]);
+
+/* Newton's method on the return map from a guess, down to rounding: a gait to 1e-12 of the scales where the
+ * solver's tolerance is as tight. Iterations that make the error larger are shortened. `change` may be NULL.
+ */
+tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                           const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
+
+/* Runs up to `strides` strides from an apex and writes the last one into `section`; less where the runner
+ * falls. Returns how many were run. */
+int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+                double section[TDMF_SECTION_COUNT]);
+
+/* Solves a x = b for n unknowns, n up to TDMF_SECTION_COUNT + 1, by elimination with row exchanges; both are
+ * overwritten. False where a is singular. */
+bool tdmf_solve_linear(int n, double a[][TDMF_SECTION_COUNT + 1], double *b);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
