@@ -6,7 +6,7 @@
     model = ffi.new("tdmf_model *")
     c.tdmf_model_create(model, ffi.new("tdmf_parameters *", parameters))
 
-The headers are read when a name is first asked for, so that no declaration is repeated here.
+The headers are read when this module is imported, so that no declaration is repeated here.
 """
 
 import os
@@ -39,7 +39,7 @@ def library_path() -> Path:
 
 
 def _declarations() -> str:
-    """The public headers in the order in which they include each other, without what is for a preprocessor."""
+    """The public headers in the order of their inclusion, without what is for a preprocessor."""
     seen: list[str] = []
     texts: list[str] = []
 
@@ -59,16 +59,5 @@ def _declarations() -> str:
 
 
 ffi = FFI()
-
-
-class _Library:
-    """Loads the library when it is first used, so that importing this module costs nothing."""
-
-    def __getattr__(self, name: str) -> object:
-        ffi.cdef(_declarations())
-        library = ffi.dlopen(str(library_path()))
-        self.__class__.__getattr__ = lambda _, name: getattr(library, name)
-        return getattr(library, name)
-
-
-c = _Library()
+ffi.cdef(_declarations())
+c = ffi.dlopen(str(library_path()))

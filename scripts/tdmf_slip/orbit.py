@@ -1,0 +1,317 @@
+"""Periodic gaits as fixed points of the return map, stable or not, with their eigenvalues.
+
+The C library does the work: one stride with its exact Jacobian, and Newton's method on it.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from .errors import InputError, RunError
+from .library import c, ffi
+from .section import COORDINATES
+from .unit import Unit, load
+
+TOLERANCE = 1e-13
+"""Relative tolerance of the native solver: a gait is then found to 1e-12."""
+SETTLING_STRIDES = 400
+LETTERS = {2: "0", 3: "+", 4: "-"}
+"""Of the gait word, by contact mode."""
+STRIDE_QUANTITIES = (
+    "period",
+    "length",
+    "speed",
+    "work",
+    "positive_work",
+    "cost_of_transport",
+    "touchdowns",
+    "stance_time",
+    "duty_factor",
+    "slip_distance",
+    "peak_force",
+)
+STATES = (
+    "foot.x",
+    "foot.y",
+    "leg.length",
+    "leg.angle",
+    "foot.vx",
+    "foot.vy",
+    "leg.length_rate",
+    "leg.angle_rate",
+)
+"""The mechanical states in the library's order."""
+LOSSES = ("damper_loss", "friction_loss", "impact_loss")
+
+
+@dataclass(frozen=True)
+class Runner:
+    """Parameters, inputs and a start, as the C library takes them.
+
+    Values are in the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`.
+    """
+
+    values: Mapping[str, float]
+    relative_tolerance: float = TOLERANCE
+
+    @classmethod
+    def of(cls, given: Mapping[str, object] | None = None, unit: Unit | None = None) -> "Runner":
+        """The unit's own start values, and over them those given.
+
+        Raises:
+            InputError: a name or value that the unit refuses.
+        """
+        unit = load() if unit is None else unit
+        checked = unit.start_values(given or {}, "start values")
+        names = [n for n, v in unit.variables.items() if v.settable and v.type == "Real"]
+        return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
+
+    def but(self, name: str, value: float) -> "Runner":
+        """The same runner with another value."""
+        return replace(self, values={**self.values, name: float(value)})
+
+    @cached_property
+    def model(self) -> object:
+        """The C model of the parameters.
+
+        Raises:
+            InputError: a parameter is refused.
+        """
+        parameters = ffi.new("tdmf_parameters *")
+        _assign(parameters, self.values)
+        model = ffi.new("tdmf_model *")
+        _check(c.tdmf_model_create(model, parameters))
+        return model
+
+    @cached_property
+    def inputs(self) -> object:
+        """The C inputs.
+
+        Raises:
+            InputError: an input is refused.
+        """
+        inputs = ffi.new("tdmf_inputs *")
+        _assign(inputs, self.values)
+        _check(c.tdmf_check_inputs(inputs))
+        return inputs
+
+    @cached_property
+    def scales(self) -> np.ndarray:
+        """Scales of the section's coordinates."""
+        scales = ffi.new("double[6]")
+        c.tdmf_section_scales(self.model, scales)
+        return np.array(list(scales))
+
+    def solver(self, log: object = ffi.NULL) -> object:
+        """A native solver, noting its events in `log`."""
+        solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
+        solver.relative_tolerance = self.relative_tolerance
+        solver.log = log
+        return solver
+
+    def start_apex(self) -> np.ndarray:
+        """The section at the start values, which have to be an apex.
+
+        Raises:
+            InputError: they are refused, or no apex.
+        """
+        motion = ffi.new("tdmf_motion *")
+        for index, name in enumerate(STATES):
+            motion.state[index] = self.values[name]
+        mode, record = ffi.addressof(motion.mode), ffi.addressof(motion.record)
+        _check(c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record))
+        if not motion.record.open.began_at_apex:
+            raise InputError(
+                "start values: the search for a gait has to begin at an apex, in flight with vy_c = 0"
+            )
+        return np.array([getattr(motion.record.apex, name) for name in COORDINATES])
+
+
+@dataclass(frozen=True)
+class Event:
+    """An event within a stride."""
+
+    time: float
+    guard: int
+    contact_before: int
+    contact_after: int
+    state: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A periodic gait and its stride; units as in the model description."""
+
+    runner: Runner
+    apex: np.ndarray
+    """Section, in the order of `section.COORDINATES`."""
+    word: str
+    liftoff_angle: float
+    stride: Mapping[str, float]
+    """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
+    jacobian: np.ndarray
+    """Of the return map; [i, k] is the change of coordinate i by coordinate k."""
+    by_parameter: np.ndarray
+    """Change of the next apex along the parameter that was asked for, else zero."""
+    error: float
+    """What is left of apex minus next apex, over the coordinates' scales."""
+    iterations: int
+    events: tuple[Event, ...] = field(repr=False)
+
+    @property
+    def friction(self) -> float:
+        """Of the ground."""
+        return self.runner.values["ground.friction"]
+
+    @cached_property
+    def eigenvalues(self) -> np.ndarray:
+        """Of the Jacobian, the largest first."""
+        found = np.linalg.eigvals(self.jacobian)
+        return found[np.argsort(-np.abs(found), kind="stable")]
+
+    @property
+    def stable(self) -> bool:
+        """All eigenvalues are inside the unit circle."""
+        return bool(abs(self.eigenvalues[0]) < 1.0)
+
+    @cached_property
+    def letters(self) -> tuple[tuple[str, float], ...]:
+        """Letters of the word with how long each mode lasts; graze and flight add none."""
+        found: list[tuple[str, float]] = []
+        flown = True
+        for event, following in zip(self.events, self.events[1:], strict=False):
+            letter = LETTERS.get(event.contact_after)
+            flown = flown or event.contact_after == 1
+            if letter is None:
+                continue
+            duration = following.time - event.time
+            if found and found[-1][0] == letter and not flown:
+                found[-1] = letter, found[-1][1] + duration
+            else:
+                found.append((letter, duration))
+            flown = False
+        return tuple(found)
+
+    def as_json(self) -> dict[str, object]:
+        """The gait as a plain object, eigenvalues as [re, im]."""
+        names = ("period", "length", "speed", "work", "cost_of_transport")
+        return {
+            "friction": self.friction,
+            "word": self.word,
+            **{name: self.stride[name] for name in names},
+            "liftoff_angle": self.liftoff_angle,
+            "apex": [float(value) for value in self.apex],
+            "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
+            "stable": self.stable,
+        }
+
+
+def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: str | None = None) -> Orbit:
+    """The periodic gait near a guess, by Newton's method.
+
+    Args:
+        runner: whose gait.
+        guess: an apex near the gait's; without one the runner runs from its start values first, to settle.
+        along: a parameter or input by which the next apex is differentiated, too.
+
+    Raises:
+        InputError: the guess or the start values are no apex.
+        RunError: the runner falls, or no gait is near.
+    """
+    log = ffi.new("tdmf_event_log *")
+    solver = runner.solver(log)
+    section = ffi.new("double[6]", list(runner.start_apex() if guess is None else guess))
+    ran = SETTLING_STRIDES
+    if guess is None:
+        ran = c.tdmf_settle(solver, runner.model, runner.inputs, SETTLING_STRIDES, section)
+    found = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, _change(along))
+    if found.outcome != c.TDMF_ORBIT_FOUND:
+        raise RunError(_why_not(runner, found, ran))
+    log.count = 0
+    c.tdmf_return_map(solver, runner.model, runner.inputs, found.section, np.inf, False, ffi.NULL, 0)
+    return _orbit(runner, found, log)
+
+
+def stride_from(
+    runner: Runner, apex: Sequence[float], along: str
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """One stride from an apex: the next apex, the Jacobian, and the next apex's change along a parameter.
+
+    Raises:
+        RunError: no stride closes from there.
+    """
+    section = ffi.new("double[6]", list(apex))
+    stride = c.tdmf_return_map(
+        runner.solver(), runner.model, runner.inputs, section, np.inf, True, _change(along), 1
+    )
+    if not stride.outcome.closed:
+        raise RunError(f"no stride closes at friction {runner.values['ground.friction']:g}")
+    return np.array(list(stride.apex)), _jacobian(stride), np.array(list(stride.by_parameter[0].apex))
+
+
+def _jacobian(stride: object) -> np.ndarray:
+    return np.array([list(stride.by_section[k].apex) for k in range(len(COORDINATES))]).T
+
+
+def _change(along: str | None) -> object:
+    """The unit direction of a parameter or input."""
+    if along is None:
+        return ffi.NULL
+    change = ffi.new("tdmf_change *")
+    _assign(change.parameters, {along: 1.0})
+    _assign(change.inputs, {along: 1.0})
+    return change
+
+
+def _why_not(runner: Runner, found: object, ran: int) -> str:
+    where = f"no gait at friction {runner.values['ground.friction']:g}"
+    if found.outcome == c.TDMF_ORBIT_NO_START:
+        return f"{where}: the guess is no apex above the ground"
+    if ran < SETTLING_STRIDES:
+        return f"{where}: the runner fell after {ran} strides"
+    if found.outcome == c.TDMF_ORBIT_FELL:
+        return f"{where}: the runner falls from the apex that was tried"
+    return (
+        f"{where}: Newton's method stopped after {found.iterations} iterations "
+        f"with the next apex {found.error:.2g} of its scales away"
+    )
+
+
+def _orbit(runner: Runner, found: object, log: object) -> Orbit:
+    stride = found.stride
+    quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
+    events = tuple(
+        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
+        for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]
+    )
+    return Orbit(
+        runner=runner,
+        apex=np.array(list(found.section)),
+        word=ffi.string(stride.stride.word).decode(),
+        liftoff_angle=stride.liftoff_angle,
+        stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},
+        jacobian=_jacobian(stride),
+        by_parameter=np.array(list(stride.by_parameter[0].apex)),
+        error=found.error,
+        iterations=found.iterations,
+        events=events,
+    )
+
+
+def _assign(struct: object, values: Mapping[str, float]) -> None:
+    """Write values into the members of a struct whose paths are their names; others are left out."""
+    for name, value in values.items():
+        owner, (*path, member) = struct, name.split(".")
+        for step in path:
+            owner = getattr(owner, step, None)
+        if hasattr(owner, member):
+            setattr(owner, member, value)
+
+
+def _check(refusal: object) -> None:
+    if refusal.variable != ffi.NULL:
+        text = ffi.new("char[256]")
+        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
+        raise InputError(ffi.string(text).decode())
