@@ -4,8 +4,6 @@ Results go to stdout (with --json one JSON object and nothing else), progress an
 status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
 """
 
-import json
-import math
 import os
 import sys
 from pathlib import Path
@@ -14,18 +12,15 @@ import click
 
 from . import __version__, files
 from .bench import bench
-from .errors import InputError, TdmfSlipError
+from .errors import TdmfSlipError
 from .events import as_json
 from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
+from .gait_commands import figures_command, gait_command, sweep_command
 from .inputs import read_tables
-from .parameters import preset_names, read_parameters
+from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, Run, simulate
-from .unit import INTERFACES, Unit, load
+from .unit import INTERFACES, load
 from .validation import validate
-
-JSON_OPTION = click.option(
-    "--json", "as_json_object", is_flag=True, help="Print one JSON object and nothing else."
-)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -52,18 +47,8 @@ def commands() -> None:
 @click.option(
     "--friction", type=float, metavar="MU", help="Friction of the ground; short for ground.friction."
 )
-@click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Start value of a variable, as in leg.stiffness=20000 or leg.angle='40 deg'. Repeatable.",
-)
-@click.option(
-    "--parameters",
-    metavar="FILE",
-    help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
-)
+@SET_OPTION
+@PARAMETERS_OPTION
 @click.option(
     "--inputs",
     type=click.Path(path_type=Path),
@@ -116,7 +101,7 @@ def simulate_command(
         files.check_place(plot, overview.FORMATS, "--plot")
     unit = load()
     run = simulate(
-        _start_values(unit, parameters, friction, settings),
+        start_values(unit, parameters, friction, settings),
         stop_time=stop_time,
         strides=strides,
         relative_tolerance=tolerance,
@@ -130,7 +115,7 @@ def simulate_command(
         files.write_table(output, run, unit)
     if plot is not None:
         overview.draw(plot, run, unit)
-    print(_json(_run_object(run)) if as_json_object else _run_text(run))
+    print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
 @commands.command("validate")
@@ -152,7 +137,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
     if pictures is not None:
         files.check_folder(pictures, "--pictures")
     validation = validate(relative_tolerance=tolerance, show_progress=True)
-    print(_json(validation.as_json()) if as_json_object else validation.as_text())
+    print(json_text(validation.asjson_text()) if as_json_object else validation.as_text())
     if pictures is not None:
         from .pictures import gallery
 
@@ -166,37 +151,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
 def bench_command(as_json_object: bool) -> None:
     """The unit's native solver against CVODE, on the same stride at equal accuracy."""
     measured = bench(show_progress=True)
-    click.echo(_json(measured.as_json()) if as_json_object else measured.as_text())
-
-
-def _start_values(
-    unit: Unit, parameters: str | None, friction: float | None, settings: tuple[str, ...]
-) -> dict[str, object]:
-    """Start values from all options, later ones first in rank: file, --friction, --set."""
-    values: dict[str, object] = {}
-    if parameters is not None:
-        values |= unit.start_values(read_parameters(parameters), f"--parameters {parameters}")
-    if friction is not None:
-        values |= unit.start_values({"ground.friction": friction}, "--friction")
-    for setting in settings:
-        name, equals, value = setting.partition("=")
-        if not equals:
-            raise InputError(f"--set {setting}: allowed: NAME=VALUE")
-        values |= unit.start_values({name.strip(): value.strip()}, "--set")
-    return values
-
-
-def _json(value: object) -> str:
-    """One line of JSON, in which a number that is not finite is null."""
-    return json.dumps(_finite(value), allow_nan=False)
-
-
-def _finite(value: object) -> object:
-    if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    click.echo(json_text(measured.asjson_text()) if as_json_object else measured.as_text())
 
 
 def _run_object(run: Run) -> dict[str, object]:
@@ -230,6 +185,10 @@ def _run_text(run: Run) -> str:
 def _stride_units(run: Run) -> dict[str, str]:
     units = {name: run.units.get(f"stride.{name}", "") for name in run.stride}
     return {name: f" {unit}" if unit not in ("", "1") else "" for name, unit in units.items()}
+
+
+for command in (gait_command, sweep_command, figures_command):
+    commands.add_command(command)
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -1,7 +1,7 @@
 """Gaits along a parameter: branches through folds, their bifurcations, and borders between gait words.
 
-A branch is followed by pseudo-arclength continuation on the exact Jacobian. At a border a contact mode appears or
-vanishes: how long it lasts is zero there, and that is what is solved for.
+A branch is followed by pseudo-arclength continuation on the exact Jacobian. At a border a contact mode
+appears or vanishes: how long it lasts is zero there, and that is what is solved for.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -12,8 +12,10 @@ import numpy as np
 from .errors import InputError, RunError
 from .orbit import Orbit, Runner, find_orbit, stride_from
 
-BORDER_ACCURACY = 1e-11
-"""Relative, of the parameter at a border."""
+ROOT_ACCURACY = 1e-11
+"""Relative, of the parameter where a test function of the gait is zero."""
+CLOSE_TO_BORDER = 1e-7
+"""Relative distance at which a straight line through two durations is exact."""
 BEYOND = 1e-8
 """Relative distance from a border at which the word beyond is read."""
 MOST_LOOKS = 80
@@ -135,34 +137,33 @@ def borders_between(runner: Runner, name: str, first: Orbit, last: Orbit) -> lis
 
 
 def _border(family: _Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
-    """Where the word of `inside` ends on the way to `last`, and the gait just beyond."""
+    """Where the word of `inside` ends on the way to `last`, and the gait just beyond.
+
+    The gaits on both sides are brought together until one more letter's duration is all but zero, each time nine
+    tenths of the way to where the last two say it vanishes; a look that does not serve halves what is left.
+    """
     name = family.name
     outside = last
-    word = inside.word
-    history: dict[str, list[Orbit]] = {word: [inside], outside.word: [outside]}
-    estimate = None
-    for look in range(MOST_LOOKS):
+    sides: dict[str, list[Orbit]] = {inside.word: [inside], last.word: [last]}
+    for _ in range(MOST_LOOKS):
         low, high = inside.runner.values[name], outside.runner.values[name]
-        width = abs(high - low)
-        if width <= BORDER_ACCURACY * abs(low):
-            return 0.5 * (low + high), outside
-        guess = _vanishing_point(name, history[word], history.get(outside.word, [])[-2:], low, high)
-        settled = (
-            guess is not None and estimate is not None and abs(guess - estimate) <= BORDER_ACCURACY * abs(low)
-        )
-        estimate = guess
-        if settled:
-            beyond = guess + np.copysign(min(BEYOND * abs(guess), 0.5 * abs(high - guess)), high - low)
-            return guess, family.orbit(beyond, outside.apex)
-        if guess is None or look % 4 == 3:
-            guess = 0.5 * (low + high)
-        tried = family.orbit(guess, _between(inside, outside, guess, name))
-        history.setdefault(tried.word, []).append(tried)
-        if tried.word == word:
+        vanishing = _vanishing_point(name, sides[inside.word], sides[outside.word], low, high)
+        if vanishing is not None:
+            near, value = vanishing
+            if abs(near - value) <= CLOSE_TO_BORDER * abs(value):
+                beyond = value + np.copysign(min(BEYOND * abs(value), 0.5 * abs(high - value)), high - low)
+                return value, family.orbit(beyond, outside.apex)
+            look = value + 0.1 * (near - value)
+        if vanishing is None or not min(low, high) < look < max(low, high):
+            look = 0.5 * (low + high)
+        tried = family.orbit(look, _between(inside, outside, look, name))
+        sides.setdefault(tried.word, []).append(tried)
+        if tried.word == inside.word:
             inside = tried
         else:
             outside = tried
-    raise RunError(f"border between {word} and {outside.word} not located near {name} = {low:g}")
+    words = f"{inside.word} and {outside.word}"
+    raise RunError(f"border between {words} not located near {name} = {low:g}")
 
 
 def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> np.ndarray:
@@ -173,22 +174,20 @@ def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> np.ndarr
 
 def _vanishing_point(
     name: str, inside: Sequence[Orbit], outside: Sequence[Orbit], low: float, high: float
-) -> float | None:
-    """Where a mode's duration goes through zero by the last two gaits on the side that has more letters."""
-    side = inside if len(inside[-1].word) > (len(outside[-1].word) if outside else 0) else outside
-    if len(side) < 2:
+) -> tuple[float, float] | None:
+    """The last value on the side with more letters, and where by its last two gaits a letter ends."""
+    side = inside if len(inside[-1].word) > len(outside[-1].word) else outside
+    if len(side) < 2 or len(side[-1].letters) != len(side[-2].letters):
         return None
     near, far = side[-1], side[-2]
-    if near.word != far.word or len(near.letters) != len(far.letters):
-        return None
     at, step = near.runner.values[name], near.runner.values[name] - far.runner.values[name]
     roots = [
         at - duration * step / (duration - before)
         for (_, duration), (_, before) in zip(near.letters, far.letters, strict=True)
         if duration != before
     ]
-    within = [root for root in roots if min(low, high) < root < max(low, high)]
-    return min(within, key=lambda root: abs(root - at)) if within else None
+    within = [root for root in roots if min(low, high) <= root <= max(low, high)]
+    return (at, min(within, key=lambda root: abs(root - at))) if within else None
 
 
 def trace(
@@ -324,7 +323,7 @@ def _sign_change(
         value = b - high_value * (b - a) / (high_value - low_value)
         middle = family.orbit(value, _between(low, high, value, name))
         found = test(middle)
-        if abs(b - a) <= BORDER_ACCURACY * abs(b) or found == 0.0 or abs(found) < 1e-12:
+        if abs(b - a) <= ROOT_ACCURACY * abs(b) or found == 0.0 or abs(found) < 1e-12:
             break
         if found * high_value < 0.0:
             low, low_value = high, high_value

@@ -1,0 +1,173 @@
+"""The commands `gait`, `sweep` and `figures`: what rests on the exact return map."""
+
+from pathlib import Path
+
+import click
+
+from . import files
+from .errors import InputError, RunError
+from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
+from .text import table
+from .unit import load
+
+SPACING_OPTION = click.option(
+    "--spacing",
+    type=click.Choice(["linear", "log"]),
+    default="linear",
+    show_default=True,
+    help="Of the values in a range.",
+)
+
+
+@click.command("gait")
+@click.option(
+    "--friction", type=float, metavar="MU", help="Friction of the ground; short for ground.friction."
+)
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def gait_command(
+    friction: float | None, settings: tuple[str, ...], parameters: str | None, as_json_object: bool
+) -> None:
+    """The periodic gait, stable or not, with the eigenvalues of its return map."""
+    from .orbit import Runner  # the C library is loaded when it is needed
+    from .sweep import first_orbit
+
+    unit = load()
+    orbit = first_orbit(Runner.of(start_values(unit, parameters, friction, settings), unit), unit)
+    print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit))
+
+
+@click.command("sweep")
+@click.option("--friction", "frictions", required=True, metavar="A:B:N", help="N values from A to B.")
+@click.option(
+    "--over",
+    metavar="NAME=A:B:N",
+    help="A second parameter or input: a grid of gaits, written to --output row by row; resumed where the "
+    "file has rows already.",
+)
+@SPACING_OPTION
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the gaits as NetCDF (.nc).",
+)
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def sweep_command(
+    frictions: str,
+    over: str | None,
+    spacing: str,
+    output: Path | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """Gaits over a range of friction, and the borders between gait words.
+
+    Where the branch of gaits cannot be followed to the end, what was found is printed and written, and the
+    exit status is 1.
+    """
+    from . import sweep as sweeps  # the C library is loaded when it is needed
+    from .orbit import Runner
+
+    if output is not None:
+        files.check_place(output, (".nc",), "--output")
+    unit = load()
+    values = sweeps.values_of(frictions, spacing, "--friction")
+    runner = Runner.of(start_values(unit, parameters, None, settings), unit)
+    if over is not None:
+        _grid(runner, values, over, spacing, output, as_json_object)
+        return
+    found = sweeps.sweep(runner, values, show_progress=True)
+    if output is not None:
+        coordinates = {sweeps.FRICTION: values[: len(found.orbits)]}
+        with files.whole(output) as beside:
+            sweeps.as_dataset(found.orbits, coordinates, unit).to_netcdf(beside)
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found))
+    if found.problem is not None:
+        raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")
+
+
+def _grid(
+    runner: object, frictions: object, over: str, spacing: str, output: Path | None, as_json_object: bool
+) -> None:
+    from . import sweep as sweeps
+
+    name, equals, span = over.partition("=")
+    if not equals:
+        raise InputError(f"--over {over}: allowed: NAME=A:B:N")
+    if output is None:
+        raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
+    unit = load()
+    variable = unit.find(name, "--over")
+    if name not in runner.values or variable.causality not in ("parameter", "input"):
+        raise InputError(f"--over {name}: allowed: a parameter or input")
+    rows = sweeps.values_of(span, spacing, "--over")
+    data = sweeps.grid(runner, frictions, name, rows, output, show_progress=True, unit=unit)
+    gaits = int(data["period"].notnull().sum())
+    words = sorted({word for word in data["word"].values.ravel() if word})
+    result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
+    text = f"{output}: {gaits} gaits at {data['period'].size} points, words {', '.join(words)}"
+    print(json_text(result) if as_json_object else text)
+
+
+@click.command("figures")
+@click.option(
+    "--output",
+    "folder",
+    type=click.Path(path_type=Path),
+    default=Path("figures"),
+    show_default=True,
+    metavar="FOLDER",
+    help="Where the figures go.",
+)
+@click.option("--only", metavar="NAME", help="Only the figures whose name begins like this, as in figure_9.")
+def figures_command(folder: Path, only: str | None) -> None:
+    """The paper's figures, remade: PNG and SVG, with the data of each beside it as CSV."""
+    from .pictures import figures  # matplotlib is slow to load
+
+    files.check_folder(folder, "--output")
+    for path in figures.draw(folder, load(), only=only, show_progress=True):
+        print(path)
+
+
+def _orbit_text(orbit: object) -> str:
+    values = orbit.as_json()
+    eigenvalues = ", ".join(_complex(value) for value in orbit.eigenvalues)
+    apex = ", ".join(f"{value:.12g}" for value in orbit.apex)
+    lines = [f"{name:18}{value:.12g}" for name, value in values.items() if isinstance(value, float)]
+    return "\n".join(
+        [
+            f"{'word':18}{orbit.word}",
+            *lines,
+            f"{'apex':18}{apex}",
+            f"{'eigenvalues':18}{eigenvalues}",
+            f"{'stable':18}{'yes' if orbit.stable else 'no'}",
+        ]
+    )
+
+
+def _complex(value: complex) -> str:
+    value = complex(value)
+    return f"{value.real:.9g}" if value.imag == 0.0 else f"{value.real:.9g}{value.imag:+.9g}i"
+
+
+def _sweep_text(found: object) -> str:
+    rows = [
+        (
+            f"{orbit.friction:.6g}",
+            orbit.word,
+            f"{orbit.stride['period']:.8g}",
+            f"{orbit.stride['speed']:.8g}",
+            f"{orbit.stride['cost_of_transport']:.8g}",
+            f"{abs(orbit.eigenvalues[0]):.8f}",
+            "yes" if orbit.stable else "no",
+        )
+        for orbit in found.orbits
+    ]
+    header = ("friction", "word", "period", "speed", "cost of transport", "lambda_max", "stable")
+    borders = [f"{border.before} to {border.after} at {border.value:.10g}" for border in found.borders]
+    return "\n".join([table(header, rows), *borders])
