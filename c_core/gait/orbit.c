@@ -132,7 +132,7 @@ int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs 
                 double section[TDMF_SECTION_COUNT]) {
     for (int i = 0; i < strides; ++i) {
         const tdmf_return stride = tdmf_return_map(solver, model, inputs, section,
-                                                    longest_stride * model->scales.time, false, NULL, 0);
+                                                   longest_stride * model->scales.time, false, NULL, 0);
         if (!stride.outcome.closed) {
             return i;
         }

@@ -165,6 +165,18 @@ class Orbit:
         """Of the ground."""
         return self.runner.values["ground.friction"]
 
+    @property
+    def period(self) -> float:
+        """Of the stride."""
+        return self.stride["period"]
+
+    @cached_property
+    def start_values(self) -> dict[str, float]:
+        """Everything a run of the unit needs to begin at this gait's apex."""
+        state = ffi.new("double[]", c.TDMF_STATE_COUNT)
+        c.tdmf_section_state(self.runner.model, ffi.new("double[6]", list(self.apex)), state)
+        return {**self.runner.values, **dict(zip(STATES, state, strict=False))}
+
     @cached_property
     def eigenvalues(self) -> np.ndarray:
         """Of the Jacobian, the largest first."""

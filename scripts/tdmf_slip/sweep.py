@@ -165,8 +165,8 @@ def grid(
 ) -> xarray.Dataset:
     """Gaits over the friction and a second parameter, row by row, into a NetCDF file.
 
-    The file is whole after each row. Called again with the same file, the sweep goes on with the rows that are
-    missing; a file of another sweep is refused.
+    The file is whole after each row. Called again with the same file, the sweep goes on with the rows that
+    are missing; a file of another sweep is refused.
 
     Args:
         runner: the other parameters and the start.

@@ -3,6 +3,7 @@
 #define TDMF_SLIP_TDMF_SLIP_H
 
 #include "tdmf_slip/automaton.h"
+#include "tdmf_slip/classic_slip.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"

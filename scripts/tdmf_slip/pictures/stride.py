@@ -9,6 +9,7 @@ import numpy as np
 
 from ..events import MODE
 from ..gait import Gait
+from ..orbit import Orbit
 from ..simulation import simulate
 from ..unit import Unit
 
@@ -38,7 +39,7 @@ class Piece:
 class Stride:
     """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
 
-    def __init__(self, gait: Gait, unit: Unit) -> None:
+    def __init__(self, gait: Gait | Orbit, unit: Unit) -> None:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
         self.unit = unit

@@ -1,0 +1,310 @@
+/* Stance (1) in Cartesian coordinates about the foot, with w = l0/r:
+ *
+ *     m xddot = k (w - 1) x,      m yddot = k (w - 1) y - m g,      r^2 = x^2 + y^2
+ *
+ * It is expanded into Taylor series together with its variations by apex height and touchdown angle. At
+ * take-off the mass has the acceleration of flight, so that the next height y + vy^2/(2 g) does not change
+ * with its time: no saltation is needed. */
+#include "tdmf_slip/classic_slip.h"
+
+#include "first_root.h"
+#include "series_sums.h"
+
+#include <float.h>
+
+enum { ORDER = 20, STEP_LIMIT = 100000, ITERATION_LIMIT = 60, VARIATIONS = 2 };
+
+static const double tolerance = 1e-15;
+
+/* Beyond which a guard counts as crossed, of its scale. */
+static const double beyond = -1e-14;
+
+typedef struct {
+    double x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS];
+    double square[SERIES_TERMS], length[SERIES_TERMS], stretch[SERIES_TERMS]; /* r^2, r, w */
+} stance_series;
+
+tdmf_classic tdmf_classic_default(void) {
+    const tdmf_classic slip = {
+        .mass = 80.0,
+        .stiffness = 20000.0,
+        .free_length = 1.0,
+        .gravity = 9.81,
+        .touchdown_angle = 0.69813170079773184, /* 40 degrees */
+        .friction = INFINITY,
+    };
+    return slip;
+}
+
+/* Sum of a[i] b[k - i] for i = from to k - 1. */
+static double partial_product(const double *a, const double *b, int from, int k) {
+    double sum = 0.0;
+    for (int i = from; i < k; ++i) {
+        sum += a[i] * b[k - i];
+    }
+    return sum;
+}
+
+/* Coefficient k of a product. */
+static double product(const double *a, const double *b, int k) {
+    return partial_product(a, b, 0, k) + a[k] * b[0];
+}
+
+static void expand_stance(const tdmf_classic *slip, tdmf_classic_point start, stance_series *s) {
+    const double rate = slip->stiffness / slip->mass;
+    s->x[0] = start.x;
+    s->y[0] = start.y;
+    s->vx[0] = start.vx;
+    s->vy[0] = start.vy;
+    for (int k = 0; k < ORDER; ++k) {
+        const double divide = series_reciprocal[k + 1];
+        s->square[k] = product(s->x, s->x, k) + product(s->y, s->y, k);
+        s->length[k] =
+            k == 0 ? sqrt(s->square[0])
+                   : 0.5 * (s->square[k] - partial_product(s->length, s->length, 1, k)) / s->length[0];
+        s->stretch[k] = ((k == 0 ? slip->free_length : 0.0) - partial_product(s->stretch, s->length, 0, k)) /
+                        s->length[0];
+        s->vx[k + 1] = rate * (product(s->stretch, s->x, k) - s->x[k]) * divide;
+        s->vy[k + 1] =
+            (rate * (product(s->stretch, s->y, k) - s->y[k]) - (k == 0 ? slip->gravity : 0.0)) * divide;
+        s->x[k + 1] = s->vx[k] * divide;
+        s->y[k + 1] = s->vy[k] * divide;
+    }
+    s->square[ORDER] = product(s->x, s->x, ORDER) + product(s->y, s->y, ORDER);
+}
+
+/* The same line by line for a small change; d_ stands for the variation of what follows. */
+static void expand_variation(const tdmf_classic *slip, const stance_series *s, tdmf_classic_point start,
+                             stance_series *d) {
+    const double rate = slip->stiffness / slip->mass;
+    d->x[0] = start.x;
+    d->y[0] = start.y;
+    d->vx[0] = start.vx;
+    d->vy[0] = start.vy;
+    for (int k = 0; k < ORDER; ++k) {
+        const double divide = series_reciprocal[k + 1];
+        d->square[k] = 2.0 * (product(s->x, d->x, k) + product(s->y, d->y, k));
+        d->length[k] = (0.5 * d->square[k] - partial_product(d->length, s->length, 0, k)) / s->length[0];
+        d->stretch[k] = -(product(s->stretch, d->length, k) + partial_product(d->stretch, s->length, 0, k)) /
+                        s->length[0];
+        const double d_x = product(d->stretch, s->x, k) + product(s->stretch, d->x, k);
+        const double d_y = product(d->stretch, s->y, k) + product(s->stretch, d->y, k);
+        d->vx[k + 1] = rate * (d_x - d->x[k]) * divide;
+        d->vy[k + 1] = rate * (d_y - d->y[k]) * divide;
+        d->x[k + 1] = d->vx[k] * divide;
+        d->y[k + 1] = d->vy[k] * divide;
+    }
+}
+
+static tdmf_classic_point point_at(const stance_series *s, double t) {
+    const tdmf_classic_point point = {series_at(s->x, ORDER, t), series_at(s->y, ORDER, t),
+                                      series_at(s->vx, ORDER, t), series_at(s->vy, ORDER, t)};
+    return point;
+}
+
+/* How long the series are as good as rounding. */
+static double trusted_size(const tdmf_classic *slip, const stance_series *s) {
+    const double speed = slip->free_length * sqrt(slip->stiffness / slip->mass);
+    const double last = (fabs(s->vx[ORDER]) + fabs(s->vy[ORDER])) / speed;
+    const double last_but_one = (fabs(s->vx[ORDER - 1]) + fabs(s->vy[ORDER - 1])) / speed;
+    return fmin(pow(tolerance / fmax(last, DBL_MIN), 1.0 / ORDER),
+                pow(tolerance / fmax(last_but_one, DBL_MIN), 1.0 / (ORDER - 1)));
+}
+
+/* What ends a stance. */
+typedef enum { GOES_ON, TAKES_OFF, LEAVES_CONE, HITS_GROUND } stance_end;
+
+static double first_time(const tdmf_polynomial *p, const tdmf_reach *reach, double scale, double size) {
+    const tdmf_root root = tdmf_first_root(p, reach, 1.0, beyond * scale, 0.0, size);
+    return root.is_root ? root.time : INFINITY;
+}
+
+static stance_end find_end(const tdmf_classic *slip, const stance_series *s, double *size) {
+    const double length = slip->free_length;
+    tdmf_polynomial compressed = {{0}, ORDER}, inside_cone = {{0}, ORDER}, above_ground = {{0}, ORDER};
+    tdmf_reach reach;
+    stance_end end = GOES_ON;
+    tdmf_reach_to(&reach, *size, ORDER);
+    for (int k = 0; k <= ORDER; ++k) {
+        compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k];
+        inside_cone.c[k] = isinf(slip->friction) ? (k == 0 ? 1.0 : 0.0) : slip->friction * s->y[k] - s->x[k];
+        above_ground.c[k] = s->y[k];
+    }
+    const double take_off = first_time(&compressed, &reach, length * length, *size);
+    const double cone = first_time(&inside_cone, &reach, length, *size);
+    const double ground = first_time(&above_ground, &reach, length, *size);
+    if (take_off <= *size) {
+        *size = take_off;
+        end = TAKES_OFF;
+    }
+    if (cone < *size) {
+        *size = cone;
+        end = LEAVES_CONE;
+    }
+    if (ground < *size) {
+        *size = ground;
+        end = HITS_GROUND;
+    }
+    return end;
+}
+
+typedef struct {
+    tdmf_classic_point at;
+    tdmf_classic_point varied[VARIATIONS];
+    double time;
+} stance;
+
+/* Runs a stance to its end or up to a time; steps that do not end, or are not finite, count as a fall. */
+static stance_end run_stance(const tdmf_classic *slip, double until, stance *run) {
+    for (int i = 0; i < STEP_LIMIT; ++i) {
+        stance_series series, varied;
+        expand_stance(slip, run->at, &series);
+        double size = fmin(trusted_size(slip, &series), until - run->time);
+        if (!(size > 0.0) || !isfinite(size)) {
+            return run->time < until ? HITS_GROUND : GOES_ON;
+        }
+        const stance_end end = find_end(slip, &series, &size);
+        for (int k = 0; k < VARIATIONS; ++k) {
+            expand_variation(slip, &series, run->varied[k], &varied);
+            run->varied[k] = point_at(&varied, size);
+        }
+        run->at = point_at(&series, size);
+        run->time += size;
+        if (end != GOES_ON) {
+            return end;
+        }
+    }
+    return HITS_GROUND;
+}
+
+static bool is_allowed(const tdmf_classic *slip) {
+    return slip->mass > 0.0 && slip->stiffness > 0.0 && slip->free_length > 0.0 && slip->gravity > 0.0 &&
+           slip->touchdown_angle > 0.0 && slip->touchdown_angle < 1.5707963267948966 &&
+           slip->friction >= 0.0 &&
+           isfinite(slip->mass + slip->stiffness + slip->free_length + slip->gravity);
+}
+
+/* The mass at touchdown, and its variations by the apex height and by the touchdown angle, at one energy. */
+static bool touch_down(const tdmf_classic *slip, double energy, double height, stance *run) {
+    const double length = slip->free_length;
+    const double g = slip->gravity;
+    const double sine = sin(slip->touchdown_angle);
+    const double cosine = cos(slip->touchdown_angle);
+    const double speed_square = 2.0 * (energy / slip->mass - g * height);
+    const double drop = height - length * cosine;
+    if (!is_allowed(slip) || !(speed_square > 0.0) || !(drop > 0.0)) {
+        return false;
+    }
+    const double vx = sqrt(speed_square);
+    const double vy = -sqrt(2.0 * g * drop);
+    const stance start = {
+        .at = {-length * sine, length * cosine, vx, vy},
+        .varied = {{0.0, 0.0, -g / vx, g / vy},
+                   {-length * cosine, -length * sine, 0.0, g * length * sine / vy}},
+        .time = 0.0,
+    };
+    *run = start;
+    return true;
+}
+
+static void fly(const tdmf_classic *slip, const stance *run, tdmf_classic_step *step) {
+    const double g = slip->gravity;
+    const tdmf_classic_point *at = &run->at;
+    step->next_height = at->y + 0.5 * at->vy * at->vy / g;
+    step->next_speed = at->vx;
+    step->next_energy = slip->mass * (0.5 * at->vx * at->vx + g * step->next_height);
+    step->slope = run->varied[0].y + at->vy * run->varied[0].vy / g;
+    step->by_angle = run->varied[1].y + at->vy * run->varied[1].vy / g;
+    step->outcome = at->vx > 0.0 ? TDMF_CLASSIC_FLIES : TDMF_CLASSIC_TURNS_BACK;
+}
+
+tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energy, double height) {
+    tdmf_classic_step step = {.outcome = TDMF_CLASSIC_NO_START};
+    stance run;
+    if (!touch_down(slip, energy, height, &run)) {
+        return step;
+    }
+    step.touchdown = run.at;
+    step.impact_friction = fabs(run.at.vx / run.at.vy);
+    step.stance_friction = tan(slip->touchdown_angle);
+    if (step.stance_friction > slip->friction) {
+        step.outcome = TDMF_CLASSIC_SLIDES;
+        return step;
+    }
+    const stance_end end = run_stance(slip, INFINITY, &run);
+    step.take_off = run.at;
+    step.stance_time = run.time;
+    step.early_take_off = end == LEAVES_CONE;
+    step.stance_friction = fmax(step.stance_friction, run.at.x / run.at.y);
+    if ((end == TAKES_OFF || end == LEAVES_CONE) && run.at.vy > 0.0) {
+        fly(slip, &run, &step);
+    } else {
+        step.outcome = TDMF_CLASSIC_FALLS;
+    }
+    return step;
+}
+
+tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, double height, double time) {
+    tdmf_classic_point nothing = {NAN, NAN, NAN, NAN};
+    stance run;
+    if (!touch_down(slip, energy, height, &run)) {
+        return nothing;
+    }
+    run_stance(slip, time, &run);
+    return run.at;
+}
+
+bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double guess, double *height) {
+    double at = guess;
+    for (int i = 0; i < ITERATION_LIMIT; ++i) {
+        const tdmf_classic_step step = tdmf_classic_return_map(slip, energy, at);
+        if (step.outcome != TDMF_CLASSIC_FLIES || step.early_take_off) {
+            return false;
+        }
+        const double change = (step.next_height - at) / (1.0 - step.slope);
+        at += change;
+        if (!(fabs(change) > 1e-13 * slip->free_length)) {
+            *height = at;
+            return isfinite(at);
+        }
+    }
+    return false;
+}
+
+bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, double *height) {
+    const double small = 1e-5;
+    tdmf_classic at = *slip;
+    double y = *height;
+    at.touchdown_angle = *angle;
+    for (int i = 0; i < ITERATION_LIMIT; ++i) {
+        tdmf_classic ahead = at, behind = at;
+        ahead.touchdown_angle += small;
+        behind.touchdown_angle -= small;
+        const double d_y = small * slip->free_length;
+        const tdmf_classic_step here = tdmf_classic_return_map(&at, energy, y);
+        /* The slope's own derivatives, by differences of the exact slope: they steer the iteration, no more.
+         */
+        const double curvature = (tdmf_classic_return_map(&at, energy, y + d_y).slope -
+                                  tdmf_classic_return_map(&at, energy, y - d_y).slope) /
+                                 (2.0 * d_y);
+        const double mixed = (tdmf_classic_return_map(&ahead, energy, y).slope -
+                              tdmf_classic_return_map(&behind, energy, y).slope) /
+                             (2.0 * small);
+        if (here.outcome != TDMF_CLASSIC_FLIES) {
+            return false;
+        }
+        const double off = here.next_height - y;
+        const double steep = here.slope - 1.0;
+        const double determinant = steep * mixed - here.by_angle * curvature;
+        const double change_y = -(off * mixed - here.by_angle * steep) / determinant;
+        const double change_angle = -(steep * steep - curvature * off) / determinant;
+        y += change_y;
+        at.touchdown_angle += change_angle;
+        if (!(fabs(change_y) + fabs(change_angle) * slip->free_length > 1e-9 * slip->free_length)) {
+            *angle = at.touchdown_angle;
+            *height = y;
+            return isfinite(y + at.touchdown_angle);
+        }
+    }
+    return false;
+}
