@@ -139,8 +139,8 @@ def borders_between(runner: Runner, name: str, first: Orbit, last: Orbit) -> lis
 def _border(family: _Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
     """Where the word of `inside` ends on the way to `last`, and the gait just beyond.
 
-    The gaits on both sides are brought together until a letter's duration is all but zero, each time nine tenths
-    of the way to where the last two say it vanishes; a look that does not serve halves what is left.
+    The gaits on both sides are brought together until a letter's duration is all but zero, each time nine
+    tenths of the way to where the last two say it vanishes; a look that does not serve halves what is left.
     """
     name = family.name
     outside = last

@@ -49,7 +49,7 @@ def draw(path: Path, sweep: Sweep) -> None:
         )
         axes.plot(data["friction"], data["cost_of_transport"], color=style.INK, label="work of the hip")
         figure_9.mark_borders(axes, sweep)
-        figure_9.name_words(axes, sweep)
+        figure_9.name_words(axes, sweep, height=0.2)
         figure_9.friction_axis(axes, data["friction"])
         axes.set_ylim(0.0, 1.2 * np.max(data["cost_of_transport"]))
         axes.set_ylabel("energy of a stride  / weight · length")

@@ -70,8 +70,8 @@ def mark_borders(axes: Axes, sweep: Sweep) -> None:
         axes.axvline(border.value, **style.STANCE_LINE)
 
 
-def name_words(axes: Axes, sweep: Sweep) -> None:
-    """The gait words between the borders, above the axes; what is too narrow is named by an arrow."""
+def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
+    """The gait words between the borders, above the axes; what is too narrow is named inside, at a height."""
     frictions = sorted(orbit.friction for orbit in (sweep.orbits[0], sweep.orbits[-1]))
     edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]
     words = [sweep.orbits[0].word, *(border.after for border in sweep.borders)]
@@ -83,7 +83,7 @@ def name_words(axes: Axes, sweep: Sweep) -> None:
         else:
             axes.annotate(
                 style.word(word),
-                (centre, 0.62),
+                (centre, height),
                 xycoords=("data", "axes fraction"),
                 xytext=(12, 14),
                 textcoords="offset points",

@@ -15,7 +15,7 @@ from ..orbit import Runner, find_orbit
 from ..parameters import read_parameters
 from ..sweep import Sweep, sweep
 from ..unit import Unit
-from . import energy, figure_5, figure_6, figure_7, figure_8, figure_9
+from . import energy, figure_1, figure_2, figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9
 from .stride import Stride
 
 FORMATS = (".png", ".svg")
@@ -96,6 +96,11 @@ def _figures(unit: Unit) -> dict[str, Figure]:
 
     first, second = figure_8.FRICTIONS
     return {
+        "figure_1b": Figure(figure_1.draw, figure_1.table),
+        "figure_2a": Figure(figure_2.draw_maps, figure_2.map_table),
+        "figure_2b": Figure(figure_2.draw_gaits, figure_2.gait_table),
+        "figure_3": Figure(figure_3.draw, figure_3.table),
+        "figure_4a": Figure(figure_4.draw, figure_2.gait_table),
         "figure_5": _of_stride(figure_5.draw, stride, figure_5.FRICTION),
         "figure_6": _of_stride(figure_6.draw, stride, figure_6.FRICTION),
         "figure_7": _of_stride(figure_7.draw, stride, figure_7.FRICTION),
