@@ -1,0 +1,166 @@
+/* The return map's exact derivatives against differences, and gaits by Newton's method against the reference.
+ */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+#include "tdmf_slip/orbit.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PARAMETERS = sizeof(tdmf_parameters) / sizeof(double), INPUTS = sizeof(tdmf_inputs) / sizeof(double) };
+
+static const double tight = 1e-13;
+static const double longest = 1e3;
+
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_inputs inputs;
+    double section[TDMF_SECTION_COUNT];
+} scene_at_apex;
+
+static scene_at_apex at_gait(const reference_gait *gait) {
+    scene_at_apex scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
+    scene.inputs.ground.friction = gait->friction;
+    memcpy(scene.section, &gait->apex, sizeof scene.section);
+    return scene;
+}
+
+static tdmf_return stride_of(const scene_at_apex *scene, const tdmf_change *change) {
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = tight;
+    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    const tdmf_return stride = tdmf_return_map(&solver, &model, &scene->inputs, scene->section, longest, true,
+                                               change, change ? 1 : 0);
+    assert_true(stride.outcome.closed);
+    return stride;
+}
+
+/* Central difference of everything that is differentiated, against its derivative. */
+static void assert_differences(const tdmf_return *more, const tdmf_return *less, double step,
+                               const tdmf_stride_change *exact, double tolerance) {
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_close(exact->apex[i], (more->apex[i] - less->apex[i]) / (2.0 * step), tolerance);
+    }
+    assert_close(exact->period, (more->stride.period - less->stride.period) / (2.0 * step), tolerance);
+    assert_close(exact->length, (more->stride.length - less->stride.length) / (2.0 * step), tolerance);
+    assert_close(exact->work, (more->stride.work - less->stride.work) / (2.0 * step), tolerance);
+}
+
+/* Errors: 1e-12 of the motion over the step, and the step's square times a third derivative. */
+static void the_jacobian_is_that_of_the_map(void **state) {
+    const double step = 1e-5;
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const scene_at_apex scene = at_gait(&reference_gaits[i]);
+        const tdmf_return stride = stride_of(&scene, NULL);
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            scene_at_apex more = scene, less = scene;
+            more.section[k] += step;
+            less.section[k] -= step;
+            const tdmf_return after_more = stride_of(&more, NULL), after_less = stride_of(&less, NULL);
+            assert_differences(&after_more, &after_less, step, &stride.by_section[k], 2e-8);
+        }
+    }
+}
+
+static void parameters_and_inputs_are_differentiated(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const scene_at_apex scene = at_gait(&reference_gaits[i]);
+        for (int k = 0; k < PARAMETERS + INPUTS; ++k) {
+            tdmf_change change;
+            memset(&change, 0, sizeof change);
+            scene_at_apex more = scene, less = scene;
+            double *members[3] = {(double *)&change.parameters, (double *)&more.parameters,
+                                  (double *)&less.parameters};
+            int index = k;
+            if (k >= PARAMETERS) {
+                members[0] = (double *)&change.inputs;
+                members[1] = (double *)&more.inputs;
+                members[2] = (double *)&less.inputs;
+                index = k - PARAMETERS;
+            }
+            const double step = 1e-6 * fmax(0.01, fabs(members[1][index]));
+            members[0][index] = 1.0;
+            members[1][index] += step;
+            members[2][index] -= step;
+            const tdmf_return stride = stride_of(&scene, &change);
+            const tdmf_return after_more = stride_of(&more, NULL), after_less = stride_of(&less, NULL);
+            double size = 1.0;
+            for (int c = 0; c < TDMF_SECTION_COUNT; ++c) {
+                size = fmax(size, fabs(stride.by_parameter[0].apex[c]));
+            }
+            assert_differences(&after_more, &after_less, step, &stride.by_parameter[0], 1e-6 * size);
+        }
+    }
+}
+
+static void gaits_are_found_to_rounding(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const reference_gait *gait = &reference_gaits[i];
+        const scene_at_apex scene = at_gait(gait);
+        tdmf_model model;
+        tdmf_solver solver = tdmf_solver_default();
+        double guess[TDMF_SECTION_COUNT];
+        solver.relative_tolerance = tight;
+        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            guess[k] = scene.section[k] + 1e-3;
+        }
+        const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &scene.inputs, guess, NULL);
+        assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
+        assert_true(orbit.iterations <= 5);
+        assert_true(orbit.error < 1e-12);
+        assert_string_equal(orbit.stride.stride.word, gait->word);
+        assert_relatively_close(orbit.stride.stride.period, gait->period, 1e-11);
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_close(orbit.section[k], scene.section[k], 2e-11);
+        }
+    }
+}
+
+static void what_is_no_gait_is_said_to_be_none(void **state) {
+    scene_at_apex scene = at_gait(&reference_gaits[2]);
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    scene.section[TDMF_SECTION_COM_HEIGHT] = -1.0;
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
+                     TDMF_ORBIT_NO_START);
+    scene.section[TDMF_SECTION_COM_HEIGHT] = NAN;
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
+                     TDMF_ORBIT_NO_START);
+    scene.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
+                     TDMF_ORBIT_FELL);
+    assert_int_equal(tdmf_settle(&solver, &model, &scene.inputs, 10, scene.section), 0);
+}
+
+static void linear_systems_are_solved(void **state) {
+    /* The first pivot is zero, so that rows have to be exchanged. */
+    double a[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {
+        {0.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {4.0, 0.0, 3.0}};
+    double b[3] = {7.0, 6.0, 13.0};
+    (void)state;
+    assert_true(tdmf_solve_linear(3, a, b));
+    assert_close(b[0], 1.0, 1e-15);
+    assert_close(b[1], 2.0, 1e-15);
+    assert_close(b[2], 3.0, 1e-15);
+    double singular[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {{1.0, 2.0}, {2.0, 4.0}};
+    assert_false(tdmf_solve_linear(2, singular, b));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_jacobian_is_that_of_the_map),
+        cmocka_unit_test(parameters_and_inputs_are_differentiated),
+        cmocka_unit_test(gaits_are_found_to_rounding),
+        cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
+        cmocka_unit_test(linear_systems_are_solved),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
