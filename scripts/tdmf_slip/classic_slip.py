@@ -1,4 +1,4 @@
-"""The classic SLIP, a point mass on a massless spring leg (the paper's sections 2 and 3), by the C library."""
+"""The classic SLIP: a point mass on a massless spring leg, the sections 2 and 3 of the paper."""
 
 import math
 from collections.abc import Sequence

@@ -186,7 +186,8 @@ def _vanishing_point(
         for (_, duration), (_, before) in zip(near.letters, far.letters, strict=True)
         if duration != before
     ]
-    within = [root for root in roots if min(low, high) <= root <= max(low, high)]
+    slack = BEYOND * abs(at)  # the border may lie on a gait already tried, or beside it by rounding
+    within = [root for root in roots if min(low, high) - slack <= root <= max(low, high) + slack]
     return (at, min(within, key=lambda root: abs(root - at))) if within else None
 
 

@@ -10,12 +10,18 @@ import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip import section
+from tdmf_slip.command import main
 
 
 @pytest.fixture(scope="session")
 def fmu():
     """The unit that is installed with the package."""
     return str(tdmf_slip.fmu_path())
+
+
+@pytest.fixture(scope="session")
+def unit():
+    return tdmf_slip.load()
 
 
 @pytest.fixture(scope="session")
@@ -121,3 +127,16 @@ def run(unpacked, description, new_instance):
         return rows, instance
 
     return simulate
+
+
+@pytest.fixture
+def command(capsys, tmp_path, monkeypatch):
+    """Runs the command in an empty folder; returns its status and what it said."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments):
+        status = main([str(argument) for argument in arguments])
+        said = capsys.readouterr()
+        return status, said.out, said.err
+
+    return run

@@ -9,20 +9,6 @@ import netCDF4
 import pytest
 import tdmf_slip
 from tdmf_slip import reference
-from tdmf_slip.command import main
-
-
-@pytest.fixture
-def command(capsys, tmp_path, monkeypatch):
-    """Runs the command in an empty folder; returns its status and what it said."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(*arguments):
-        status = main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
-        return status, said.out, said.err
-
-    return run
 
 
 def test_json_is_one_object_and_nothing_else(command):

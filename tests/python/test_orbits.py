@@ -1,0 +1,202 @@
+"""Gaits as fixed points of the return map: eigenvalues, borders between words, branches, sweeps on file."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import xarray
+from tdmf_slip import InputError, RunError, reference
+from tdmf_slip import sweep as sweeps
+from tdmf_slip.continuation import borders_between, gaits_over, trace
+from tdmf_slip.library import c, ffi
+from tdmf_slip.orbit import Runner, find_orbit
+from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep, values_of
+
+# Independent values: refined fixed points in extended precision, differenced there.
+EIGENVALUES = {
+    10.0: (0.811488219, -0.463835571, 0.010024837),
+    0.6: (0.857395094, -0.372498323, 0.00869537996),
+}
+BORDERS = {("0+", "+0+"): 8.4548, ("+0+", "+0-0+"): 1.1441, ("+0-", "+-"): 0.2659}
+WINDOW = 3e-6
+"""Width in friction in which one more word is found near 0.4991."""
+
+
+@pytest.fixture(scope="module")
+def runner(unit):
+    return Runner.of({}, unit)
+
+
+@pytest.fixture(scope="module")
+def swept(runner):
+    return sweep(runner, np.geomspace(10.0, 0.05, 24))
+
+
+@pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: gait["word"])
+def test_gait_agrees_with_the_reference(runner, known):
+    orbit = find_orbit(runner.but(FRICTION, known["friction"]))
+    assert orbit.word == known["word"]
+    assert orbit.error < 1e-12
+    for name in ("period", "speed", "work", "cost_of_transport"):
+        assert orbit.stride[name] == pytest.approx(known[name], rel=1e-10)
+    assert orbit.liftoff_angle == pytest.approx(known["liftoff_angle"], rel=1e-10)
+    assert orbit.apex == pytest.approx(known["apex"], abs=1e-10)
+
+
+@pytest.mark.parametrize("friction", EIGENVALUES)
+def test_eigenvalues_and_the_three_that_vanish(runner, friction):
+    orbit = find_orbit(runner.but(FRICTION, friction))
+    assert np.real(orbit.eigenvalues[:3]) == pytest.approx(EIGENVALUES[friction], abs=1e-8)
+    assert np.abs(orbit.eigenvalues[3:]) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
+    assert orbit.stable
+
+
+def test_without_stick_two_eigenvalues_vanish(runner):
+    values = np.abs(find_orbit(runner.but(FRICTION, 0.2)).eigenvalues)
+    assert 1e-8 < values[3] < 1e-6
+    assert values[4:] == pytest.approx([0.0, 0.0], abs=1e-9)
+
+
+def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
+    """Run, not linearized: after some strides only the slowest direction is left."""
+    orbit = find_orbit(runner)
+    section = ffi.new("double[6]", list(orbit.apex + np.array([1e-4, 0, 0, 0, 0, 0])))
+    distances = []
+    for _ in range(2):
+        c.tdmf_settle(runner.solver(), runner.model, runner.inputs, 20, section)
+        distances.append(np.linalg.norm(np.array(list(section)) - orbit.apex))
+    rate = (distances[1] / distances[0]) ** (1 / 20)
+    assert rate == pytest.approx(abs(orbit.eigenvalues[0]), rel=1e-4)
+
+
+def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
+    found = {(b.before, b.after): b.value for b in swept.borders}
+    for words, value in BORDERS.items():
+        assert found[words] == pytest.approx(value, abs=5e-5)
+    upwards = sweep(runner, np.linspace(0.05, 10.0, 9))
+    assert upwards.problem is None
+    for border in upwards.borders:
+        assert found[border.after, border.before] == pytest.approx(border.value, rel=1e-9)
+    assert len(upwards.borders) == len(found)
+
+
+def test_a_word_in_a_window_of_a_few_millionths(runner, swept):
+    """The foot stops so near lift-off that it cannot stick, and slips forward before it leaves."""
+    inner = [b for b in swept.borders if "+0-+" in (b.before, b.after)]
+    assert [(b.before, b.after) for b in inner] == [("+0-0+", "+0-+"), ("+0-+", "+0-")]
+    high, low = (b.value for b in inner)
+    assert high == pytest.approx(0.4991, abs=5e-5)
+    assert high - low == pytest.approx(WINDOW, rel=0.2)
+    around = first_orbit(runner.but(FRICTION, 0.5))
+    within = next(gaits_over(runner, FRICTION, [0.5 * (high + low)], around))
+    assert within.word == "+0-+"
+
+
+def test_every_border_lies_between_its_words(runner, swept):
+    for border in swept.borders:
+        near = first_orbit(runner.but(FRICTION, border.value * (1.0 + 1e-7)))
+        beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
+        assert (near.word, beyond.word) == (border.before, border.after)
+        assert borders_between(runner, FRICTION, near, beyond)[0].value == pytest.approx(
+            border.value, rel=1e-9
+        )
+
+
+def test_a_branch_is_followed_past_loss_of_stability(runner):
+    """More drive than the paper's: the gait ends its stability, its branch goes on."""
+    first = find_orbit(runner, along="hip.stance_torque")
+    branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
+    stable = [orbit.stable for orbit in branch.orbits]
+    assert stable[0]
+    assert all(orbit.error < 1e-11 for orbit in branch.orbits)
+    for special in branch.specials:
+        size = np.abs(special.orbit.eigenvalues)
+        nearest = np.min(np.abs(size - 1.0))
+        assert nearest < 1e-7
+
+
+def test_the_ledger_of_a_gait_closes(swept):
+    for orbit in swept.orbits:
+        losses = sum(orbit.stride[name] for name in ("damper_loss", "friction_loss", "impact_loss"))
+        assert losses == pytest.approx(orbit.stride["work"], abs=1e-11)
+
+
+def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeypatch):
+    path = tmp_path / "grid.nc"
+    frictions, rows = np.linspace(0.5, 0.7, 3), np.linspace(0.18, 0.22, 3)
+    honest, calls = sweeps._row, []
+
+    def interrupted(*arguments):
+        calls.append(arguments)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        return honest(*arguments)
+
+    monkeypatch.setattr(sweeps, "_row", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        grid(runner, frictions, "leg.damping", rows, path, unit=unit)
+    whole = grid(runner, frictions, "leg.damping", rows, path, unit=unit)
+    assert len(calls) == 4  # one row was done, one interrupted, two were missing
+    assert int(whole["period"].notnull().sum()) == 9
+    on_file = xarray.load_dataset(path)
+    assert on_file["period"].attrs["units"] == "s"
+    assert on_file.attrs["leg.stiffness"] == 1.0
+    middle = find_orbit(runner.but(FRICTION, 0.6))
+    assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
+    with pytest.raises(InputError, match="another sweep"):
+        grid(runner, frictions, "leg.damping", rows + 0.01, path, unit=unit)
+
+
+def test_what_cannot_be_found_is_said(runner):
+    with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner fell"):
+        find_orbit(runner.but("leg.stiffness", 0.01))
+    with pytest.raises(InputError, match=r"ground.friction = -1"):
+        find_orbit(runner.but(FRICTION, -1.0))
+    with pytest.raises(InputError, match="begin at an apex"):
+        find_orbit(runner.but("foot.vy", 0.3))
+
+
+@pytest.mark.parametrize("text", ["1:2", "a:b:3", "1:2:0", "nan:1:3", "1:inf:4"])
+def test_bad_ranges_are_refused(text):
+    with pytest.raises(InputError, match="--friction"):
+        values_of(text, "linear", "--friction")
+
+
+def test_gait_command(command):
+    status, out, _ = command("gait", "--friction", 0.43, "--json")
+    gait = json.loads(out)
+    assert status == 0
+    assert gait["word"] == "+0-"
+    assert gait["stable"] is True
+    assert len(gait["eigenvalues"]) == 6
+    assert len(gait["apex"]) == 6
+    assert "eigenvalues" in command("gait", "--friction", 0.43)[1]
+
+
+def test_sweep_command(command):
+    status, out, _ = command("sweep", "--friction", "0.7:0.4:4", "--json", "--output", "sweep.nc")
+    found = json.loads(out)
+    assert status == 0
+    assert [transition["to"] for transition in found["transitions"]] == ["+0-+", "+0-"]
+    assert xarray.load_dataset("sweep.nc")["word"].values.tolist()[0] == "+0-0+"
+
+
+def test_sweep_that_breaks_off_keeps_what_it_found(command):
+    status, out, said = command("sweep", "--friction", "0.6:0.0:4", "--json")
+    assert status == 1
+    assert len(json.loads(out)["gaits"]) >= 1
+    assert "of 4 gaits were found" in said
+
+
+def test_figures_come_with_their_data(command, tmp_path):
+    assert command("figures", "--output", "made", "--only", "figure_4")[0] == 0
+    made = {path.name for path in (tmp_path / "made").iterdir()}
+    assert made == {"figure_4a.png", "figure_4a.svg", "figure_4a.csv"}
+    with (tmp_path / "made" / "figure_4a.csv").open(newline="") as file:
+        at_fold = list(csv.DictReader(file))[-1]
+    assert float(at_fold["angle_degrees"]) == pytest.approx(44.59, abs=0.005)
+    assert float(at_fold["slope"]) == pytest.approx(1.0, abs=1e-7)
+    status, _, said = command("figures", "--only", "figure_77")
+    assert status == 2
+    assert "no such figure" in said
