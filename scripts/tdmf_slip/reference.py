@@ -22,16 +22,17 @@ class Drift:
     """One value of a gait beside its reference."""
 
     friction: float
+    """Not a number for what is not of one gait."""
     what: str
     computed: float | str
     reference: float | str
     deviation: float
-    """Relative for quantities, over its scale for a coordinate of the apex; 0 or 1 for the word."""
+    """Relative for a gait's quantities, over its scale for its apex; 0 or 1 for its word; else absolute."""
     allowed: float
 
     @property
     def passed(self) -> bool:
-        """Within what is allowed."""
+        """Within what is allowed; nothing that is not a number is."""
         return self.deviation <= self.allowed
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import xarray
 
-from . import __version__, progress
+from . import progress
 from .continuation import Border, borders_between, gaits_over
 from .errors import InputError, RunError
 from .files import whole
@@ -184,7 +184,7 @@ def grid(
     coordinates = {name: np.asarray(values, dtype=float), FRICTION: np.asarray(frictions, dtype=float)}
     for value in values:
         _ = runner.but(name, value).model
-    attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {__version__}"} | {
+    attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {unit.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
     data = _resumed(path, coordinates, attributes)
