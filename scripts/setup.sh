@@ -65,7 +65,7 @@ make_environment() {
         "$python" -c 'import tomllib
 project = tomllib.load(open("pyproject.toml", "rb"))
 wanted = project["build-system"]["requires"] + project["project"]["dependencies"]
-for extra in ("test", "importers"):
+for extra in ("test", "importers", "bench"):
     wanted += project["project"]["optional-dependencies"][extra]
 print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-version-check -r /dev/stdin
         printf '%s\n' "$wanted" >.venv/installed

@@ -149,7 +149,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
 @commands.command("bench")
 @JSON_OPTION
 def bench_command(as_json_object: bool) -> None:
-    """The unit's native solver against CVODE, on the same stride at equal accuracy."""
+    """The unit's native solver against CVODE and heyoka, on the same stride at equal accuracy."""
     measured = bench(show_progress=True)
     click.echo(json_text(measured.asjson_text()) if as_json_object else measured.as_text())
 

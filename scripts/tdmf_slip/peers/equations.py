@@ -1,0 +1,90 @@
+"""The stride of the published gait at friction 0.6, as a peer has to know it: equations, guards and resets.
+
+Table 1 in units m = k = l0 = 1. The sequence of modes is given, which spares a peer all of the mode logic.
+"""
+
+import math
+
+BODY, FOOT = 1.0, 0.1
+STIFFNESS, DAMPING, GRAVITY = 1.0, 0.2, 0.01
+STANCE_TORQUE, KP, KD, LIFTOFF_FACTOR = 0.2, 0.1, 0.1, 1.2
+TOUCHDOWN_ANGLE = math.radians(40.0)
+FRICTION = 0.6
+STATES = ("x", "y", "r", "theta", "vx", "vy", "r_rate", "theta_rate")
+ARMED = 1e-13
+"""Offset of a guard that starts at zero."""
+
+
+def accelerations(mode, state, torque, friction, sin, cos):
+    """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols.
+
+    Args:
+        mode: flight, stick, slip or graze.
+        state: the eight mechanical states, in the order of `STATES`.
+        torque: of the hip, but in graze.
+        friction: with the sign of the foot's velocity; in slip.
+        sin: the sine to use.
+        cos: the cosine to use.
+    """
+    _, _, r, theta, _, _, r_rate, theta_rate = state
+    sine, cosine = sin(theta), cos(theta)
+    axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
+    across = (axial * cosine + FOOT * GRAVITY) / sine if mode == "graze" else torque / r
+    press = axial * cosine - across * sine + FOOT * GRAVITY
+    pull = axial * sine + across * cosine
+    ax = {"flight": pull, "stick": 0.0 * r, "slip": pull - friction * press, "graze": pull}[mode] / FOOT
+    ay = (-axial * cosine + across * sine) / FOOT - GRAVITY if mode == "flight" else 0.0 * r
+    body_along = axial / BODY - GRAVITY * cosine
+    body_across = across / BODY + GRAVITY * sine
+    r_acceleration = r * theta_rate * theta_rate + body_along + ax * sine - ay * cosine
+    theta_acceleration = (body_across + ax * cosine + ay * sine - 2.0 * r_rate * theta_rate) / r
+    return ax, ay, r_acceleration, theta_acceleration
+
+
+def sticking_force(state, torque, sin, cos):
+    """Ground force (f_x, f_y) on a foot that stays in place."""
+    _, _, r, theta, _, _, r_rate, _ = state
+    axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
+    sine, cosine = sin(theta), cos(theta)
+    return -axial * sine - torque / r * cosine, axial * cosine - torque / r * sine + FOOT * GRAVITY
+
+
+def servo(state, target):
+    """Torque of the flight law towards an angle."""
+    return -KP * (state[3] - target) - KD * state[7]
+
+
+def rise(state, sin, cos):
+    """Vertical velocity of the centre of mass."""
+    _, _, r, theta, _, vy, r_rate, theta_rate = state
+    return vy + BODY / (BODY + FOOT) * (r_rate * cos(theta) - r * theta_rate * sin(theta))
+
+
+def impact(state):
+    """The state after an impact that slips forward."""
+    x, _, r, theta, vx, vy, r_rate, theta_rate = state
+    sine, cosine = math.sin(theta), math.cos(theta)
+    body_vx = vx - r_rate * sine - r * theta_rate * cosine
+    body_vy = vy + r_rate * cosine - r * theta_rate * sine
+    foot_vx = vx - FRICTION * abs(vy)
+    relative = body_vx - foot_vx
+    along, across = -relative * sine + body_vy * cosine, -relative * cosine - body_vy * sine
+    return [x, 0.0, r, theta, foot_vx, 0.0, along, across / r]
+
+
+def apex(state):
+    """Section of an apex: height and speed of the centre of mass, and the leg."""
+    _, y, r, theta, vx, _, r_rate, theta_rate = state
+    share = BODY / (BODY + FOOT)
+    speed = vx - share * (r_rate * math.sin(theta) + r * theta_rate * math.cos(theta))
+    return [y + share * r * math.cos(theta), speed, r, theta, r_rate, theta_rate]
+
+
+def start(section):
+    """The state at an apex."""
+    height, speed, r, theta, r_rate, theta_rate = section
+    share = BODY / (BODY + FOOT)
+    sine, cosine = math.sin(theta), math.cos(theta)
+    vx = speed + share * (r_rate * sine + r * theta_rate * cosine)
+    vy = -share * (r_rate * cosine - r * theta_rate * sine)
+    return [0.0, height - share * r * cosine, r, theta, vx, vy, r_rate, theta_rate]
