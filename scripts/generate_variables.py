@@ -4,7 +4,8 @@
     generate_variables.py ranges      SOURCE OUTPUT     C: ranges and starts for the core
     generate_variables.py variables   SOURCE OUTPUT     C: value references and storage for the unit
     generate_variables.py guid        SOURCE OUTPUT --version V     C: the units' guid
-    generate_variables.py fmi2        SOURCE OUTPUT --version V --sources F...  the description inside the FMI 2.0 unit
+    generate_variables.py fmi2        SOURCE OUTPUT --version V --sources F...
+                                                                    the description inside the FMI 2.0 unit
     generate_variables.py fmi3        SOURCE OUTPUT --version V     the description inside the FMI 3.0 unit
     generate_variables.py build       SOURCE OUTPUT --sources F...  FMI 3.0: how its sources are compiled
     generate_variables.py terminals   SOURCE OUTPUT                 FMI 3.0: icon and terminals
@@ -290,7 +291,11 @@ def fmi2_structure(table):
     root = ElementTree.Element("ModelStructure")
     groups = {
         kind: ElementTree.SubElement(root, tag)
-        for kind, tag in (("output", "Outputs"), ("derivative", "Derivatives"), ("initial", "InitialUnknowns"))
+        for kind, tag in (
+            ("output", "Outputs"),
+            ("derivative", "Derivatives"),
+            ("initial", "InitialUnknowns"),
+        )
     }
     for kind, variable, names in structure(table):
         element = ElementTree.SubElement(groups[kind], "Unknown", index=str(variable.value_reference + 1))
@@ -428,7 +433,7 @@ TERMINALS = {
 
 
 def terminals(table):
-    """The terminalsAndIcons.xml of FMI 3.0: the icon fills a square, terminals have no graphics of their own."""
+    """The terminalsAndIcons.xml of FMI 3.0: the icon fills a square, terminals have no graphics."""
     root = ElementTree.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
     graphics = ElementTree.SubElement(root, "GraphicalRepresentation")
