@@ -21,15 +21,20 @@ else()
     set(fmi3_platform ${processor}-linux)
 endif()
 
+# Where the linker can, it keeps the symbols of static libraries inside, whatever the importer has loaded beside it;
+# those of this project are hidden anyway.
+include(CheckLinkerFlag)
+check_linker_flag(C -Wl,--exclude-libs,ALL TDMF_SLIP_LINKER_EXCLUDES_LIBRARIES)
+
 function(unit_library target folder)
     set_target_properties(${target} PROPERTIES
         PREFIX "" OUTPUT_NAME TDMF_SLIP SUFFIX ${CMAKE_SHARED_LIBRARY_SUFFIX}
+        ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/import/${target}
         LIBRARY_OUTPUT_DIRECTORY $<1:${folder}>
         RUNTIME_OUTPUT_DIRECTORY $<1:${folder}>)
     if(APPLE)
         set_target_properties(${target} PROPERTIES SUFFIX .dylib)
-    elseif(NOT WIN32)
-        # The core's symbols stay inside, whatever library the importer has loaded beside it.
+    elseif(TDMF_SLIP_LINKER_EXCLUDES_LIBRARIES)
         target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
     endif()
 endfunction()

@@ -73,3 +73,21 @@ print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-versi
     say "Building the unit and installing tdmf-slip into .venv"
     "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall .
 }
+
+# The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file.
+PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
+build_platforms() {
+    local platform units=() log=build/platforms/build.log
+    mkdir -p build/platforms
+    : >"$log"
+    say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
+    for platform in "${PLATFORMS[@]}"; do
+        { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
+            cmake --build "build/platforms/$platform"; } >>"$log" 2>&1 || {
+            tail -n 40 "$log" >&2
+            fail "the units could not be built for $platform"
+        }
+        units+=("build/platforms/$platform/fmu_src")
+    done
+    .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
+}

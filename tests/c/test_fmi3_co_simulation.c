@@ -11,7 +11,7 @@
 static const double period = 24.76444922801218; /* of the default gait, as in the reference values */
 static const double touchdown = 11.90;          /* of it, roughly */
 
-enum { BYTES = 8192, EVENTS_OF_A_STRIDE = 9, STATES_COMPARED = 8 };
+enum { BYTES = 8192, EVENTS_OF_A_STRIDE = 9, MOST_EVENTS = 1000, STATES_COMPARED = 8 };
 static const char *const state_names[STATES_COMPARED] = {
     "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
 
@@ -47,6 +47,7 @@ static int run_by_events(fmi3Instance instance, double from, double to, double s
         time = answer.time;
         i += answer.early ? 0 : 1;
         events += answer.event ? 1 : 0;
+        assert_true(events < MOST_EVENTS);
         if (answer.event) {
             take_event(instance, &after);
         }
