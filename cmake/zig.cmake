@@ -1,5 +1,5 @@
 # Toolchain: the C cross-compiler of the PyPI package ziglang, which needs nothing else. TDMF_SLIP_TARGET is its name of
-# the target (x86_64-linux-gnu.2.17, aarch64-macos); ZIG the program, by default that in the package of
+# the target (x86_64-linux-gnu.2.17, aarch64-macos.11.0-none); ZIG the program, by default that in the package of
 # Python3_EXECUTABLE.
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TDMF_SLIP_TARGET ZIG)
 if(NOT ZIG)
@@ -17,7 +17,7 @@ endif()
 set(ZIG ${ZIG} CACHE FILEPATH "Zig's program")
 string(REGEX MATCH "^([^-]+)-([^-]+)" target "${TDMF_SLIP_TARGET}")
 set(CMAKE_SYSTEM_PROCESSOR ${CMAKE_MATCH_1})
-if(CMAKE_MATCH_2 STREQUAL macos)
+if(CMAKE_MATCH_2 MATCHES "^macos")
     set(CMAKE_SYSTEM_NAME Darwin)
 elseif(CMAKE_MATCH_2 STREQUAL windows)
     set(CMAKE_SYSTEM_NAME Windows)
@@ -27,6 +27,7 @@ else()
 endif()
 set(CMAKE_C_COMPILER ${ZIG} cc)
 set(CMAKE_C_FLAGS_INIT "-target ${TDMF_SLIP_TARGET}")
+set(CMAKE_SHARED_LINKER_FLAGS_INIT "-s")
 set(CMAKE_C_ARCHIVE_CREATE "\"${ZIG}\" ar qcs <TARGET> <OBJECTS>")
 set(CMAKE_C_ARCHIVE_FINISH "")
 # Nothing of the machine at hand belongs into the result.

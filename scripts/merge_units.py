@@ -3,8 +3,8 @@
 
     merge_units.py TARGET BUILD...    folders with TDMF_SLIP.fmu and TDMF_SLIP_FMI3.fmu, each of one platform
 
-Everything but the binaries is taken from the first. Where FMI 2.0 has one folder for two processors, macOS gets a
-universal file; elsewhere the folder means x86-64 and the other is left out.
+Everything but the binaries is taken from the first. Where FMI 2.0 has one folder for two processors, macOS
+gets a universal file; elsewhere the folder means x86-64 and the other is left out.
 """
 
 import argparse
@@ -13,6 +13,7 @@ import struct
 import zipfile
 
 FILES = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
+LIBRARIES = (".so", ".dll", ".dylib")
 X86_64 = "x86_64"
 MACH_O_64 = 0xFEEDFACF
 UNIVERSAL = 0xCAFEBABE
@@ -38,9 +39,9 @@ def universal(slices):
 
 
 def binaries(unit):
-    """The binaries of a unit by their name in it."""
+    """The libraries of a unit by their name in it, without what linkers put beside them."""
     with zipfile.ZipFile(unit) as file:
-        names = [n for n in file.namelist() if n.startswith("binaries/") and not n.endswith("/")]
+        names = [n for n in file.namelist() if n.startswith("binaries/") and n.endswith(LIBRARIES)]
         return {name: file.read(name) for name in names}
 
 
@@ -68,9 +69,10 @@ def collect(builds, file):
 
 def merge(builds, target, file):
     """Write the merged unit."""
-    with zipfile.ZipFile(builds[0] / file) as first, zipfile.ZipFile(
-        target / file, "w", zipfile.ZIP_DEFLATED
-    ) as merged:
+    with (
+        zipfile.ZipFile(builds[0] / file) as first,
+        zipfile.ZipFile(target / file, "w", zipfile.ZIP_DEFLATED) as merged,
+    ):
         for entry in first.infolist():
             if not entry.filename.startswith("binaries/"):
                 merged.writestr(entry, first.read(entry), zipfile.ZIP_DEFLATED)

@@ -65,7 +65,7 @@ make_environment() {
         "$python" -c 'import tomllib
 project = tomllib.load(open("pyproject.toml", "rb"))
 wanted = project["build-system"]["requires"] + project["project"]["dependencies"]
-for extra in ("test", "importers"):
+for extra in ("test", "importers", "platforms"):
     wanted += project["project"]["optional-dependencies"][extra]
 print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-version-check -r /dev/stdin
         printf '%s\n' "$wanted" >.venv/installed
@@ -90,4 +90,12 @@ build_platforms() {
         units+=("build/platforms/$platform/fmu_src")
     done
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
+}
+
+# For the tests of these units: wine64 for Windows, qemu-user for Arm Linux. Where they cannot be had, those tests are
+# skipped, and say so.
+prepare_platforms() {
+    (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
+        say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
+    build_platforms
 }

@@ -77,7 +77,8 @@ static bool advance(run *run) {
             before = middle;
         }
     }
-    integrate(run, after, run->states);
+    integrate(run, after, end);
+    memcpy(run->states, end, sizeof end);
     run->time += after;
     if (event) {
         run->calls->take_events(run->instance);
