@@ -99,3 +99,24 @@ prepare_platforms() {
         say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
     build_platforms
 }
+
+# What is given out, in dist: source distribution, wheel, both units. The wheel's own binaries come from Zig too, for
+# the glibc that its tag names.
+GLIBC=2.17
+build_distribution() {
+    local define=(-C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig.cmake"
+        -C "cmake.define.TDMF_SLIP_TARGET=x86_64-linux-gnu.$GLIBC"
+        -C "cmake.define.Python3_EXECUTABLE=$PWD/.venv/bin/python"
+        -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms"
+        -C build-dir=build/platforms/wheel)
+    say "Building source distribution and wheel into dist"
+    rm -rf dist
+    { .venv/bin/python -m build --sdist --no-isolation -o dist . &&
+        .venv/bin/python -m build --wheel --no-isolation -o dist "${define[@]}" . &&
+        .venv/bin/python -m wheel tags --remove --platform-tag "manylinux_${GLIBC/./_}_x86_64" dist/*.whl; } \
+        >build/distribution.log 2>&1 || {
+        tail -n 40 build/distribution.log >&2
+        fail "the distribution could not be built"
+    }
+    cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
+}

@@ -1,4 +1,4 @@
-"""The units with every platform's binaries (build/platforms, made by ./scripts/platforms).
+"""The units with every platform's binaries (build/platforms, made by ./scripts/release).
 
 Windows runs under wine, Arm Linux under qemu, by a small importer in C (tests/platforms), and has to see what
 Linux sees; the files for macOS and Arm Windows are read.
@@ -40,7 +40,7 @@ ARM_LIBRARIES = pathlib.Path("/usr/aarch64-linux-gnu")
 
 pytestmark = pytest.mark.skipif(
     not all(unit.is_file() for unit in UNITS.values()),
-    reason="NOT TESTED: units for every platform; ./scripts/platforms makes them",
+    reason="NOT TESTED: units for every platform; ./scripts/release makes them",
 )
 
 
