@@ -83,7 +83,7 @@ build_platforms() {
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
     for platform in "${PLATFORMS[@]}"; do
         { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
-            cmake --build "build/platforms/$platform"; } >>"$log" 2>&1 || {
+            cmake --build "build/platforms/$platform" --target fmi2_unit fmi3_unit importer; } >>"$log" 2>&1 || {
             tail -n 40 "$log" >&2
             fail "the units could not be built for $platform"
         }
