@@ -122,7 +122,7 @@ void unit_observe(unit *unit) {
     tdmf_observe(&unit->model, &unit->inputs, unit->motion.state, &unit->motion.mode, &unit->motion.record);
 }
 
-/* Whether there was one. */
+/* True if there was one. */
 static bool take_pending_event(unit *unit) {
     const bool was_pending = unit->event_is_pending;
     if (was_pending) {
@@ -208,7 +208,6 @@ static void stand_before_event(unit *unit, double event_time, const unit_mark *s
 }
 
 const char *unit_advance_to_event(unit *unit, double until) {
-    take_pending_event(unit);
     unit_update(unit); /* an input may have jumped, which is no event of this step */
     const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
     struct unit ahead = *unit;

@@ -65,7 +65,7 @@ make_environment() {
         "$python" -c 'import tomllib
 project = tomllib.load(open("pyproject.toml", "rb"))
 wanted = project["build-system"]["requires"] + project["project"]["dependencies"]
-for extra in ("test", "importers", "platforms"):
+for extra in ("test", "importers"):
     wanted += project["project"]["optional-dependencies"][extra]
 print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-version-check -r /dev/stdin
         printf '%s\n' "$wanted" >.venv/installed
@@ -80,6 +80,9 @@ build_platforms() {
     local platform units=() log=build/platforms/build.log
     mkdir -p build/platforms
     : >"$log"
+    .venv/bin/python -c 'import tomllib
+print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]["platforms"]))' |
+        .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
     for platform in "${PLATFORMS[@]}"; do
         { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
