@@ -74,15 +74,19 @@ print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-versi
     "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall .
 }
 
+# Zig, and what reads and packs its results.
+get_zig() {
+    .venv/bin/python -c 'import tomllib
+print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]["platforms"]))' |
+        .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
+}
+
 # The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file.
 PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
 build_platforms() {
     local platform units=() log=build/platforms/build.log
     mkdir -p build/platforms
     : >"$log"
-    .venv/bin/python -c 'import tomllib
-print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]["platforms"]))' |
-        .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
     for platform in "${PLATFORMS[@]}"; do
         { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
@@ -93,14 +97,6 @@ print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-
         units+=("build/platforms/$platform/fmu_src")
     done
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
-}
-
-# For the tests of these units: wine64 for Windows, qemu-user for Arm Linux. Where they cannot be had, those tests are
-# skipped, and say so.
-prepare_platforms() {
-    (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
-        say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
-    build_platforms
 }
 
 # What is given out, in dist: source distribution, wheel, both units. The wheel's own binaries come from Zig too, for
@@ -122,4 +118,14 @@ build_distribution() {
         fail "the distribution could not be built"
     }
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
+}
+
+# Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are
+# skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
+prepare_release() {
+    (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
+        say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
+    get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 0; }
+    build_platforms
+    build_distribution
 }
