@@ -8,6 +8,12 @@
 #include <math.h>
 #include <string.h>
 
+/* Where events are counted from. */
+typedef struct {
+    int event_count;
+    bool fallen;
+} unit_mark;
+
 /* Far beyond any motion, and far enough from overflow for every product of the equations. */
 static const double largest_trial = 1e60;
 
@@ -45,6 +51,7 @@ void unit_look(const unit *unit, unit_view *view) {
     tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, view->derivatives);
     view->outputs = tdmf_outputs_of(&unit->model, &unit->inputs, &unit->motion.mode, &unit->motion.record,
                                     unit->motion.state);
+    unit_event_indicators(unit, view->guards);
     view->work.solver.steps = as_integer(unit->solver.steps);
     view->work.solver.evaluations = as_integer(unit->solver.evaluations);
 }
@@ -115,9 +122,23 @@ void unit_observe(unit *unit) {
     tdmf_observe(&unit->model, &unit->inputs, unit->motion.state, &unit->motion.mode, &unit->motion.record);
 }
 
+/* True if there was one. */
+static bool take_pending_event(unit *unit) {
+    const bool was_pending = unit->event_is_pending;
+    if (was_pending) {
+        unit->motion = unit->after_event;
+        unit->event_is_pending = false;
+    }
+    return was_pending;
+}
+
 tdmf_resolution unit_update(unit *unit) {
-    return tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time, unit->motion.state,
-                        &unit->motion.mode, &unit->motion.record);
+    const bool was_pending = take_pending_event(unit);
+    tdmf_resolution resolution = tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time,
+                                              unit->motion.state, &unit->motion.mode, &unit->motion.record);
+    resolution.state_changed |= was_pending;
+    resolution.mode_changed |= was_pending;
+    return resolution;
 }
 
 const char *unit_settings_obstacle(const unit *unit) {
@@ -127,16 +148,80 @@ const char *unit_settings_obstacle(const unit *unit) {
     return NULL;
 }
 
-const char *unit_advance(unit *unit, double until) {
+static tdmf_outcome advance(unit *unit, double until) {
     const double start = unit->motion.time;
     const bool by_cvode = unit->settings.solver.method == SOLVER_CVODE;
     const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
         &unit->solver, &unit->model, &unit->inputs, &unit->input_rates, until, &unit->motion);
+    unit->inputs = tdmf_inputs_after(&unit->inputs, &unit->input_rates, unit->motion.time - start);
+    return outcome;
+}
+
+/* What remains to be done where a run has got to. */
+static const char *conclude(unit *unit, tdmf_outcome outcome, double until) {
     if (outcome == TDMF_FELL) {
+        unit->inputs = tdmf_inputs_after(&unit->inputs, &unit->input_rates, until - unit->motion.time);
         unit->motion.time = until;
     }
-    unit->inputs = tdmf_inputs_after(&unit->inputs, &unit->input_rates, unit->motion.time - start);
     return outcome == TDMF_ARRIVED || outcome == TDMF_FELL ? NULL : tdmf_outcome_text(outcome);
+}
+
+const char *unit_advance(unit *unit, double until) {
+    take_pending_event(unit);
+    return conclude(unit, advance(unit, until), until);
+}
+
+/* ---- up to the first event ---------------------------------------------------------------------------- */
+
+static bool event_has_happened(const unit *unit, const unit_mark *since) {
+    return unit->motion.record.event_count != since->event_count || unit->motion.mode.fallen != since->fallen;
+}
+
+/* Advances until an event has been taken; the clamp, which is none of FMI's business, counts with the
+ * solver's events only. */
+static tdmf_outcome advance_through_event(unit *unit, double until, const unit_mark *since) {
+    const long limit = unit->solver.event_limit;
+    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    unit->solver.event_limit = 1;
+    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS && !event_has_happened(unit, since); ++i) {
+        outcome = advance(unit, until);
+    }
+    unit->solver.event_limit = limit;
+    return outcome;
+}
+
+/* Leaves `unit`, which is at the start, where an event is about to happen. Integrating up to the event's very
+ * time might take it, so the last bit before it is left out: some rounding errors, or what it takes. */
+static void stand_before_event(unit *unit, double event_time, const unit_mark *since) {
+    const struct unit start = *unit;
+    double gap = 1e-13 * fmax(fabs(event_time), unit->model.scales.time);
+    while (start.motion.time < event_time - gap) {
+        advance(unit, event_time - gap);
+        if (!event_has_happened(unit, since)) {
+            break;
+        }
+        unit->motion = start.motion;
+        unit->inputs = start.inputs;
+        gap *= 8.0;
+    }
+    unit->motion.time = event_time;
+}
+
+const char *unit_advance_to_event(unit *unit, double until) {
+    unit_update(unit); /* an input may have jumped, which is no event of this step */
+    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    struct unit ahead = *unit;
+    const tdmf_outcome outcome = advance_through_event(&ahead, until, &mark);
+    if (!event_has_happened(&ahead, &mark)) {
+        *unit = ahead;
+        return conclude(unit, outcome, until);
+    }
+    unit->solver = ahead.solver;
+    stand_before_event(unit, ahead.motion.time, &mark);
+    unit->inputs = ahead.inputs;
+    unit->after_event = ahead.motion;
+    unit->event_is_pending = true;
+    return NULL;
 }
 
 int unit_first_difference(const unit *a, const unit *b) {

@@ -27,6 +27,8 @@ typedef struct unit {
     tdmf_model model;
     tdmf_motion motion;
     tdmf_solver solver;
+    bool event_is_pending; /* Co-Simulation with event mode: the motion stands at an event, not yet taken */
+    tdmf_motion after_event;
 } unit;
 
 /* What the solver of Co-Simulation has done; stops counting at the largest Integer. */
@@ -42,6 +44,7 @@ typedef struct {
     tdmf_outputs outputs;
     unit_work work;
     double derivatives[TDMF_STATE_COUNT];
+    double guards[TDMF_GUARD_COUNT];
 } unit_view;
 
 /* Back to the start values of modelDescription.xml, at time 0. */
@@ -71,12 +74,16 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
 /* To be called before an input may jump. */
 void unit_observe(unit *unit);
 
-/* Resolves whatever is due at unit->motion.time. */
+/* Takes a pending event and resolves whatever else is due at unit->motion.time. */
 tdmf_resolution unit_update(unit *unit);
 
 /* Co-Simulation: moves the run on to `until` by the solver chosen. A run that fell stays readable, frozen.
  * Returns NULL, or why it got no farther than unit->motion.time. */
 const char *unit_advance(unit *unit, double until);
+
+/* The same, but stops at the first event on the way (a change of contact mode, hip phase or stride count, an
+ * impact, a fall): at its exact time, before it is taken, with unit->event_is_pending. */
+const char *unit_advance_to_event(unit *unit, double until);
 
 /* Why the settings cannot be met by this build, or NULL. */
 const char *unit_settings_obstacle(const unit *unit);

@@ -17,6 +17,8 @@ static const void *storage_of(const unit *unit, const unit_view *view, unit_stor
         return unit->motion.state;
     case STORED_DERIVATIVE:
         return view->derivatives;
+    case STORED_GUARD:
+        return view->guards;
     case STORED_WORK:
         return &view->work;
     default:
@@ -24,9 +26,10 @@ static const void *storage_of(const unit *unit, const unit_view *view, unit_stor
     }
 }
 
-/* State vectors are indexed by element, structs by byte. */
+/* Vectors are indexed by element, structs by byte. */
 static size_t byte_offset(const unit_variable *variable) {
-    const bool indexed = variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE;
+    const bool indexed = variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
+                         variable->storage == STORED_GUARD;
     return indexed ? variable->place * sizeof(double) : variable->place;
 }
 

@@ -8,7 +8,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef enum { VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_BOOLEAN, VARIABLE_STRING } unit_variable_type;
+/* A set of them says what a call takes. */
+typedef enum {
+    VARIABLE_REAL = 1 << 0,
+    VARIABLE_INTEGER = 1 << 1,
+    VARIABLE_ENUMERATION = 1 << 2,
+    VARIABLE_BOOLEAN = 1 << 3,
+    VARIABLE_STRING = 1 << 4
+} unit_variable_type;
 
 typedef enum {
     STORED_TIME,
@@ -18,6 +25,7 @@ typedef enum {
     STORED_STATE,      /* index in the state vector */
     STORED_DERIVATIVE, /* index in the state vector */
     STORED_OUTPUT,     /* offset in tdmf_outputs */
+    STORED_GUARD,      /* tdmf_guard */
     STORED_WORK        /* offset in unit_work */
 } unit_storage;
 

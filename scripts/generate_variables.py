@@ -3,8 +3,12 @@
 
     generate_variables.py ranges      SOURCE OUTPUT     C: ranges and starts for the core
     generate_variables.py variables   SOURCE OUTPUT     C: value references and storage for the unit
-    generate_variables.py description SOURCE OUTPUT --version V     the description inside the FMU
-    generate_variables.py guid        SOURCE OUTPUT --version V     C: the same description's guid
+    generate_variables.py guid        SOURCE OUTPUT --version V     C: the units' guid
+    generate_variables.py fmi2        SOURCE OUTPUT --version V --sources F...
+                                                                    the description inside the FMI 2.0 unit
+    generate_variables.py fmi3        SOURCE OUTPUT --version V     the description inside the FMI 3.0 unit
+    generate_variables.py build       SOURCE OUTPUT --sources F...  FMI 3.0: how its sources are compiled
+    generate_variables.py terminals   SOURCE OUTPUT                 FMI 3.0: icon and terminals
 
 Needs nothing but Python's standard library, because the C build runs it.
 """
@@ -19,6 +23,8 @@ import xml.etree.ElementTree as ElementTree
 UNIT_GROUPS = {"status", "solver"}
 # C's enumerators of the enumerations' items.
 ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_", "solver.method": "SOLVER_"}
+GUARDS = "guard"
+"""The group of the event indicators."""
 
 
 class Variable:
@@ -46,7 +52,7 @@ class Variable:
 
     @property
     def constant(self):
-        """The C enumerator of a state: foot.x -> TDMF_FOOT_X."""
+        """The C enumerator of a state or a guard: foot.x -> TDMF_FOOT_X."""
         return "TDMF_" + self.name.upper().replace(".", "_")
 
     def limit(self, which):
@@ -76,6 +82,7 @@ class Table:
             raise SystemExit(f"{source}: a variable name occurs twice")
         self.derivatives = [v for v in self.variables if v.derivative]
         self.states = [self.find(v.derivative, v.name) for v in self.derivatives]
+        self.guards = [v for v in self.variables if v.group == GUARDS]
 
     def find(self, name, wanted_by):
         """The variable of that name, or a clear end."""
@@ -148,6 +155,8 @@ def storage(variable, table):
         return "DERIVATIVE", table.by_name[variable.derivative].constant
     if variable in table.states:
         return "STATE", variable.constant
+    if variable in table.guards:
+        return "GUARD", variable.constant
     if variable.causality == "parameter":
         if variable.group in UNIT_GROUPS:
             return "SETTING", f"offsetof(unit_settings, {variable.name})"
@@ -163,7 +172,6 @@ def variable_row(variable, table):
     """A row of `unit_variable`."""
     kind, place = storage(variable, table)
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
-    kind_of_value = "INTEGER" if variable.type == "Enumeration" else variable.type.upper()
     settable_before_start = (
         "true" if variable.initial == "exact" or variable.causality == "input" else "false"
     )
@@ -171,7 +179,7 @@ def variable_row(variable, table):
     if variable.type in ("Boolean", "String"):
         limits = f"0, 1, {variable.start}"
     return (
-        f'    {{"{variable.name}", {unit}, VARIABLE_{kind_of_value}, STORED_{kind}, {place}, '
+        f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {place}, '
         f"{settable_before_start}, {limits}}},"
     )
 
@@ -184,13 +192,11 @@ def agreement(claim, what):
 def agreements(table):
     """What XML and C both state, as compile-time checks."""
     lines = [
-        agreement(
-            f"TDMF_GUARD_COUNT == {table.root.get('numberOfEventIndicators')}", "number_of_event_indicators"
-        ),
+        agreement(f"TDMF_GUARD_COUNT == {len(table.guards)}", "number_of_event_indicators"),
         agreement(f"TDMF_STATE_COUNT == {len(table.states)}", "number_of_states"),
     ]
-    for i, state in enumerate(table.states):
-        lines.append(agreement(f"{state.constant} == {i}", state.constant))
+    for group in (table.states, table.guards):
+        lines += [agreement(f"{v.constant} == {i}", v.constant) for i, v in enumerate(group)]
     for variable in table.variables:
         for item in variable.items:
             constant = ENUMERATORS[variable.name] + item.get("name").upper()
@@ -226,22 +232,13 @@ def variables(table):
     )
 
 
-# ---- the description inside the FMU --------------------------------------------------------------------
+# ---- the descriptions inside the units -----------------------------------------------------------------
 
 
 def guid_of(source, version):
     """An identity that changes with the content and the version."""
     content = pathlib.Path(source).read_bytes() + version.encode()
     return "{" + str(uuid.UUID(hashlib.sha256(content).hexdigest()[:32])) + "}"
-
-
-def unknown(variable, table, dependencies):
-    """An Unknown of the model structure, names turned into indices."""
-    element = ElementTree.Element("Unknown", index=str(variable.value_reference + 1))
-    if dependencies is not None:
-        found = sorted(table.find(name, variable.name).value_reference + 1 for name in dependencies)
-        element.set("dependencies", " ".join(map(str, found)))
-    return element
 
 
 def known_dependencies(table):
@@ -254,39 +251,212 @@ def known_dependencies(table):
     return dependencies
 
 
-def complete_structure(table):
-    """The model structure as FMI wants it."""
+def initial_unknowns(table):
+    """What the start values determine, of those that FMI asks for."""
+    return [v for v in table.variables if v.initial == "calculated" and v not in table.guards]
+
+
+def structure(table):
+    """The model structure: (kind, variable, names of what it depends on or None where that is not said)."""
     dependencies = known_dependencies(table)
     outputs = [v for v in table.variables if v.causality == "output"]
-    initial_unknowns = [v for v in table.variables if v.initial == "calculated"]
-    structure = ElementTree.Element("ModelStructure")
-    for tag, unknowns in (("Outputs", outputs), ("Derivatives", table.derivatives)):
-        group = ElementTree.SubElement(structure, tag)
-        for variable in unknowns:
-            group.append(unknown(variable, table, dependencies.get(variable.name)))
-    group = ElementTree.SubElement(structure, "InitialUnknowns")
-    for variable in initial_unknowns:
-        group.append(unknown(variable, table, None))
-    return structure
+    rows = [("output", v, dependencies.get(v.name)) for v in outputs]
+    rows += [("derivative", v, dependencies.get(v.name)) for v in table.derivatives]
+    rows += [("initial", v, None) for v in initial_unknowns(table)]
+    return rows
 
 
-def describe(table, source, version):
-    """The modelDescription.xml inside the FMU."""
+def references(table, names, wanted_by, first):
+    """A list of variables as FMI writes it, counted from `first`."""
+    return " ".join(map(str, sorted(table.find(name, wanted_by).value_reference + first for name in names)))
+
+
+def document(root):
+    """The text of an XML file."""
+    ElementTree.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def source_files(parent, element, sources):
+    """An element for each file of `sources`."""
+    for name in sources:
+        ElementTree.SubElement(parent, element, name=name)
+
+
+# ---- FMI 2.0 -------------------------------------------------------------------------------------------
+
+
+def fmi2_structure(table):
+    """The model structure of FMI 2.0, names turned into indices."""
+    root = ElementTree.Element("ModelStructure")
+    groups = {
+        kind: ElementTree.SubElement(root, tag)
+        for kind, tag in (
+            ("output", "Outputs"),
+            ("derivative", "Derivatives"),
+            ("initial", "InitialUnknowns"),
+        )
+    }
+    for kind, variable, names in structure(table):
+        element = ElementTree.SubElement(groups[kind], "Unknown", index=str(variable.value_reference + 1))
+        if names is not None:
+            element.set("dependencies", references(table, names, variable.name, 1))
+    return root
+
+
+def fmi2(table, identity, version, sources):
+    """The modelDescription.xml inside the FMI 2.0 unit."""
     root = table.root
-    root.set("guid", guid_of(source, version))
+    root.set("guid", identity)
     root.set("version", version)
     root.set("generationTool", f"TDMF-SLIP {version}")
+    root.set("numberOfEventIndicators", str(len(table.guards)))
     for variable in table.variables:
         variable.element.set("valueReference", str(variable.value_reference))
         if variable.derivative:
             state = table.find(variable.derivative, variable.name)
             variable.value.set("derivative", str(state.value_reference + 1))
-    structure = complete_structure(table)
+    for interface in ("ModelExchange", "CoSimulation"):
+        source_files(ElementTree.SubElement(root.find(interface), "SourceFiles"), "File", sources)
+    complete = fmi2_structure(table)
     position = list(root).index(root.find("ModelStructure"))
     root.remove(root[position])
-    root.insert(position, structure)
-    ElementTree.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+    root.insert(position, complete)
+    return document(root)
+
+
+# ---- FMI 3.0 -------------------------------------------------------------------------------------------
+
+FMI3_TYPES = {"Real": "Float64", "Integer": "Int32"}
+FMI3_CAPABILITIES = {
+    "modelIdentifier": "modelIdentifier",
+    "canGetAndSetFMUstate": "canGetAndSetFMUState",
+    "canSerializeFMUstate": "canSerializeFMUState",
+    "providesDirectionalDerivative": "providesDirectionalDerivatives",
+    "canHandleVariableCommunicationStepSize": "canHandleVariableCommunicationStepSize",
+    "maxOutputDerivativeOrder": "maxOutputDerivativeOrder",
+}
+"""FMI 2.0's names and FMI 3.0's."""
+FMI3_CAPABILITIES_MORE = {
+    "ModelExchange": {"providesAdjointDerivatives": "true", "needsCompletedIntegratorStep": "false"},
+    "CoSimulation": {
+        "providesAdjointDerivatives": "true",
+        "hasEventMode": "true",
+        "mightReturnEarlyFromDoStep": "true",
+    },
+}
+FMI3_STRUCTURE = {
+    "output": "Output",
+    "derivative": "ContinuousStateDerivative",
+    "initial": "InitialUnknown",
+    "guard": "EventIndicator",
+}
+
+
+def fmi3_interface(element):
+    """ModelExchange or CoSimulation of FMI 3.0."""
+    attributes = {new: element.get(old) for old, new in FMI3_CAPABILITIES.items() if element.get(old)}
+    return ElementTree.Element(element.tag, attributes | FMI3_CAPABILITIES_MORE[element.tag])
+
+
+def fmi3_type(element):
+    """A declared type of FMI 3.0."""
+    (value,) = element
+    made = ElementTree.Element(FMI3_TYPES.get(value.tag, value.tag) + "Type", element.attrib | value.attrib)
+    made.extend(list(value))
+    return made
+
+
+def fmi3_variable(variable, table):
+    """A variable of FMI 3.0."""
+    attributes = variable.element.attrib | variable.value.attrib
+    attributes["valueReference"] = str(variable.value_reference)
+    if variable.derivative:
+        attributes["derivative"] = references(table, [variable.derivative], variable.name, 0)
+    return ElementTree.Element(FMI3_TYPES.get(variable.type, variable.type), attributes)
+
+
+def fmi3_structure(table):
+    """The model structure of FMI 3.0, names turned into value references."""
+    root = ElementTree.Element("ModelStructure")
+    for kind, variable, names in [*structure(table), *(("guard", v, None) for v in table.guards)]:
+        element = ElementTree.SubElement(
+            root, FMI3_STRUCTURE[kind], valueReference=str(variable.value_reference)
+        )
+        if names is not None:
+            element.set("dependencies", references(table, names, variable.name, 0))
+    return root
+
+
+def fmi3(table, identity, version):
+    """The modelDescription.xml inside the FMI 3.0 unit."""
+    root = ElementTree.Element("fmiModelDescription", table.root.attrib)
+    root.set("fmiVersion", "3.0")
+    root.set("instantiationToken", identity)
+    root.set("version", version)
+    root.set("generationTool", f"TDMF-SLIP {version}")
+    for interface in ("ModelExchange", "CoSimulation"):
+        root.append(fmi3_interface(table.root.find(interface)))
+    root.append(table.root.find("UnitDefinitions"))
+    types = ElementTree.SubElement(root, "TypeDefinitions")
+    types.extend(fmi3_type(element) for element in table.root.find("TypeDefinitions"))
+    root.append(table.root.find("LogCategories"))
+    root.append(table.root.find("DefaultExperiment"))
+    variables = ElementTree.SubElement(root, "ModelVariables")
+    variables.extend(fmi3_variable(variable, table) for variable in table.variables)
+    root.append(fmi3_structure(table))
+    return document(root)
+
+
+def build(table, sources):
+    """The sources/buildDescription.xml of FMI 3.0."""
+    root = ElementTree.Element("fmiBuildDescription", fmiVersion="3.0")
+    identifier = table.root.find("ModelExchange").get("modelIdentifier")
+    configuration = ElementTree.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
+    files = ElementTree.SubElement(
+        configuration, "SourceFileSet", language="C99", compilerOptions="-ffp-contract=off"
+    )
+    source_files(files, "SourceFile", sources)
+    ElementTree.SubElement(
+        configuration, "Library", name="m", external="true", description="where it is not in the C library"
+    )
+    return document(root)
+
+
+TERMINALS = {
+    "ground": (
+        "Contact of foot and ground",
+        ["foot.x", "foot.y", "foot.vx", "foot.vy", "contact.fx", "contact.fy", "ground.friction"],
+    )
+}
+"""Terminals of FMI 3.0: description, and the variables in each."""
+
+
+def terminals(table):
+    """The terminalsAndIcons.xml of FMI 3.0: the icon fills a square, terminals have no graphics."""
+    root = ElementTree.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
+    corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
+    graphics = ElementTree.SubElement(root, "GraphicalRepresentation")
+    ElementTree.SubElement(graphics, "CoordinateSystem", corners | {"suggestedScalingFactorTo_mm": "0.1"})
+    ElementTree.SubElement(graphics, "Icon", corners)
+    group = ElementTree.SubElement(root, "Terminals")
+    for name, (description, members) in TERMINALS.items():
+        terminal = ElementTree.SubElement(
+            group, "Terminal", name=name, matchingRule="bus", description=description
+        )
+        for member in members:
+            variable = table.find(member, "TERMINALS").name
+            ElementTree.SubElement(
+                terminal,
+                "TerminalMemberVariable",
+                variableName=variable,
+                memberName=variable,
+                variableKind="signal",
+            )
+    return document(root)
+
+
+# ---- the guid ------------------------------------------------------------------------------------------
 
 
 def guid(source, version):
@@ -299,18 +469,24 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("what", choices=["ranges", "variables", "description", "guid"])
+    makers = {
+        "ranges": lambda: ranges(table),
+        "variables": lambda: variables(table),
+        "guid": lambda: guid(arguments.source, arguments.version),
+        "fmi2": lambda: fmi2(table, identity, arguments.version, arguments.sources),
+        "fmi3": lambda: fmi3(table, identity, arguments.version),
+        "build": lambda: build(table, arguments.sources),
+        "terminals": lambda: terminals(table),
+    }
+    parser.add_argument("what", choices=list(makers))
     parser.add_argument("source")
     parser.add_argument("output")
     parser.add_argument("--version", default="")
+    parser.add_argument("--sources", nargs="*", default=[], help="names of the unit's C files")
     arguments = parser.parse_args()
     table = Table(arguments.source)
-    text = {
-        "ranges": lambda: ranges(table),
-        "variables": lambda: variables(table),
-        "description": lambda: describe(table, arguments.source, arguments.version),
-        "guid": lambda: guid(arguments.source, arguments.version),
-    }[arguments.what]()
+    identity = guid_of(arguments.source, arguments.version)
+    text = makers[arguments.what]()
     pathlib.Path(arguments.output).write_text(text, encoding="utf-8")
 
 

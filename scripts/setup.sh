@@ -73,3 +73,59 @@ print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-versi
     say "Building the unit and installing tdmf-slip into .venv"
     "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall .
 }
+
+# Zig, and what reads and packs its results.
+get_zig() {
+    .venv/bin/python -c 'import tomllib
+print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]["platforms"]))' |
+        .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
+}
+
+# The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file.
+PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
+build_platforms() {
+    local platform units=() log=build/platforms/build.log
+    mkdir -p build/platforms
+    : >"$log"
+    say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
+    for platform in "${PLATFORMS[@]}"; do
+        { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
+            cmake --build "build/platforms/$platform" --target fmi2_unit fmi3_unit importer; } >>"$log" 2>&1 || {
+            tail -n 40 "$log" >&2
+            fail "the units could not be built for $platform"
+        }
+        units+=("build/platforms/$platform/fmu_src")
+    done
+    .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
+}
+
+# What is given out, in dist: source distribution, wheel, both units. The wheel's own binaries come from Zig too, for
+# the glibc that its tag names.
+GLIBC=2.17
+build_distribution() {
+    local define=(-C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig.cmake"
+        -C "cmake.define.TDMF_SLIP_TARGET=x86_64-linux-gnu.$GLIBC"
+        -C "cmake.define.Python3_EXECUTABLE=$PWD/.venv/bin/python"
+        -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms"
+        -C build-dir=build/platforms/wheel)
+    say "Building source distribution and wheel into dist"
+    rm -rf dist
+    { .venv/bin/python -m build --sdist --no-isolation -o dist . &&
+        .venv/bin/python -m build --wheel --no-isolation -o dist "${define[@]}" . &&
+        .venv/bin/python -m wheel tags --remove --platform-tag "manylinux_${GLIBC/./_}_x86_64" dist/*.whl; } \
+        >build/distribution.log 2>&1 || {
+        tail -n 40 build/distribution.log >&2
+        fail "the distribution could not be built"
+    }
+    cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
+}
+
+# Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are
+# skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
+prepare_release() {
+    (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
+        say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
+    get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 0; }
+    build_platforms
+    build_distribution
+}

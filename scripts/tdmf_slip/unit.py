@@ -20,25 +20,33 @@ from fmpy.model_description import ModelDescription, ModelVariable
 from .errors import InputError, RunError
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
+FILES = {2: "TDMF_SLIP.fmu", 3: "TDMF_SLIP_FMI3.fmu"}
+"""The units by FMI version. Inside, both are called TDMF_SLIP; the files lie side by side."""
 INTERFACES = {"me": "ModelExchange", "cs": "CoSimulation"}
 
 
-def fmu_path() -> Path:
-    """Path of TDMF_SLIP.fmu: that of the environment variable TDMF_SLIP_FMU, else the one in this package.
+def fmu_path(fmi: int = 2) -> Path:
+    """Path of the unit for an FMI version: TDMF_SLIP.fmu (2) or TDMF_SLIP_FMI3.fmu (3).
+
+    The environment variable TDMF_SLIP_FMU gives the path of the former, the latter lies beside it; without
+    it, both are in this package.
 
     Raises:
-        InputError: there is no such file.
+        InputError: there is no such file, or no unit for that version.
     """
+    if fmi not in FILES:
+        raise InputError(f"fmi = {fmi} is not allowed; allowed: {', '.join(map(str, FILES))}")
     override = os.environ.get(PATH_VARIABLE)
-    path = Path(override) if override else Path(__file__).parent / "TDMF_SLIP.fmu"
+    path = Path(override) if override else Path(__file__).parent / FILES[2]
+    path = path if fmi == 2 else path.with_name(FILES[fmi])
     if path.is_file():
         return path
     if override:
         raise InputError(
-            f"{PATH_VARIABLE}: {override!r} is not a file; it has to be the path of TDMF_SLIP.fmu"
+            f"{PATH_VARIABLE}: {str(path)!r} is not a file; the variable has to be the path of {FILES[2]}"
         )
     raise InputError(
-        f"TDMF_SLIP.fmu is missing beside the package ({path}); install the package with pip, "
+        f"{path.name} is missing beside the package ({path}); install the package with pip, "
         f"or set {PATH_VARIABLE} to the unit that CMake built"
     )
 

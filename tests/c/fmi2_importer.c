@@ -1,7 +1,6 @@
 #include "fmi2_importer.h"
 
 #include "guid.h"
-#include "variables.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,27 +11,17 @@
 
 #include <cmocka.h>
 
-int message_count;
-char last_message[1024];
-char last_category[64];
-
-void forget_messages(void) {
-    message_count = 0;
-    last_message[0] = '\0';
-    last_category[0] = '\0';
-}
-
 static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status status,
                    fmi2String category, fmi2String message, ...) {
     (void)environment;
     (void)instance;
     (void)status;
+    char text[1024];
     va_list arguments;
     va_start(arguments, message);
-    vsnprintf(last_message, sizeof last_message, message, arguments);
+    vsnprintf(text, sizeof text, message, arguments);
     va_end(arguments);
-    snprintf(last_category, sizeof last_category, "%s", category);
-    ++message_count;
+    note_message(category, text);
 }
 
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
@@ -51,16 +40,6 @@ fmi2Component new_instance(void) {
 
 fmi2Component new_slave(void) {
     return new_of_type(fmi2CoSimulation);
-}
-
-fmi2ValueReference reference_of(const char *name) {
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (strcmp(unit_variables[i].name, name) == 0) {
-            return (fmi2ValueReference)i;
-        }
-    }
-    fail_msg("there is no variable %s", name);
-    return 0;
 }
 
 fmi2Status set_real(fmi2Component component, const char *name, double value) {

@@ -4,22 +4,15 @@
 
 #include "fmi2Functions.h"
 
-#include <stdbool.h>
+#include "messages.h"
 
-/* Messages of the unit since the last forget_messages. */
-extern int message_count;
-extern char last_message[1024];
-extern char last_category[64];
-void forget_messages(void);
+#include <stdbool.h>
 
 extern const fmi2CallbackFunctions importer_callbacks;
 
 /* A fresh instance for Model Exchange or Co-Simulation, event logging off; asserts that there is one. */
 fmi2Component new_instance(void);
 fmi2Component new_slave(void);
-
-/* Value reference of a variable; asserts that it exists. */
-fmi2ValueReference reference_of(const char *name);
 
 fmi2Status set_real(fmi2Component component, const char *name, double value);
 double get_real(fmi2Component component, const char *name);

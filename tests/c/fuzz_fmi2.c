@@ -6,18 +6,10 @@
  * Prints its seed, so that a failure can be had again. */
 #include "fmi2_importer.h"
 
-#include "guid.h"
-#include "random.h"
-#include "variables.h"
+#include "fuzz.h"
 
-#include <float.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-enum { CALLS_PER_INSTANCE = 200, SLOWEST_CALL = 60 /* s, under the sanitizers */ };
 
 typedef struct {
     random_source *source;
@@ -27,53 +19,18 @@ typedef struct {
     fmi2FMUstate saved; /* of this instance or an earlier one */
     fmi2Byte bytes[8192];
     size_t size;
+    long steps;
 } subject;
-
-static long steps_done;
-
-static void die(const char *what) {
-    fprintf(stderr, "fuzz_fmi2: %s; last message: %s\n", what, last_message);
-    abort();
-}
-
-static size_t pick(random_source *source, size_t count) {
-    return (size_t)random_uniform(source, 0.0, (double)count) % count;
-}
-
-static double random_value(random_source *source) {
-    static const double special[] = {0.0,  -0.0, 1.0,     -1.0,    1e-300,   -1e-300,  5e-324,
-                                     1e12, 1e60, DBL_MAX, DBL_MIN, -DBL_MAX, INFINITY, NAN};
-    if (random_chance(source, 0.3)) {
-        return special[pick(source, sizeof special / sizeof special[0])];
-    }
-    return random_uniform(source, -1.0, 1.0) * random_magnitude(source, 1e-6, 1e6);
-}
-
-/* A value near the variable's own start: these instances run. */
-static double tame_value(random_source *source, const unit_variable *variable) {
-    return variable->start * random_uniform(source, 0.7, 1.4);
-}
-
-static fmi2ValueReference random_reference(random_source *source) {
-    return (fmi2ValueReference)pick(source, unit_variable_count + 2);
-}
-
-static void expect_numbers(fmi2Status status, const double *values, size_t count) {
-    for (size_t i = 0; i < count && status == fmi2OK; ++i) {
-        if (isnan(values[i])) {
-            die("NaN with fmi2OK");
-        }
-    }
-}
 
 /* ---- one call each ------------------------------------------------------------------------------------ */
 
-static void get_any(subject *on) {
+static void get_any(void *self) {
+    subject *on = self;
     const fmi2ValueReference reference = on->careful ? reference_of("com.y") : random_reference(on->source);
     double real = 0.0;
     int integer = 0;
     const char *text = "";
-    expect_numbers(fmi2GetReal(on->component, &reference, 1, &real), &real, 1);
+    expect_numbers((int)fmi2GetReal(on->component, &reference, 1, &real), &real, 1);
     if (on->careful) {
         return;
     }
@@ -84,17 +41,19 @@ static void get_any(subject *on) {
     }
 }
 
-static void get_all(subject *on) {
+static void get_all(void *self) {
+    subject *on = self;
     for (size_t i = 0; i < unit_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
         double real = 0.0;
         if (unit_variables[i].type == VARIABLE_REAL) {
-            expect_numbers(fmi2GetReal(on->component, &reference, 1, &real), &real, 1);
+            expect_numbers((int)fmi2GetReal(on->component, &reference, 1, &real), &real, 1);
         }
     }
 }
 
-static void set_any(subject *on) {
+static void set_any(void *self) {
+    subject *on = self;
     const fmi2ValueReference reference =
         on->careful ? reference_of(random_chance(on->source, 0.5) ? "ground.friction" : "hip.external_torque")
                     : random_reference(on->source);
@@ -113,7 +72,8 @@ static void set_any(subject *on) {
     }
 }
 
-static void change_mode(subject *on) {
+static void change_mode(void *self) {
+    subject *on = self;
     fmi2EventInfo info;
     fmi2Boolean enter, stop;
     switch (on->careful ? 9 : pick(on->source, 9)) {
@@ -164,7 +124,8 @@ static void set_before_start(subject *on) {
     }
 }
 
-static void start_over(subject *on) {
+static void start_over(void *self) {
+    subject *on = self;
     fmi2EventInfo info;
     fmi2Reset(on->component);
     set_before_start(on);
@@ -176,7 +137,8 @@ static void start_over(subject *on) {
     }
 }
 
-static void evaluate(subject *on) {
+static void evaluate(void *self) {
+    subject *on = self;
     if (on->careful && on->type != fmi2ModelExchange) {
         return;
     }
@@ -184,15 +146,18 @@ static void evaluate(subject *on) {
     tdmf_default_state(states);
     states[pick(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
     fmi2SetContinuousStates(on->component, states, TDMF_STATE_COUNT);
-    expect_numbers(fmi2GetContinuousStates(on->component, values, TDMF_STATE_COUNT), values,
+    expect_numbers((int)fmi2GetContinuousStates(on->component, values, TDMF_STATE_COUNT), values,
                    TDMF_STATE_COUNT);
-    expect_numbers(fmi2GetDerivatives(on->component, values, TDMF_STATE_COUNT), values, TDMF_STATE_COUNT);
-    expect_numbers(fmi2GetEventIndicators(on->component, values, TDMF_GUARD_COUNT), values, TDMF_GUARD_COUNT);
-    expect_numbers(fmi2GetNominalsOfContinuousStates(on->component, values, TDMF_STATE_COUNT), values,
+    expect_numbers((int)fmi2GetDerivatives(on->component, values, TDMF_STATE_COUNT), values,
+                   TDMF_STATE_COUNT);
+    expect_numbers((int)fmi2GetEventIndicators(on->component, values, TDMF_GUARD_COUNT), values,
+                   TDMF_GUARD_COUNT);
+    expect_numbers((int)fmi2GetNominalsOfContinuousStates(on->component, values, TDMF_STATE_COUNT), values,
                    TDMF_STATE_COUNT);
 }
 
-static void differentiate(subject *on) {
+static void differentiate(void *self) {
+    subject *on = self;
     const fmi2ValueReference unknown =
         on->careful ? reference_of("der(foot.vx)") : random_reference(on->source);
     const fmi2ValueReference known = on->careful ? reference_of("leg.angle") : random_reference(on->source);
@@ -201,15 +166,16 @@ static void differentiate(subject *on) {
     double value = 0.0;
     const fmi2Status status =
         fmi2GetDirectionalDerivative(on->component, &unknown, 1, &known, 1, &seed, &value);
-    expect_numbers(fabs(seed) < 1e100 ? status : fmi2Discard, &value, 1);
+    expect_numbers(fabs(seed) < 1e100 ? (int)status : (int)fmi2Discard, &value, 1);
     if (on->careful) {
         return;
     }
     fmi2SetRealInputDerivatives(on->component, &known, 1, &order, &seed);
-    expect_numbers(fmi2GetRealOutputDerivatives(on->component, &unknown, 1, &order, &value), &value, 1);
+    expect_numbers((int)fmi2GetRealOutputDerivatives(on->component, &unknown, 1, &order, &value), &value, 1);
 }
 
-static void step(subject *on) {
+static void step(void *self) {
+    subject *on = self;
     const fmi2ValueReference time_reference = reference_of("time");
     double time = 0.0;
     if ((on->careful && on->type != fmi2CoSimulation) ||
@@ -218,11 +184,12 @@ static void step(subject *on) {
     }
     const bool wild = !on->careful && random_chance(on->source, 0.1);
     const double length = wild ? random_value(on->source) : random_magnitude(on->source, 1e-6, 1e2);
-    steps_done +=
+    on->steps +=
         fmi2DoStep(on->component, wild ? random_value(on->source) : time, length, fmi2True) == fmi2OK;
 }
 
-static void save_and_restore(subject *on) {
+static void save_and_restore(void *self) {
+    subject *on = self;
     switch (pick(on->source, 5)) {
     case 0:
         fmi2GetFMUstate(on->component, &on->saved);
@@ -248,17 +215,9 @@ static void save_and_restore(subject *on) {
 
 /* ---- sequences ---------------------------------------------------------------------------------------- */
 
-static void call_something(subject *on) {
-    static void (*const calls[])(subject *) = {get_any,  get_all,       set_any, change_mode,      start_over,
-                                               evaluate, differentiate, step,    save_and_restore, step};
-    const time_t before = time(NULL);
-    calls[pick(on->source, sizeof calls / sizeof calls[0])](on);
-    if (time(NULL) - before > SLOWEST_CALL) {
-        die("a call took too long");
-    }
-}
-
-static void live_one_life(random_source *source) {
+static long live_one_life(random_source *source) {
+    static void (*const calls[])(void *) = {get_any,  get_all,       set_any, change_mode,      start_over,
+                                            evaluate, differentiate, step,    save_and_restore, step};
     subject on;
     memset(&on, 0, sizeof on);
     on.source = source;
@@ -267,23 +226,13 @@ static void live_one_life(random_source *source) {
     on.component = on.type == fmi2ModelExchange ? new_instance() : new_slave();
     start_over(&on);
     for (int i = 0; i < CALLS_PER_INSTANCE; ++i) {
-        call_something(&on);
+        call_one(source, calls, sizeof calls / sizeof calls[0], &on);
     }
     fmi2FreeFMUstate(on.component, &on.saved);
     fmi2FreeInstance(on.component);
+    return on.steps;
 }
 
 int main(int count, char **arguments) {
-    const double seconds = count > 1 ? atof(arguments[1]) : 5.0;
-    random_source source = {count > 2 ? strtoull(arguments[2], NULL, 10) : (uint64_t)time(NULL)};
-    const time_t start = time(NULL);
-    long lives = 0;
-    printf("fuzz_fmi2: seed %llu, %g s\n", (unsigned long long)source.state, seconds);
-    fflush(stdout);
-    for (; difftime(time(NULL), start) < seconds; ++lives) {
-        live_one_life(&source);
-    }
-    printf("fuzz_fmi2: %ld instances of %d calls, %ld steps of Co-Simulation, nothing found\n", lives,
-           CALLS_PER_INSTANCE, steps_done);
-    return 0;
+    return fuzz(count, arguments, "fuzz_fmi2", live_one_life);
 }

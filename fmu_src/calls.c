@@ -1,5 +1,5 @@
 /* What every FMI call checks first, and the view it reads from. */
-#include "fmi2_instance.h"
+#include "instance.h"
 
 static const char *name_of_state(call_state state) {
     switch (state) {
@@ -11,7 +11,7 @@ static const char *name_of_state(call_state state) {
         return "in event mode";
     case CONTINUOUS_TIME_MODE:
         return "in continuous-time mode";
-    case STEP_COMPLETE:
+    case STEP_MODE:
         return "between steps of Co-Simulation";
     case TERMINATED:
         return "after termination";
@@ -49,7 +49,7 @@ void forget_view(instance *instance) {
 }
 
 /* Until initialization is over, outputs are those of a run that would start from the values set so far. */
-static bool look_ahead(instance *instance, const char *call, fmi2Status *status) {
+static bool look_ahead(instance *instance, const char *call, call_status *status) {
     unit preview = instance->unit;
     const tdmf_refusal refusal = unit_start(&preview);
     if (refusal.variable != NULL) {
@@ -62,7 +62,7 @@ static bool look_ahead(instance *instance, const char *call, fmi2Status *status)
     return true;
 }
 
-const unit_view *current_view(instance *instance, const char *call, fmi2Status *status) {
+const unit_view *current_view(instance *instance, const char *call, call_status *status) {
     const bool before_start = (instance->state & BEFORE_START) != 0;
     if (!instance->view_is_current) {
         if (before_start) {
@@ -77,33 +77,31 @@ const unit_view *current_view(instance *instance, const char *call, fmi2Status *
     return &instance->view;
 }
 
-static const char *const type_names[] = {"Real", "Integer or Enumeration", "Boolean", "String"};
+static const char *name_of_type(unit_variable_type type) {
+    switch (type) {
+    case VARIABLE_REAL:
+        return "Real (Float64)";
+    case VARIABLE_INTEGER:
+        return "Integer (Int32)";
+    case VARIABLE_ENUMERATION:
+        return "Enumeration";
+    case VARIABLE_BOOLEAN:
+        return "Boolean";
+    default:
+        return "String";
+    }
+}
 
-/* The variable of a value reference and type; NULL, after failing, if there is none. */
-const unit_variable *find_variable(instance *instance, const char *call, fmi2ValueReference reference,
-                                   unit_variable_type type) {
+const unit_variable *find_variable(instance *instance, const char *call, uint32_t reference, unsigned types) {
     if (reference >= unit_variable_count) {
-        fail(instance, call, "there is no value reference %u", reference);
+        fail(instance, call, "there is no value reference %lu", (unsigned long)reference);
         return NULL;
     }
     const unit_variable *variable = &unit_variables[reference];
-    if (variable->type != type) {
-        fail(instance, call, "%s (value reference %u) is of type %s", variable->name, reference,
-             type_names[variable->type]);
+    if ((variable->type & types) == 0) {
+        fail(instance, call, "%s (value reference %lu) is of type %s", variable->name,
+             (unsigned long)reference, name_of_type(variable->type));
         return NULL;
     }
     return variable;
-}
-
-void log_changes(const instance *instance, const tdmf_mode *before) {
-    const tdmf_mode *after = &instance->unit.motion.mode;
-    if (before->contact != after->contact || before->phase != after->phase) {
-        log_message(instance, fmi2OK, LOG_EVENTS, "%s, %s -> %s, %s (event %d, stride %d)",
-                    unit_contact_mode_names[before->contact - 1], unit_hip_phase_names[before->phase - 1],
-                    unit_contact_mode_names[after->contact - 1], unit_hip_phase_names[after->phase - 1],
-                    instance->unit.motion.record.event_count, instance->unit.motion.record.stride.count);
-    }
-    if (!before->fallen && after->fallen) {
-        log_message(instance, fmi2OK, LOG_EVENTS, "the runner has fallen");
-    }
 }

@@ -1,9 +1,8 @@
-/* FMI 2.0: saved and serialized states. A saved state is a copy of the unit, which holds no pointer, behind a
+/* Saved and serialized states. A saved state is a copy of the unit, which holds no pointer, behind a
  * header that tells whether it is ours: it restores in any instance and, serialized, in any process. */
-#include "fmi2_instance.h"
 #include "guid.h"
+#include "instance.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +18,7 @@ typedef struct {
 typedef struct {
     header header;
     struct {
-        fmi2Type type;
+        interface_kind interface;
         call_state state;
         unit unit;
     } content;
@@ -40,7 +39,7 @@ static void fill(saved_state *saved, const instance *instance) {
     memcpy(saved->header.guid, UNIT_GUID, sizeof UNIT_GUID);
     saved->header.byte_order = 0x01020304;
     saved->header.size = sizeof *saved;
-    saved->content.type = instance->type;
+    saved->content.interface = instance->interface;
     saved->content.state = instance->state;
     memcpy(&saved->content.unit, &instance->unit, sizeof instance->unit);
     saved->header.checksum = checksum_of(saved);
@@ -60,11 +59,9 @@ static const char *reason_to_reject(const saved_state *saved) {
     return NULL;
 }
 
-fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    static const char call[] = "fmi2GetFMUstate";
-    instance *instance = component;
+call_status save_state(instance *instance, const char *call, void **state) {
     if (!call_is_allowed(instance, call, savable) || !array_is_given(instance, call, state, 1, 1)) {
-        return fmi2Error;
+        return CALL_ERROR;
     }
     saved_state *saved = *state != NULL ? *state : malloc(sizeof *saved);
     if (saved == NULL) {
@@ -72,22 +69,20 @@ fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
     }
     fill(saved, instance);
     *state = saved;
-    return fmi2OK;
+    return CALL_OK;
 }
 
-fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
-    static const char call[] = "fmi2SetFMUstate";
-    instance *instance = component;
+call_status restore_state(instance *instance, const char *call, const void *state) {
     const saved_state *saved = state;
     if (!call_is_allowed(instance, call, ANYWHERE)) {
-        return fmi2Error;
+        return CALL_ERROR;
     }
     if (saved == NULL) {
         return discard(instance, call, "the state is a null pointer");
     }
     const char *reason = reason_to_reject(saved);
-    if (reason == NULL && saved->content.type != instance->type) {
-        reason = "it was saved in the other interface";
+    if (reason == NULL && saved->content.interface != instance->interface) {
+        reason = "it was saved in another interface";
     }
     if (reason != NULL) {
         return discard(instance, call, "the state is refused: %s", reason);
@@ -100,50 +95,44 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
     memcpy(&instance->unit, &saved->content.unit, sizeof instance->unit);
     instance->state = saved->content.state;
     forget_view(instance);
-    return fmi2OK;
+    return CALL_OK;
 }
 
-fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    instance *instance = component;
-    if (!call_is_allowed(instance, "fmi2FreeFMUstate", ANYWHERE)) {
-        return fmi2Error;
+call_status free_state(instance *instance, const char *call, void **state) {
+    if (!call_is_allowed(instance, call, ANYWHERE)) {
+        return CALL_ERROR;
     }
     if (state != NULL) {
         free(*state);
         *state = NULL;
     }
-    return fmi2OK;
+    return CALL_OK;
 }
 
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t *size) {
-    static const char call[] = "fmi2SerializedFMUstateSize";
-    instance *instance = component;
+call_status measure_state(instance *instance, const char *call, const void *state, size_t *size) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
         !array_is_given(instance, call, size, 1, 1)) {
-        return fmi2Error;
+        return CALL_ERROR;
     }
     *size = sizeof(saved_state);
-    return fmi2OK;
+    return CALL_OK;
 }
 
-fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
-    static const char call[] = "fmi2SerializeFMUstate";
-    instance *instance = component;
+call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
+                            size_t size) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
         !array_is_given(instance, call, bytes, size, sizeof(saved_state))) {
-        return fmi2Error;
+        return CALL_ERROR;
     }
     memcpy(bytes, state, sizeof(saved_state));
-    return fmi2OK;
+    return CALL_OK;
 }
 
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size,
-                                   fmi2FMUstate *state) {
-    static const char call[] = "fmi2DeSerializeFMUstate";
-    instance *instance = component;
+call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
+                              void **state) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, bytes, 1, 1) ||
         !array_is_given(instance, call, state, 1, 1)) {
-        return fmi2Error;
+        return CALL_ERROR;
     }
     if (size != sizeof(saved_state)) {
         return discard(instance, call, "%lu bytes are no state of this unit, which has %lu",
@@ -161,5 +150,5 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes
     }
     memcpy(saved, &incoming, sizeof incoming);
     *state = saved;
-    return fmi2OK;
+    return CALL_OK;
 }

@@ -1,0 +1,130 @@
+/* Getting and setting variables. */
+#include "instance.h"
+
+static const unsigned writable = BEFORE_START | RUNNING;
+
+static bool may_begin(instance *instance, const char *call, unsigned states, const uint32_t references[],
+                      const void *values, size_t count) {
+    return call_is_allowed(instance, call, states) &&
+           array_is_given(instance, call, references, count, count) &&
+           array_is_given(instance, call, values, count, count);
+}
+
+void write_double(void *values, size_t i, double number) {
+    ((double *)values)[i] = number;
+}
+
+double read_double(const void *values, size_t i) {
+    return ((const double *)values)[i];
+}
+
+/* ---- getting ------------------------------------------------------------------------------------------ */
+
+static bool is_stored(const unit_variable *variable) {
+    return variable->storage == STORED_TIME || variable->storage == STORED_PARAMETER ||
+           variable->storage == STORED_SETTING || variable->storage == STORED_INPUT ||
+           variable->storage == STORED_STATE;
+}
+
+static call_status get_number(instance *instance, const char *call, unsigned types, uint32_t reference,
+                              double *value) {
+    const unit_variable *variable = find_variable(instance, call, reference, types);
+    if (variable == NULL) {
+        return CALL_ERROR;
+    }
+    call_status status = CALL_OK;
+    const unit_view *view = is_stored(variable) ? NULL : current_view(instance, call, &status);
+    if (status == CALL_OK) {
+        *value = unit_get_number(&instance->unit, view, variable);
+    }
+    return status;
+}
+
+call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
+                        size_t count, void *values, number_writer write) {
+    call_status status =
+        may_begin(instance, call, READABLE, references, values, count) ? CALL_OK : CALL_ERROR;
+    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
+        double value = 0.0;
+        status = get_number(instance, call, types, references[i], &value);
+        if (status == CALL_OK) {
+            write(values, i, value);
+        }
+    }
+    return status;
+}
+
+call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
+                      const char *values[]) {
+    call_status status =
+        may_begin(instance, call, READABLE, references, values, count) ? CALL_OK : CALL_ERROR;
+    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
+        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
+        const unit_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
+        if (variable == NULL) {
+            status = CALL_ERROR;
+        } else if (view != NULL) {
+            values[i] = unit_get_text(view, variable);
+        }
+    }
+    return status;
+}
+
+/* ---- setting ------------------------------------------------------------------------------------------ */
+
+static bool is_settable_now(const instance *instance, const unit_variable *variable) {
+    const bool before_start = (instance->state & BEFORE_START) != 0;
+    return variable->storage == STORED_INPUT || (before_start && variable->settable_before_start);
+}
+
+static call_status check_set(instance *instance, const char *call, unsigned types, uint32_t reference,
+                             double value) {
+    const unit_variable *variable = find_variable(instance, call, reference, types);
+    if (variable == NULL) {
+        return CALL_ERROR;
+    }
+    if (!is_settable_now(instance, variable)) {
+        return fail(instance, call, "%s cannot be set %s", variable->name,
+                    variable->settable_before_start ? "any more once the run has started" : "at any time");
+    }
+    const tdmf_refusal refusal = unit_refuse_value(variable, value);
+    if (refusal.variable != NULL) {
+        char text[256];
+        return discard(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
+    }
+    return CALL_OK;
+}
+
+static void set_number(instance *instance, uint32_t reference, double value) {
+    unit_set_number(&instance->unit, &unit_variables[reference], value);
+    if (unit_variables[reference].storage == STORED_INPUT) {
+        unit_set_number_rate(&instance->unit, &unit_variables[reference], 0.0);
+    }
+    forget_view(instance);
+}
+
+call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
+                        size_t count, const void *values, number_reader read) {
+    call_status status =
+        may_begin(instance, call, writable, references, values, count) ? CALL_OK : CALL_ERROR;
+    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
+        status = check_set(instance, call, types, references[i], read(values, i));
+    }
+    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
+        set_number(instance, references[i], read(values, i));
+    }
+    return status;
+}
+
+call_status set_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
+                      const char *const values[]) {
+    if (!may_begin(instance, call, writable, references, values, count)) {
+        return CALL_ERROR;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
+        return variable == NULL ? CALL_ERROR
+                                : fail(instance, call, "%s cannot be set at any time", variable->name);
+    }
+    return CALL_OK;
+}

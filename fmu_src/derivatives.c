@@ -1,0 +1,146 @@
+/* Exact derivatives: of state derivatives and outputs by states and inputs, and of outputs by time. */
+#include "instance.h"
+
+#include <math.h>
+#include <string.h>
+
+static const unsigned differentiable = RUNNING | TERMINATED | FAILED;
+
+static bool is_known(const unit_variable *variable) {
+    return variable->storage == STORED_STATE || variable->storage == STORED_INPUT;
+}
+
+static bool is_unknown(const unit_variable *variable) {
+    return variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
+           variable->storage == STORED_OUTPUT;
+}
+
+static const unit_variable *find_known(instance *instance, const char *call, uint32_t reference) {
+    const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+    if (variable != NULL && !is_known(variable)) {
+        fail(instance, call, "%s is neither a state nor an input", variable->name);
+        return NULL;
+    }
+    return variable;
+}
+
+static const unit_variable *find_unknown(instance *instance, const char *call, uint32_t reference) {
+    const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+    if (variable != NULL && !is_unknown(variable)) {
+        fail(instance, call, "%s is neither an output nor a state derivative", variable->name);
+        return NULL;
+    }
+    return variable;
+}
+
+static call_status check_seed(const instance *instance, const char *call, uint32_t reference, double seed) {
+    if (!isfinite(seed)) {
+        return discard(instance, call, "the seed of %s is not finite", unit_variables[reference].name);
+    }
+    return CALL_OK;
+}
+
+static bool may_begin(instance *instance, const char *call, const uint32_t unknowns[], size_t unknown_count,
+                      const uint32_t knowns[], size_t known_count) {
+    if (!call_is_allowed(instance, call, differentiable) ||
+        !array_is_given(instance, call, unknowns, unknown_count, unknown_count) ||
+        !array_is_given(instance, call, knowns, known_count, known_count)) {
+        return false;
+    }
+    for (size_t i = 0; i < known_count; ++i) {
+        if (find_known(instance, call, knowns[i]) == NULL) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < unknown_count; ++i) {
+        if (find_unknown(instance, call, unknowns[i]) == NULL) {
+            return false;
+        }
+    }
+    return true;
+}
+
+call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],
+                                   size_t unknown_count, const uint32_t knowns[], size_t known_count,
+                                   const double seeds[], double values[]) {
+    if (!may_begin(instance, call, unknowns, unknown_count, knowns, known_count) ||
+        !array_is_given(instance, call, seeds, known_count, known_count) ||
+        !array_is_given(instance, call, values, unknown_count, unknown_count)) {
+        return CALL_ERROR;
+    }
+    unit direction;
+    unit_view change;
+    memset(&direction, 0, sizeof direction);
+    for (size_t i = 0; i < known_count; ++i) {
+        const unit_variable *known = &unit_variables[knowns[i]];
+        if (check_seed(instance, call, knowns[i], seeds[i]) != CALL_OK) {
+            return CALL_DISCARD;
+        }
+        unit_set_number(&direction, known, unit_get_number(&direction, NULL, known) + seeds[i]);
+    }
+    unit_look_along(&instance->unit, &direction, &change);
+    for (size_t i = 0; i < unknown_count; ++i) {
+        values[i] = unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
+    }
+    return CALL_OK;
+}
+
+/* How the unknowns together, weighted by the seeds, change with one known. */
+static double sensitivity(const instance *instance, const uint32_t unknowns[], size_t unknown_count,
+                          uint32_t known, const double seeds[]) {
+    unit direction;
+    unit_view change;
+    double sum = 0.0;
+    memset(&direction, 0, sizeof direction);
+    unit_set_number(&direction, &unit_variables[known], 1.0);
+    unit_look_along(&instance->unit, &direction, &change);
+    for (size_t i = 0; i < unknown_count; ++i) {
+        sum += seeds[i] * unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
+    }
+    return sum;
+}
+
+call_status adjoint_derivative(instance *instance, const char *call, const uint32_t unknowns[],
+                               size_t unknown_count, const uint32_t knowns[], size_t known_count,
+                               const double seeds[], double values[]) {
+    if (!may_begin(instance, call, unknowns, unknown_count, knowns, known_count) ||
+        !array_is_given(instance, call, seeds, unknown_count, unknown_count) ||
+        !array_is_given(instance, call, values, known_count, known_count)) {
+        return CALL_ERROR;
+    }
+    for (size_t i = 0; i < unknown_count; ++i) {
+        if (check_seed(instance, call, unknowns[i], seeds[i]) != CALL_OK) {
+            return CALL_DISCARD;
+        }
+    }
+    for (size_t i = 0; i < known_count; ++i) {
+        values[i] = sensitivity(instance, unknowns, unknown_count, knowns[i], seeds);
+    }
+    return CALL_OK;
+}
+
+call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
+                               size_t count, const int orders[], double values[]) {
+    if (!call_is_allowed(instance, call, STEP_MODE | TERMINATED | FAILED) ||
+        !array_is_given(instance, call, references, count, count) ||
+        !array_is_given(instance, call, orders, count, count) ||
+        !array_is_given(instance, call, values, count, count)) {
+        return CALL_ERROR;
+    }
+    unit flow;
+    unit_view change;
+    unit_flow(&instance->unit, &flow);
+    unit_look_along(&instance->unit, &flow, &change);
+    for (size_t i = 0; i < count; ++i) {
+        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_REAL);
+        if (variable == NULL) {
+            return CALL_ERROR;
+        }
+        if (orders[i] != 1 || (variable->storage != STORED_OUTPUT && variable->storage != STORED_STATE)) {
+            return fail(instance, call, "only first derivatives of outputs are given: %s, order %d",
+                        variable->name, orders[i]);
+        }
+        values[i] = unit_get_number(&flow, &change, variable);
+    }
+    return CALL_OK;
+}

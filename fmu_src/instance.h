@@ -1,0 +1,182 @@
+/* An instance of the unit, FMI's version left out: a unit, the state of its call sequence, and the importer's
+ * logger. Every function here is a call of FMI 2.0 and 3.0 or a part of one; it is given the call's name, for
+ * its messages, and, where the versions differ, the states in which the call is allowed. */
+#ifndef TDMF_UNIT_INSTANCE_H
+#define TDMF_UNIT_INSTANCE_H
+
+#include "unit.h"
+#include "variables.h"
+
+#include <stdint.h>
+
+/* Numbered as fmi2Status and fmi3Status are. */
+typedef enum { CALL_OK, CALL_WARNING, CALL_DISCARD, CALL_ERROR } call_status;
+
+/* States of the state machines of FMI 2.0 (sections 3.2.3, 4.2.4) and 3.0 (2.3.1, 3.2, 4.2); a set of them
+ * says where a function may be called. */
+typedef enum {
+    INSTANTIATED = 1 << 0,
+    INITIALIZATION_MODE = 1 << 1,
+    EVENT_MODE = 1 << 2,
+    CONTINUOUS_TIME_MODE = 1 << 3,
+    STEP_MODE = 1 << 4, /* Co-Simulation, between steps; FMI 2.0 calls it "step complete" */
+    TERMINATED = 1 << 5,
+    FAILED = 1 << 6, /* the standard's "error" */
+    RUNNING = EVENT_MODE | CONTINUOUS_TIME_MODE | STEP_MODE,
+    BEFORE_START = INSTANTIATED | INITIALIZATION_MODE,
+    ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED,
+    READABLE = ANYWHERE & ~INSTANTIATED
+} call_state;
+
+typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE } interface_kind;
+
+/* Categories of messages, as declared in modelDescription.xml; a set of them may be switched on. */
+typedef enum {
+    LOG_EVENTS = 1 << 0,
+    LOG_STATUS_WARNING = 1 << 1,
+    LOG_STATUS_DISCARD = 1 << 2,
+    LOG_STATUS_ERROR = 1 << 3,
+    LOG_STATUS = LOG_STATUS_WARNING | LOG_STATUS_DISCARD | LOG_STATUS_ERROR,
+    LOG_ALL = LOG_STATUS | LOG_EVENTS
+} log_category;
+
+/* First member of each version's own instance, which adds the importer's callbacks. */
+typedef struct instance {
+    unit unit;
+    unit_view view;
+    bool view_is_current;
+    interface_kind interface;
+    call_state state;
+    unsigned log_categories;
+    char *name;
+    /* Passes a message to the importer, if it has a logger. */
+    void (*send)(const struct instance *instance, call_status status, const char *category, const char *text);
+} instance;
+
+/* ---- log.c -------------------------------------------------------------------------------------------- */
+
+/* Passes a message to the importer if its category is on. */
+void log_message(const instance *instance, call_status status, log_category category, const char *format,
+                 ...);
+
+/* Logs and returns CALL_ERROR, and puts the instance into the error state. */
+call_status fail(instance *instance, const char *call, const char *format, ...);
+
+/* Logs and returns CALL_DISCARD: the call changed nothing and the run goes on. */
+call_status discard(const instance *instance, const char *call, const char *format, ...);
+
+/* Switches categories by name; without names, all of them. */
+call_status set_logging(instance *instance, const char *call, bool on, size_t count,
+                        const char *const names[]);
+
+/* Logs what an update has changed since `before`. */
+void log_changes(const instance *instance, const tdmf_mode *before);
+
+/* ---- calls.c ------------------------------------------------------------------------------------------ */
+
+/* Whether `call` may be made now; if not, says so and fails. A null instance is refused too. */
+bool call_is_allowed(instance *instance, const char *call, unsigned allowed_states);
+
+/* Whether an array of the right length was given; if not, says so and fails. */
+bool array_is_given(instance *instance, const char *call, const void *array, size_t count, size_t wanted);
+
+/* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
+ * the start values contradict each other. */
+const unit_view *current_view(instance *instance, const char *call, call_status *status);
+
+/* The variable of a value reference and of one of these types; NULL, after failing, if there is none. */
+const unit_variable *find_variable(instance *instance, const char *call, uint32_t reference, unsigned types);
+
+/* Something that outputs or derivatives depend on has changed. */
+void forget_view(instance *instance);
+
+/* ---- life_cycle.c ------------------------------------------------------------------------------------- */
+
+/* Why no instance can be made with this name and identification; NULL if one can. */
+const char *reason_to_refuse(const char *name, const char *identification);
+
+/* An instance of `size` bytes, all zero beyond its first member; NULL if memory is short. */
+instance *instance_new(size_t size, const char *name, interface_kind interface, bool logging);
+void instance_free(instance *instance);
+
+call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
+                           double start_time, bool stop_time_defined, double stop_time);
+call_status enter_initialization(instance *instance, const char *call);
+call_status exit_initialization(instance *instance, const char *call);
+call_status terminate(instance *instance, const char *call);
+call_status reset(instance *instance, const char *call);
+
+/* ---- access.c ----------------------------------------------------------------------------------------- */
+
+/* How the importer's arrays hold numbers: one function for each of its types. */
+typedef void (*number_writer)(void *values, size_t i, double number);
+typedef double (*number_reader)(const void *values, size_t i);
+void write_double(void *values, size_t i, double number);
+double read_double(const void *values, size_t i);
+
+call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
+                        size_t count, void *values, number_writer write);
+
+/* A set is all or nothing; it checks each variable's own range, while checks across variables wait for the
+ * end of initialization, because importers set one by one in any order. */
+call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
+                        size_t count, const void *values, number_reader read);
+
+call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
+                      const char *values[]);
+call_status set_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
+                      const char *const values[]);
+
+/* ---- derivatives.c ------------------------------------------------------------------------------------ */
+
+/* values = J seeds, and values = J^T seeds, with J the derivatives of the unknowns by the knowns. */
+call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],
+                                   size_t unknown_count, const uint32_t knowns[], size_t known_count,
+                                   const double seeds[], double values[]);
+call_status adjoint_derivative(instance *instance, const char *call, const uint32_t unknowns[],
+                               size_t unknown_count, const uint32_t knowns[], size_t known_count,
+                               const double seeds[], double values[]);
+
+/* First derivatives of outputs by time. */
+call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
+                               size_t count, const int orders[], double values[]);
+
+/* ---- saved_state.c ------------------------------------------------------------------------------------ */
+
+call_status save_state(instance *instance, const char *call, void **state);
+call_status restore_state(instance *instance, const char *call, const void *state);
+call_status free_state(instance *instance, const char *call, void **state);
+call_status measure_state(instance *instance, const char *call, const void *state, size_t *size);
+call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
+                            size_t size);
+call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
+                              void **state);
+
+/* ---- model_exchange.c --------------------------------------------------------------------------------- */
+
+call_status enter_event_mode(instance *instance, const char *call, unsigned allowed_states);
+
+typedef struct {
+    bool states_changed;
+    bool terminate;
+} discrete_update;
+call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
+
+call_status enter_continuous_time_mode(instance *instance, const char *call);
+call_status set_time(instance *instance, const char *call, double time);
+call_status set_states(instance *instance, const char *call, const double states[], size_t count);
+call_status get_states(instance *instance, const char *call, double states[], size_t count);
+call_status get_derivatives(instance *instance, const char *call, unsigned allowed_states,
+                            double derivatives[], size_t count);
+call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count);
+call_status get_nominals(instance *instance, const char *call, unsigned allowed_states, double nominals[],
+                         size_t count);
+
+/* ---- co_simulation.c ---------------------------------------------------------------------------------- */
+
+/* A step to time + step; with `stop_at_event`, to the first event if that comes before or then, which is
+ * left for an update of the discrete states to take and reported in `event`. */
+call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
+                    bool *event);
+
+#endif

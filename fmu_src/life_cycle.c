@@ -1,0 +1,109 @@
+/* An instance from its making to its end, common to all interfaces and versions. */
+#include "guid.h"
+#include "instance.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *reason_to_refuse(const char *name, const char *identification) {
+    if (name == NULL || name[0] == '\0') {
+        return "the instance needs a name";
+    }
+    if (identification == NULL || strcmp(identification, UNIT_GUID) != 0) {
+        return "the guid or instantiation token is not this unit's, " UNIT_GUID;
+    }
+    return NULL;
+}
+
+static void begin_again(instance *instance) {
+    unit_reset(&instance->unit);
+    forget_view(instance);
+    instance->state = INSTANTIATED;
+}
+
+instance *instance_new(size_t size, const char *name, interface_kind interface, bool logging) {
+    instance *made = calloc(1, size);
+    const size_t length = strlen(name) + 1;
+    char *copy = malloc(length);
+    if (made == NULL || copy == NULL) {
+        free(made);
+        free(copy);
+        return NULL;
+    }
+    memcpy(copy, name, length);
+    made->name = copy;
+    made->interface = interface;
+    made->log_categories = logging ? LOG_ALL : LOG_STATUS;
+    begin_again(made);
+    return made;
+}
+
+void instance_free(instance *instance) {
+    if (instance != NULL) {
+        free(instance->name);
+        free(instance);
+    }
+}
+
+call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
+                           double start_time, bool stop_time_defined, double stop_time) {
+    if (!call_is_allowed(instance, call, INSTANTIATED)) {
+        return CALL_ERROR;
+    }
+    if (!isfinite(start_time)) {
+        return fail(instance, call, "the start time is not finite");
+    }
+    if (stop_time_defined && !(stop_time >= start_time)) {
+        return fail(instance, call, "the stop time lies before the start time, or is not a number");
+    }
+    if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
+        return fail(instance, call, "the tolerance is not a positive number");
+    }
+    instance->unit.motion.time = start_time;
+    instance->unit.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
+    forget_view(instance);
+    return CALL_OK;
+}
+
+call_status enter_initialization(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, INSTANTIATED)) {
+        return CALL_ERROR;
+    }
+    instance->state = INITIALIZATION_MODE;
+    return CALL_OK;
+}
+
+call_status exit_initialization(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
+        return CALL_ERROR;
+    }
+    const char *obstacle = unit_settings_obstacle(&instance->unit);
+    if (obstacle != NULL) {
+        return fail(instance, call, "%s", obstacle);
+    }
+    const tdmf_refusal refusal = unit_start(&instance->unit);
+    if (refusal.variable != NULL) {
+        char text[256];
+        return fail(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
+    }
+    forget_view(instance);
+    instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
+    return CALL_OK;
+}
+
+call_status terminate(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, RUNNING)) {
+        return CALL_ERROR;
+    }
+    instance->state = TERMINATED;
+    return CALL_OK;
+}
+
+call_status reset(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, ANYWHERE)) {
+        return CALL_ERROR;
+    }
+    begin_again(instance);
+    return CALL_OK;
+}

@@ -1,0 +1,122 @@
+/* Model Exchange: the importer integrates, the unit gives derivatives and event indicators and takes the
+ * transitions. Event mode serves Co-Simulation too, where FMI has it. */
+#include "instance.h"
+
+#include <math.h>
+#include <string.h>
+
+static const unsigned evaluable =
+    INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
+
+call_status enter_event_mode(instance *instance, const char *call, unsigned allowed_states) {
+    if (!call_is_allowed(instance, call, allowed_states)) {
+        return CALL_ERROR;
+    }
+    unit_observe(&instance->unit);
+    instance->state = EVENT_MODE;
+    return CALL_OK;
+}
+
+call_status update_discrete_states(instance *instance, const char *call, discrete_update *update) {
+    if (!call_is_allowed(instance, call, EVENT_MODE)) {
+        return CALL_ERROR;
+    }
+    unit *unit = &instance->unit;
+    const tdmf_mode before = unit->motion.mode;
+    const tdmf_resolution resolution = unit_update(unit);
+    forget_view(instance);
+    log_changes(instance, &before);
+    if (resolution.unresolved) {
+        return fail(instance, call, "the events at this instant do not come to an end");
+    }
+    update->states_changed = resolution.state_changed;
+    update->terminate = instance->interface == MODEL_EXCHANGE && unit->motion.mode.fallen &&
+                        unit->settings.status.terminate_on_fall;
+    return CALL_OK;
+}
+
+call_status enter_continuous_time_mode(instance *instance, const char *call) {
+    if (!call_is_allowed(instance, call, EVENT_MODE)) {
+        return CALL_ERROR;
+    }
+    instance->state = CONTINUOUS_TIME_MODE;
+    return CALL_OK;
+}
+
+call_status set_time(instance *instance, const char *call, double time) {
+    if (!call_is_allowed(instance, call, EVENT_MODE | CONTINUOUS_TIME_MODE)) {
+        return CALL_ERROR;
+    }
+    if (!isfinite(time)) {
+        return fail(instance, call, "the time is not finite");
+    }
+    instance->unit.motion.time = time;
+    return CALL_OK;
+}
+
+call_status set_states(instance *instance, const char *call, const double states[], size_t count) {
+    if (!call_is_allowed(instance, call, CONTINUOUS_TIME_MODE) ||
+        !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
+        return CALL_ERROR;
+    }
+    if (!unit_try_state(&instance->unit, states)) {
+        return discard(instance, call, "a state is not a number");
+    }
+    forget_view(instance);
+    return CALL_OK;
+}
+
+call_status get_states(instance *instance, const char *call, double states[], size_t count) {
+    if (!call_is_allowed(instance, call, evaluable) ||
+        !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
+        return CALL_ERROR;
+    }
+    memcpy(states, instance->unit.motion.state, sizeof instance->unit.motion.state);
+    return CALL_OK;
+}
+
+call_status get_derivatives(instance *instance, const char *call, unsigned allowed_states,
+                            double derivatives[], size_t count) {
+    if (!call_is_allowed(instance, call, allowed_states) ||
+        !array_is_given(instance, call, derivatives, count, TDMF_STATE_COUNT)) {
+        return CALL_ERROR;
+    }
+    const unit *unit = &instance->unit;
+    if (instance->state != INITIALIZATION_MODE) {
+        tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, derivatives);
+        return CALL_OK;
+    }
+    call_status status = CALL_OK;
+    const unit_view *view = current_view(instance, call, &status);
+    if (view != NULL) {
+        memcpy(derivatives, view->derivatives, sizeof view->derivatives);
+    }
+    return status;
+}
+
+call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count) {
+    if (!call_is_allowed(instance, call, evaluable) ||
+        !array_is_given(instance, call, indicators, count, TDMF_GUARD_COUNT)) {
+        return CALL_ERROR;
+    }
+    if (instance->state != INITIALIZATION_MODE) {
+        unit_event_indicators(&instance->unit, indicators);
+        return CALL_OK;
+    }
+    call_status status = CALL_OK;
+    const unit_view *view = current_view(instance, call, &status);
+    if (view != NULL) {
+        memcpy(indicators, view->guards, sizeof view->guards);
+    }
+    return status;
+}
+
+call_status get_nominals(instance *instance, const char *call, unsigned allowed_states, double nominals[],
+                         size_t count) {
+    if (!call_is_allowed(instance, call, allowed_states) ||
+        !array_is_given(instance, call, nominals, count, TDMF_STATE_COUNT)) {
+        return CALL_ERROR;
+    }
+    unit_nominals(&instance->unit, nominals);
+    return CALL_OK;
+}

@@ -1,0 +1,33 @@
+#include "messages.h"
+
+#include "compare.h"
+#include "variables.h"
+
+#include <stdio.h>
+#include <string.h>
+
+int message_count;
+char last_message[1024];
+char last_category[64];
+
+void forget_messages(void) {
+    message_count = 0;
+    last_message[0] = '\0';
+    last_category[0] = '\0';
+}
+
+void note_message(const char *category, const char *text) {
+    snprintf(last_category, sizeof last_category, "%s", category);
+    snprintf(last_message, sizeof last_message, "%s", text);
+    ++message_count;
+}
+
+uint32_t reference_of(const char *name) {
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (strcmp(unit_variables[i].name, name) == 0) {
+            return (uint32_t)i;
+        }
+    }
+    fail_msg("there is no variable %s", name);
+    return 0;
+}

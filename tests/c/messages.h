@@ -1,0 +1,19 @@
+/* What units have said to the tests' importers, and the variables they speak of. */
+#ifndef TDMF_TESTS_MESSAGES_H
+#define TDMF_TESTS_MESSAGES_H
+
+#include <stdint.h>
+
+/* Messages since the last forget_messages. */
+extern int message_count;
+extern char last_message[1024];
+extern char last_category[64];
+void forget_messages(void);
+
+/* Notes a message. */
+void note_message(const char *category, const char *text);
+
+/* Value reference of a variable; asserts that it exists. */
+uint32_t reference_of(const char *name);
+
+#endif

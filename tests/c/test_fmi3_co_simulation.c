@@ -1,0 +1,408 @@
+/* FMI 3.0 Co-Simulation: without event mode like FMI 2.0; with it, steps that end at an event, before it. */
+#include "compare.h"
+#include "fmi2_importer.h"
+#include "fmi3_importer.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double period = 24.76444922801218; /* of the default gait, as in the reference values */
+static const double touchdown = 11.90;          /* of it, roughly */
+
+enum { BYTES = 8192, EVENTS_OF_A_STRIDE = 9, MOST_EVENTS = 1000, STATES_COMPARED = 8 };
+static const char *const state_names[STATES_COMPARED] = {
+    "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
+
+static fmi3Instance stepper_in_step_mode(bool event_mode, bool early_return) {
+    fmi3Instance instance = new_stepper(event_mode, early_return);
+    initialize3(instance);
+    if (event_mode) {
+        update_answer answer;
+        assert_int_equal(update(instance, &answer), fmi3OK);
+        assert_false(answer.needs_update || answer.states_changed);
+        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    }
+    return instance;
+}
+
+static void take_event(fmi3Instance instance, update_answer *answer) {
+    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+    assert_int_equal(update(instance, answer), fmi3OK);
+    assert_false(answer->needs_update || answer->terminate);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+}
+
+/* In steps of a grid, stopping for every event; returns how many there were. */
+static int run_by_events(fmi3Instance instance, double from, double to, double step) {
+    int events = 0;
+    double time = from;
+    for (long i = 1; time < to; time = fmin(time, to)) {
+        step_answer answer;
+        update_answer after;
+        const double grid = from + (double)i * step;
+        assert_int_equal(do_step(instance, time, grid - time, &answer), fmi3OK);
+        assert_true(answer.early == (answer.time < grid) && answer.event >= answer.early);
+        time = answer.time;
+        i += answer.early ? 0 : 1;
+        events += answer.event ? 1 : 0;
+        assert_true(events < MOST_EVENTS);
+        if (answer.event) {
+            take_event(instance, &after);
+        }
+    }
+    return events;
+}
+
+/* ---- the same strides --------------------------------------------------------------------------------- */
+
+static void without_event_mode_it_is_the_fmi2_unit(void **state) {
+    fmi2Component old = new_slave();
+    fmi3Instance plain = stepper_in_step_mode(false, true), eventful = stepper_in_step_mode(true, false);
+    (void)state;
+    initialize(old);
+    for (int i = 0; i < 25; ++i) {
+        const double time = 10.0 * i;
+        step_answer answer;
+        assert_int_equal(fmi2DoStep(old, time, 10.0, fmi2True), fmi2OK);
+        assert_int_equal(do_step(plain, time, 10.0, &answer), fmi3OK);
+        assert_true(!answer.event && !answer.early && !answer.terminate && answer.time == time + 10.0);
+        assert_int_equal(do_step(eventful, time, 10.0, &answer), fmi3OK);
+        assert_true(!answer.event && !answer.early && answer.time == time + 10.0);
+    }
+    for (int i = 0; i < STATES_COMPARED; ++i) {
+        const double expected = get_real(old, state_names[i]);
+        assert_true(get_float(plain, state_names[i]) == expected);
+        assert_true(get_float(eventful, state_names[i]) == expected);
+    }
+    assert_int_equal(get_int(plain, "stride.count"), 10);
+    assert_close(get_float(plain, "stride.period"), period, 1e-8);
+    fmi2FreeInstance(old);
+    fmi3FreeInstance(plain);
+    fmi3FreeInstance(eventful);
+}
+
+static void stopping_at_every_event_changes_nothing(void **state) {
+    static const double steps[] = {0.05, 1.0, 250.0};
+    (void)state;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        fmi3Instance plain = stepper_in_step_mode(false, false), eventful = stepper_in_step_mode(true, true);
+        const long count = lround(250.0 / steps[i]);
+        for (long j = 0; j < count; ++j) {
+            step_answer answer;
+            assert_int_equal(do_step(plain, (double)j * steps[i], steps[i], &answer), fmi3OK);
+        }
+        assert_int_equal(run_by_events(eventful, 0.0, 250.0, steps[i]), get_int(plain, "event.count"));
+        assert_int_equal(get_int(eventful, "event.count"), get_int(plain, "event.count"));
+        assert_int_equal(get_int(eventful, "stride.count"), 10);
+        for (int k = 0; k < STATES_COMPARED; ++k) {
+            assert_close(get_float(eventful, state_names[k]), get_float(plain, state_names[k]), 1e-9);
+        }
+        assert_close(get_float(eventful, "stride.period"), period, 1e-8);
+        fmi3FreeInstance(plain);
+        fmi3FreeInstance(eventful);
+    }
+}
+
+/* ---- events ------------------------------------------------------------------------------------------- */
+
+static void a_step_ends_at_the_event_and_before_it(void **state) {
+    step_answer step;
+    update_answer after;
+    fmi3Instance instance = stepper_in_step_mode(true, true);
+    (void)state;
+    assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+    assert_true(step.event && step.early);
+    assert_close(step.time, touchdown, 0.01);
+    assert_true(get_float(instance, "time") == step.time);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(get_int(instance, "event.count"), 0);
+    assert_close(get_float(instance, "foot.y"), 0.0, 1e-9);
+    const double falling = get_float(instance, "foot.vy");
+    assert_true(falling < -0.1);
+
+    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(update(instance, &after), fmi3OK);
+    assert_true(after.states_changed && !after.needs_update);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_SLIP_POSITIVE);
+    assert_true(get_float(instance, "foot.vy") == 0.0);
+    assert_true(get_float(instance, "event.last_time") == step.time);
+    assert_true(get_float(instance, "energy.impact_loss") > 0.0);
+    assert_int_equal(update(instance, &after), fmi3OK);
+    assert_false(after.states_changed);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    fmi3FreeInstance(instance);
+}
+
+/* Continuous outputs are the same from both sides of an event that moves no state; an impact keeps the body.
+ */
+static void states_before_an_event_are_its_left_limit(void **state) {
+    fmi3Instance instance = stepper_in_step_mode(true, true);
+    double time = 0.0;
+    (void)state;
+    for (int i = 0; i < EVENTS_OF_A_STRIDE; ++i) {
+        step_answer step;
+        update_answer after;
+        double body[4];
+        static const char *const names[4] = {"body.x", "body.y", "body.vx", "body.vy"};
+        assert_int_equal(do_step(instance, time, 30.0, &step), fmi3OK);
+        assert_true(step.event);
+        time = step.time;
+        for (int j = 0; j < 4; ++j) {
+            body[j] = get_float(instance, names[j]);
+        }
+        take_event(instance, &after);
+        for (int j = 0; j < 4; ++j) {
+            assert_close(get_float(instance, names[j]), body[j], 1e-9);
+        }
+    }
+    assert_int_equal(get_int(instance, "stride.count"), 1);
+    assert_close(time, period, 1e-7);
+    assert_true(get_float(instance, "apex.time") == time);
+    fmi3FreeInstance(instance);
+}
+
+static void an_event_left_unhandled_is_taken_by_the_next_step(void **state) {
+    step_answer step;
+    fmi3Instance instance = stepper_in_step_mode(true, true);
+    (void)state;
+    assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+    assert_true(step.early);
+    assert_int_equal(do_step(instance, step.time, 0.01, &step), fmi3OK);
+    assert_int_equal(get_int(instance, "event.count"), 1);
+    fmi3FreeInstance(instance);
+}
+
+/* The ground turns to ice in event mode, in mid-stance, while the foot sticks: it slips at once. */
+static void inputs_jump_in_event_mode(void **state) {
+    step_answer step;
+    update_answer after;
+    fmi3Instance instance = stepper_in_step_mode(true, true);
+    double time = 0.0;
+    (void)state;
+    while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
+        assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
+        time = step.time;
+        take_event(instance, &after);
+    }
+    assert_int_equal(do_step(instance, time, 1e-3, &step), fmi3OK);
+    assert_false(step.event);
+    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+    assert_int_equal(set_float(instance, "ground.friction", 0.01), fmi3OK);
+    assert_int_equal(update(instance, &after), fmi3OK);
+    assert_int_not_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    assert_int_equal(do_step(instance, step.time, 1e-3, &step), fmi3OK);
+    fmi3FreeInstance(instance);
+}
+
+static void a_fall_is_an_event_and_then_there_are_none(void **state) {
+    step_answer step;
+    fmi3Boolean fallen = false;
+    const fmi3ValueReference reference = reference_of("status.fallen");
+    fmi3Instance instance = new_stepper(true, true);
+    (void)state;
+    assert_int_equal(set_float(instance, "foot.y", 100.0), fmi3OK);
+    initialize3(instance);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    run_by_events(instance, 0.0, 2000.0, 100.0);
+    assert_int_equal(fmi3GetBoolean(instance, &reference, 1, &fallen, 1), fmi3OK);
+    assert_true(fallen);
+    assert_int_equal(do_step(instance, 2000.0, 50.0, &step), fmi3OK);
+    assert_true(!step.event && !step.terminate && step.time == 2050.0);
+    fmi3FreeInstance(instance);
+}
+
+static void cvode_stops_at_events_too(void **state) {
+    const fmi3ValueReference method = reference_of("solver.method");
+    const fmi3Int64 cvode = SOLVER_CVODE;
+    step_answer step;
+    fmi3Instance instance = new_stepper(true, true);
+    (void)state;
+    assert_int_equal(fmi3SetInt64(instance, &method, 1, &cvode, 1), fmi3OK);
+    if (fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0) != fmi3OK ||
+        fmi3ExitInitializationMode(instance) != fmi3OK) {
+        assert_non_null(strstr(last_message, "SUNDIALS"));
+        fmi3FreeInstance(instance);
+        skip();
+    }
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    assert_int_equal(run_by_events(instance, 0.0, period + 0.01, period + 0.01), EVENTS_OF_A_STRIDE);
+    assert_close(get_float(instance, "stride.period"), period, 1e-6);
+    assert_int_equal(do_step(instance, period + 0.01, 1.0, &step), fmi3OK);
+    fmi3FreeInstance(instance);
+}
+
+/* ---- refusals ----------------------------------------------------------------------------------------- */
+
+static void steps_that_are_none_are_refused(void **state) {
+    static const double steps[] = {0.0, -1.0, NAN, INFINITY};
+    (void)state;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        step_answer step;
+        fmi3Instance instance = stepper_in_step_mode(true, true);
+        forget_messages();
+        assert_int_equal(do_step(instance, 0.0, steps[i], &step), fmi3Error);
+        assert_int_equal(message_count, 1);
+        fmi3FreeInstance(instance);
+    }
+    fmi3Instance instance = stepper_in_step_mode(false, false);
+    step_answer step;
+    assert_int_equal(do_step(instance, 0.5, 1.0, &step), fmi3Error);
+    assert_non_null(strstr(last_message, "communication point"));
+    assert_int_equal(fmi3Reset(instance), fmi3OK);
+    initialize3(instance);
+    assert_int_equal(fmi3DoStep(instance, 0.0, 1.0, true, NULL, NULL, NULL, NULL), fmi3Error);
+    assert_non_null(strstr(last_message, "null pointer"));
+    fmi3FreeInstance(instance);
+}
+
+static void stiff_parameters_end_in_a_message(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        step_answer step;
+        fmi3Instance instance = new_stepper(i == 1, i == 1);
+        assert_int_equal(set_float(instance, "leg.damping", 1e11), fmi3OK);
+        initialize3(instance);
+        if (i == 1) {
+            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+        }
+        assert_int_equal(do_step(instance, 0.0, 1e3, &step), fmi3Error);
+        assert_non_null(strstr(last_message, "stiff"));
+        fmi3FreeInstance(instance);
+    }
+}
+
+static void output_derivatives_are_slopes(void **state) {
+    static const char *names[] = {"body.y", "com.vx", "contact.fy", "hip.torque", "leg.angle"};
+    static const double delta = 1e-5;
+    step_answer step;
+    fmi3Instance instance = stepper_in_step_mode(false, false);
+    (void)state;
+    assert_int_equal(do_step(instance, 0.0, 12.0, &step), fmi3OK);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        const fmi3ValueReference reference = reference_of(names[i]);
+        const fmi3Int32 order = 1;
+        double slope = 0.0;
+        const double before = get_float(instance, names[i]);
+        assert_int_equal(do_step(instance, step.time, delta, &step), fmi3OK);
+        assert_int_equal(fmi3GetOutputDerivatives(instance, &reference, 1, &order, &slope, 1), fmi3OK);
+        assert_int_equal(do_step(instance, step.time, delta, &step), fmi3OK);
+        assert_close((get_float(instance, names[i]) - before) / (2.0 * delta), slope, 1e-7);
+    }
+    fmi3FreeInstance(instance);
+}
+
+/* ---- saved states ------------------------------------------------------------------------------------- */
+
+static size_t serialize3(fmi3Instance instance, fmi3Byte bytes[BYTES]) {
+    fmi3FMUState saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
+    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
+    assert_true(size <= BYTES);
+    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    assert_null(saved);
+    return size;
+}
+
+static fmi3Status restore3(fmi3Instance instance, const fmi3Byte bytes[BYTES], size_t size) {
+    fmi3FMUState saved = NULL;
+    fmi3Status status = fmi3DeserializeFMUState(instance, bytes, size, &saved);
+    if (status == fmi3OK) {
+        status = fmi3SetFMUState(instance, saved);
+    }
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    return status;
+}
+
+/* Saved at an event that is still to be taken, and again in event mode. */
+static void a_saved_state_holds_the_pending_event(void **state) {
+    fmi3Byte bytes[BYTES];
+    step_answer step;
+    update_answer after;
+    fmi3Instance instance = stepper_in_step_mode(true, true), other = new_stepper(true, true);
+    (void)state;
+    assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+    assert_int_equal(restore3(other, bytes, serialize3(instance, bytes)), fmi3OK);
+    take_event(instance, &after);
+    assert_int_equal(fmi3EnterEventMode(other), fmi3OK);
+    fmi3Instance third = new_stepper(true, true);
+    assert_int_equal(restore3(third, bytes, serialize3(other, bytes)), fmi3OK);
+    assert_int_equal(update(third, &after), fmi3OK);
+    assert_int_equal(fmi3EnterStepMode(third), fmi3OK);
+    run_by_events(instance, step.time, step.time + 30.0, 1.0);
+    run_by_events(third, step.time, step.time + 30.0, 1.0);
+    for (int i = 0; i < STATES_COMPARED; ++i) {
+        assert_true(get_float(instance, state_names[i]) == get_float(third, state_names[i]));
+    }
+    fmi3FreeInstance(instance);
+    fmi3FreeInstance(other);
+    fmi3FreeInstance(third);
+}
+
+static void states_of_other_interfaces_are_refused(void **state) {
+    fmi3Byte bytes[BYTES];
+    fmi3Instance with = stepper_in_step_mode(true, true), without = new_stepper(false, false);
+    fmi3Instance exchange = new_exchange();
+    (void)state;
+    const size_t size = serialize3(with, bytes);
+    assert_int_equal(restore3(without, bytes, size), fmi3Discard);
+    assert_non_null(strstr(last_message, "interface"));
+    assert_int_equal(restore3(exchange, bytes, size), fmi3Discard);
+    bytes[size - 9] = (fmi3Byte)(bytes[size - 9] ^ 1);
+    assert_int_equal(restore3(with, bytes, size), fmi3Discard);
+    assert_non_null(strstr(last_message, "changed"));
+    assert_int_equal(restore3(with, bytes, size - 1), fmi3Discard);
+    fmi3FreeInstance(with);
+    fmi3FreeInstance(without);
+    fmi3FreeInstance(exchange);
+}
+
+/* What a run has been does not depend on FMI's version. */
+static void a_state_saved_in_fmi2_goes_on_in_fmi3(void **state) {
+    fmi3Byte bytes[BYTES];
+    fmi2FMUstate saved = NULL;
+    size_t size = 0;
+    step_answer step;
+    fmi2Component old = new_slave();
+    fmi3Instance instance = new_stepper(false, false);
+    (void)state;
+    initialize(old);
+    assert_int_equal(fmi2DoStep(old, 0.0, 12.5, fmi2True), fmi2OK);
+    assert_int_equal(fmi2GetFMUstate(old, &saved), fmi2OK);
+    assert_int_equal(fmi2SerializedFMUstateSize(old, saved, &size), fmi2OK);
+    assert_int_equal(fmi2SerializeFMUstate(old, saved, (fmi2Byte *)bytes, size), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(old, &saved), fmi2OK);
+    assert_int_equal(restore3(instance, bytes, size), fmi3OK);
+    assert_int_equal(fmi2DoStep(old, 12.5, 20.0, fmi2True), fmi2OK);
+    assert_int_equal(do_step(instance, 12.5, 20.0, &step), fmi3OK);
+    for (int i = 0; i < STATES_COMPARED; ++i) {
+        assert_true(get_real(old, state_names[i]) == get_float(instance, state_names[i]));
+    }
+    fmi2FreeInstance(old);
+    fmi3FreeInstance(instance);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(without_event_mode_it_is_the_fmi2_unit),
+        cmocka_unit_test(stopping_at_every_event_changes_nothing),
+        cmocka_unit_test(a_step_ends_at_the_event_and_before_it),
+        cmocka_unit_test(states_before_an_event_are_its_left_limit),
+        cmocka_unit_test(an_event_left_unhandled_is_taken_by_the_next_step),
+        cmocka_unit_test(inputs_jump_in_event_mode),
+        cmocka_unit_test(a_fall_is_an_event_and_then_there_are_none),
+        cmocka_unit_test(cvode_stops_at_events_too),
+        cmocka_unit_test(steps_that_are_none_are_refused),
+        cmocka_unit_test(stiff_parameters_end_in_a_message),
+        cmocka_unit_test(output_derivatives_are_slopes),
+        cmocka_unit_test(a_saved_state_holds_the_pending_event),
+        cmocka_unit_test(states_of_other_interfaces_are_refused),
+        cmocka_unit_test(a_state_saved_in_fmi2_goes_on_in_fmi3),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,112 @@
+"""What is given out (dist, made by ./scripts/release): wheel and source distribution, installed and run."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sysconfig
+import tarfile
+import venv
+import zipfile
+
+import pytest
+
+lief = pytest.importorskip("lief", reason="NOT TESTED: the distribution, lief is not installed")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WHEELS = list((ROOT / "dist").glob("*.whl"))
+SOURCES = list((ROOT / "dist").glob("*.tar.gz"))
+UNITS = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
+
+pytestmark = pytest.mark.skipif(
+    not (WHEELS and SOURCES), reason="NOT TESTED: wheel and source distribution; ./scripts/release makes them"
+)
+
+
+def run(*command, **options):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture
+def environment(tmp_path):
+    """A virtual environment that sees the packages of this one, but for tdmf_slip's own installation."""
+    folder = tmp_path / "environment"
+    venv.create(folder, with_pip=False, symlinks=True)
+    (packages,) = folder.glob("lib/*/site-packages")
+    others = sysconfig.get_paths()["purelib"]
+    (packages / "others.pth").write_text(others + "\n", encoding="utf-8")
+    return folder
+
+
+def install(environment, package, *options, path=None):
+    """With nothing on the PATH but the environment itself, unless `path` says otherwise."""
+    variables = {"PATH": path or str(environment / "bin"), "HOME": str(environment)}
+    pip = [environment / "bin/python", "-m", "pip", "install", "--no-deps", "--no-build-isolation"]
+    options = [*options, "--ignore-installed", "--disable-pip-version-check", "--no-index"]
+    run(*pip, *options, package, env=variables)
+    return variables
+
+
+def assert_runs(environment, variables):
+    (package,) = environment.glob("lib/*/site-packages/tdmf_slip")
+    assert all((package / unit).is_file() for unit in UNITS)
+    command = environment / "bin/tdmf-slip"
+    run_by_unit = json.loads(run(command, "simulate", "--strides", "2", "--json", env=variables))
+    gait_by_library = json.loads(run(command, "gait", "--friction", "0.6", "--json", env=variables))
+    for stride, tolerance in ((run_by_unit["stride"], 1e-6), (gait_by_library, 1e-9)):
+        assert stride["word"] == "+0-0+"
+        assert stride["period"] == pytest.approx(24.76444922801218, rel=tolerance)
+
+
+def test_the_wheel_installs_and_runs_without_a_compiler(environment):
+    variables = install(environment, WHEELS[0])
+    for compiler in ("cc", "gcc", "clang", "cmake", "ninja"):
+        assert shutil.which(compiler, path=variables["PATH"]) is None
+    assert_runs(environment, variables)
+
+
+def test_the_source_distribution_installs_and_runs(environment):
+    """By the compiler of the machine; CVODE comes along where SUNDIALS is found."""
+    assert_runs(environment, install(environment, SOURCES[0], path=os.environ["PATH"]))
+
+
+def elf_files(wheel):
+    """Every ELF file of a wheel, in the units too."""
+    with zipfile.ZipFile(wheel) as outer:
+        for name in outer.namelist():
+            if name.endswith(".fmu"):
+                with outer.open(name) as file, zipfile.ZipFile(file) as unit:
+                    yield from (unit.read(n) for n in unit.namelist() if n.endswith(".so"))
+            elif name.endswith(".so"):
+                yield outer.read(name)
+
+
+def test_the_wheels_tag_is_true():
+    """No binary in it needs a newer glibc than the tag promises; any Python 3 will do."""
+    (wheel,) = WHEELS
+    promised = re.search(r"-py3-none-manylinux_(\d+)_(\d+)_x86_64\.whl$", wheel.name)
+    assert promised, wheel.name
+    files = [lief.ELF.parse(list(data)) for data in elf_files(wheel)]
+    assert len(files) >= 4
+    for file in files:
+        needed = [
+            tuple(map(int, version.name.removeprefix("GLIBC_").split(".")))
+            for requirement in file.symbols_version_requirement
+            for version in requirement.get_auxiliary_symbols()
+        ]
+        assert max(needed) <= tuple(map(int, promised.groups()))
+
+
+def test_the_source_distribution_is_what_git_has():
+    """Nothing of a build in it, and nothing of the sources forgotten."""
+    with tarfile.open(SOURCES[0]) as archive:
+        names = {name.split("/", 1)[1] for name in archive.getnames() if "/" in name}
+    tracked = set(run("git", "ls-files", cwd=ROOT).splitlines())
+    assert {
+        name for name in tracked if name.split("/")[0] in ("c_core", "fmu_src", "cmake", "scripts")
+    } <= names
+    assert not [name for name in names if name.startswith(("build/", "dist/", "results/", ".venv/"))]

@@ -1,0 +1,87 @@
+"""The sources inside the units: `fmpy compile` makes a working unit of one that has lost its binaries."""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import fmpy
+import pytest
+import tdmf_slip
+from conftest import reference_gaits
+
+(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
+SOLVER = "solver.method"
+
+
+def without_binaries(source, target):
+    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
+        for entry in old.infolist():
+            if not entry.filename.startswith("binaries"):
+                new.writestr(entry, old.read(entry))
+    return target
+
+
+def library_names(unit):
+    with zipfile.ZipFile(unit) as file:
+        return [name for name in file.namelist() if name.startswith("binaries") and not name.endswith("/")]
+
+
+@pytest.fixture(scope="module", params=[(f, c) for f in (2, 3) for c in ("gcc", "clang")], ids=str)
+def compiled(request, tmp_path_factory):
+    """A unit that was compiled from its own sources: FMI version and compiler."""
+    version, compiler = request.param
+    if shutil.which(compiler) is None or shutil.which("cmake") is None:
+        pytest.skip(f"{compiler} or cmake is not installed")
+    unit = without_binaries(tdmf_slip.fmu_path(version), tmp_path_factory.mktemp("sources") / "TDMF_SLIP.fmu")
+    assert library_names(unit) == []
+    done = subprocess.run(
+        [sys.executable, "-m", "fmpy", "compile", str(unit), "--all-warnings"],
+        capture_output=True,
+        text=True,
+        env=os.environ | {"CC": compiler},
+        cwd=unit.parent,
+    )
+    said = done.stdout + done.stderr
+    assert done.returncode == 0 and "warning" not in said, said
+    assert len(library_names(unit)) == 1
+    return str(unit)
+
+
+@pytest.mark.parametrize("interface", ["ModelExchange", "CoSimulation"])
+def test_ten_strides(compiled, interface):
+    rows = fmpy.simulate_fmu(
+        compiled,
+        fmi_type=interface,
+        stop_time=250.0,
+        output_interval=1.0,
+        relative_tolerance=1e-9,
+        output=[f"stride.{name}" for name in (*QUANTITIES, "count")],
+    )
+    assert rows["stride.count"][-1] == 10
+    tolerance = {"ModelExchange": 1e-6, "CoSimulation": 1e-8}[interface]
+    for name in QUANTITIES:
+        assert rows[f"stride.{name}"][-1] == pytest.approx(REFERENCE[name], rel=tolerance), name
+
+
+def test_cvode_is_refused_in_words(compiled):
+    """In a process of its own, where the unit's message goes to FMPy's own logger."""
+    program = "import fmpy, sys; fmpy.simulate_fmu(sys.argv[1], fmi_type='CoSimulation', stop_time=1.0, "
+    program += f"start_values={{{SOLVER!r}: 2}})"
+    done = subprocess.run([sys.executable, "-c", program, compiled], capture_output=True, text=True)
+    assert done.returncode != 0 and "ExitInitializationMode" in done.stderr
+    assert "built without SUNDIALS" in done.stdout
+
+
+def test_headers_and_sources_are_complete_and_no_more(compiled):
+    """Every C file that lies in the unit is in its list of files, and the other way round."""
+    description = fmpy.read_model_description(compiled)
+    (configuration,) = description.buildConfigurations[:1]
+    (files,) = configuration.sourceFileSets
+    with zipfile.ZipFile(compiled) as unit:
+        names = {name.removeprefix("sources/") for name in unit.namelist() if name.startswith("sources/")}
+    assert {name for name in names if name.endswith(".c")} == set(files.sourceFiles)
+    other = "fmi3_" if description.fmiVersion == "2.0" else "fmi2_"
+    assert not [name for name in names if name.startswith(other)]
