@@ -129,3 +129,28 @@ prepare_release() {
     build_platforms
     build_distribution
 }
+
+# Importers that take minutes to install: FMI4j and VDMCheck from Maven Central, fmi-sim from crates.io.
+get_importers() {
+    local place=$PWD/build/importers python=.venv/bin/python
+    need_debian_packages default-jdk-headless maven
+    say "Fetching FMI4j and VDMCheck"
+    mvn --quiet --batch-mode -f tests/importers/pom.xml dependency:copy-dependencies -Dmdep.stripVersion=true \
+        -DoutputDirectory="$place/java"
+    # VDMCheck reads its rules and schemas as files beside its jars.
+    local jar
+    for jar in static-model rule-model vdmcheck2; do
+        "$python" -m zipfile -e "$place/java/$jar.jar" "$place/java"
+    done
+    if [ -x "$place/bin/fmi-sim" ]; then
+        return
+    fi
+    if ! command -v cargo >/dev/null; then
+        say "NOT TESTED: fmi-sim, because cargo (Rust 1.85 or newer, see rustup.rs) is missing"
+        return
+    fi
+    say "Building fmi-sim; this takes some minutes"
+    "$python" -m pip install --quiet --disable-pip-version-check --target "$place/libclang" libclang==18.1.1
+    LIBCLANG_PATH=$place/libclang/clang/native BINDGEN_EXTRA_CLANG_ARGS=-I$(gcc -print-file-name=include) \
+        CARGO_TARGET_DIR=$place/cargo cargo install --quiet --locked --root "$place" --version 0.7.0 fmi-sim
+}

@@ -1,0 +1,41 @@
+"""Tools in Java: FMI4j imports the unit, VDMCheck checks it; scripts/test --importers fetches both."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+from conftest import reference_gaits
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+JARS = ROOT / "build/importers/java"
+QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
+(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+
+pytestmark = pytest.mark.skipif(
+    shutil.which("java") is None or not (JARS / "vdmcheck2.jar").is_file(),
+    reason="NOT TESTED: FMI4j and VDMCheck are missing; ./scripts/test --importers fetches them",
+)
+
+
+def java(*arguments):
+    command = ["java", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120)
+
+
+def test_fmi4j_runs_ten_strides(fmu, description):
+    references = {variable.name: variable.valueReference for variable in description.modelVariables}
+    wanted = [references[f"stride.{name}"] for name in QUANTITIES]
+    program = ROOT / "tests/importers/TenStrides.java"
+    done = java("-cp", f"{JARS}/*", program, fmu, references["stride.count"], *wanted)
+    results = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
+    assert results, done.stdout[-2000:] + done.stderr[-2000:]
+    count, *values = json.loads(results[0].removeprefix("RESULT "))
+    assert count == 10
+    assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
+
+
+def test_vdmcheck_finds_no_fault(fmu):
+    done = java("-jar", JARS / "vdmcheck2.jar", fmu)
+    assert "No errors found." in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
