@@ -6,11 +6,7 @@ What a co-simulation is for: the ground is somebody else's business. The runner 
 script only says, twenty times in each sqrt(m/k), how slippery the ground under the foot is.
 """
 
-import shutil
-
-import fmpy
-import tdmf_slip
-from fmpy.fmi2 import FMU2Slave
+from runner import Runner
 
 ICE = (60.0, 140.0)
 """Where the ice begins and ends, in l0."""
@@ -25,33 +21,12 @@ def friction_at(x):
 
 def cross(strides=20):
     """Run; return (place, word, speed) of each completed stride."""
-    unit = str(tdmf_slip.fmu_path())
-    description = fmpy.read_model_description(unit)
-    reference = {variable.name: variable.valueReference for variable in description.modelVariables}
-    folder = fmpy.extract(unit)
-    runner = FMU2Slave(
-        guid=description.guid,
-        unzipDirectory=folder,
-        modelIdentifier=description.coSimulation.modelIdentifier,
-        instanceName="runner",
-    )
-    runner.instantiate()
-    runner.setupExperiment()
-    runner.enterInitializationMode()
-    runner.exitInitializationMode()
-    seen, step = [], 0
-    while len(seen) < strides and not runner.getBoolean([reference["status.fallen"]])[0]:
-        (x,) = runner.getReal([reference["foot.x"]])
-        runner.setReal([reference["ground.friction"]], [friction_at(x)])
-        runner.doStep(currentCommunicationPoint=step * STEP, communicationStepSize=STEP)
-        step += 1
-        if runner.getInteger([reference["stride.count"]])[0] > len(seen):
-            word = runner.getString([reference["stride.word"]])[0].decode()
-            place, speed = runner.getReal([reference["com.x"], reference["stride.speed"]])
-            seen.append((place, word, speed))
-    runner.terminate()
-    runner.freeInstance()
-    shutil.rmtree(folder)
+    seen = []
+    with Runner(STEP) as runner:
+        while len(seen) < strides and not runner["status.fallen"]:
+            runner["ground.friction"] = friction_at(runner["foot.x"])
+            if runner.advance():
+                seen.append((runner["com.x"], runner["stride.word"], runner["stride.speed"]))
     return seen
 
 

@@ -1,19 +1,20 @@
 """The examples do what they say."""
 
-import importlib.util
+import importlib
 import pathlib
+
+import pytest
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 
-def load(name):
-    spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+@pytest.fixture
+def load(monkeypatch):
+    monkeypatch.syspath_prepend(EXAMPLES)
+    return importlib.import_module
 
 
-def test_the_runner_crosses_the_ice_and_recovers():
+def test_the_runner_crosses_the_ice_and_recovers(load):
     """On ice the foot never sticks and the runner slows; afterwards it returns to its gait."""
     example = load("ice_patch")
     strides = example.cross(strides=40)
@@ -23,3 +24,15 @@ def test_the_runner_crosses_the_ice_and_recovers():
     speeds = [speed for _, _, speed in strides]
     assert min(speeds) < 1.03 < 1.0615 < speeds[-1]
     assert strides[0][1] == strides[-1][1] == "+0-0+"
+
+
+def test_a_controller_at_the_hip_holds_the_speed(load):
+    """Alone, the runner settles on a slower gait on the slippery ground; the controller drives it up."""
+    example = load("hip_controller")
+    target = example.speed_before()
+    alone, _ = example.run()
+    held, ledger = example.run(example.SpeedHolder(target))
+    assert alone[-1][1] < 0.95 * target
+    assert held[-1][1] == pytest.approx(target, rel=0.01)
+    # The work of the external torque is in the books of the hip.
+    assert abs(ledger) < 1e-8
