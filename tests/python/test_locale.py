@@ -1,0 +1,47 @@
+"""The unit in a program whose locale writes numbers with a decimal comma."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+PROGRAM = """
+import json, locale, sys
+import tdmf_slip
+
+if sys.argv[1] != "C":
+    locale.setlocale(locale.LC_ALL, sys.argv[1])
+    assert locale.localeconv()["decimal_point"] == ","
+rows = []
+for interface in ("me", "cs"):
+    run = tdmf_slip.simulate(strides=10, interface=interface)
+    numbers = [float(value).hex() for value in run.stride.values() if not isinstance(value, str)]
+    rows.append([run.stride["word"], *numbers])
+try:
+    tdmf_slip.simulate({"leg.length": 0.01})
+except tdmf_slip.TdmfSlipError as problem:
+    rows.append(str(problem))
+print(json.dumps(rows))
+"""
+
+
+def run(locale, **environment):
+    command = [sys.executable, "-c", PROGRAM, locale]
+    done = subprocess.run(
+        command, capture_output=True, text=True, timeout=120, env={**os.environ, **environment}
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_ten_strides_are_the_same_to_the_last_bit(tmp_path):
+    if shutil.which("localedef") is None or not os.path.isfile("/usr/share/i18n/locales/de_DE"):
+        pytest.skip("NOT TESTED: no sources of locales; Debian's package is called locales")
+    target = tmp_path / "de_DE.UTF-8"
+    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(target)], check=True, capture_output=True)
+    with_comma = run("de_DE.UTF-8", LOCPATH=str(tmp_path))
+    assert with_comma == run("C")
+    assert "0.01" in with_comma[-1]
