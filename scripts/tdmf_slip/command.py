@@ -15,7 +15,7 @@ from .bench import bench
 from .errors import TdmfSlipError
 from .events import as_json
 from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
-from .gait_commands import figures_command, gait_command, sweep_command
+from .gait_commands import basin_command, figures_command, gait_command, sweep_command
 from .inputs import read_tables
 from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, Run, simulate
@@ -187,7 +187,7 @@ def _stride_units(run: Run) -> dict[str, str]:
     return {name: f" {unit}" if unit not in ("", "1") else "" for name, unit in units.items()}
 
 
-for command in (gait_command, sweep_command, figures_command):
+for command in (gait_command, sweep_command, basin_command, figures_command):
     commands.add_command(command)
 
 

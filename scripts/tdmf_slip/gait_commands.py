@@ -1,4 +1,4 @@
-"""The commands `gait`, `sweep` and `figures`: what rests on the exact return map."""
+"""The commands `gait`, `sweep`, `basin` and `figures`: what rests on the return map."""
 
 from pathlib import Path
 
@@ -111,6 +111,78 @@ def _grid(
     words = sorted({word for word in data["word"].values.ravel() if word})
     result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
     text = f"{output}: {gaits} gaits at {data['period'].size} points, words {', '.join(words)}"
+    print(json_text(result) if as_json_object else text)
+
+
+@click.command("basin")
+@click.option(
+    "--friction", type=float, metavar="MU", help="Friction of the ground; short for ground.friction."
+)
+@click.option(
+    "--axes",
+    nargs=2,
+    default=("com_height", "com_speed"),
+    show_default=True,
+    metavar="NAME NAME",
+    help="Coordinates of the apex section that are varied.",
+)
+@click.option(
+    "--range",
+    "spans",
+    nargs=2,
+    default=("1:2", "0.5:1.5"),
+    show_default=True,
+    metavar="A:B C:D",
+    help="Their ranges.",
+)
+@click.option("--n", "count", type=int, default=128, show_default=True, help="Starts along each axis.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the map as NetCDF (.nc), block by block; gone on with where the file has blocks already.",
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the map: .png, .svg or .pdf."
+)
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def basin_command(
+    friction: float | None,
+    axes: tuple[str, str],
+    spans: tuple[str, str],
+    count: int,
+    output: Path | None,
+    plot: Path | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """The region of attraction of a gait over a slice of the apex section."""
+    from .basin import basin  # the C library is loaded when it is needed
+    from .orbit import Runner
+    from .sweep import values_of
+
+    if output is not None:
+        files.check_place(output, (".nc",), "--output")
+    if plot is not None:
+        from .pictures import basin_map, overview  # matplotlib is slow to load
+
+        files.check_place(plot, overview.FORMATS, "--plot")
+    unit = load()
+    ranges = tuple(values_of(f"{span}:{count}", "linear", "--range") for span in spans)
+    runner = Runner.of(start_values(unit, parameters, friction, settings), unit)
+    data = basin(runner, axes, ranges, path=output, show_progress=True, unit=unit)
+    if plot is not None:
+        basin_map.draw(plot, data)
+    strides = int(data["strides"].sum())
+    fates = {
+        name: int((data["fate"] == flag).sum())
+        for flag, name in enumerate(data["fate"].attrs["flag_meanings"].split())
+    }
+    result = {"word": data.attrs["word"], "starts": data["fate"].size, **fates, "strides": strides}
+    text = "\n".join(f"{name:12}{value}" for name, value in result.items())
     print(json_text(result) if as_json_object else text)
 
 

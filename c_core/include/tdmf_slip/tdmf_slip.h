@@ -7,6 +7,7 @@
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"
+#include "tdmf_slip/fate.h"
 #include "tdmf_slip/graze.h"
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"

@@ -1,0 +1,75 @@
+"""Regions of attraction: fates are what runs of the unit say, whoever computes them, and none is lost."""
+
+import json
+
+import numpy as np
+import pytest
+import tdmf_slip
+import xarray
+from tdmf_slip import InputError, basin, section
+from tdmf_slip.orbit import Runner
+
+AXES = ("com_height", "com_speed")
+RANGES = (np.linspace(1.2, 2.9, 12), np.linspace(0.9, 1.6, 9))
+
+
+@pytest.fixture(scope="module")
+def runner(unit):
+    return Runner.of({}, unit)
+
+
+@pytest.fixture(scope="module")
+def slice_(runner, unit):
+    return basin.basin(runner, AXES, RANGES, workers=1, unit=unit)
+
+
+def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
+    """CVODE in Model Exchange falls from where the map says so, after as many strides."""
+    fallen = np.argwhere(slice_["fate"].values == 1)
+    settled = np.argwhere(slice_["fate"].values == 0)
+    assert len(fallen) >= 2 and len(settled) > len(fallen)
+    for row, column in [*fallen[:2], *settled[:2]]:
+        apex = [slice_.attrs[f"gait_{name}"] for name in section.COORDINATES]
+        apex[0], apex[1] = RANGES[0][row], RANGES[1][column]
+        run = tdmf_slip.simulate(section.start_values(unit, apex), strides=60, relative_tolerance=1e-9)
+        assert run.fallen == (slice_["fate"].values[row, column] == 1)
+        if run.fallen:
+            assert run.stride["count"] == slice_["strides"].values[row, column]
+        else:
+            assert run.stride["word"] == slice_.attrs["word"]
+
+
+def test_fates_do_not_depend_on_threads_or_neighbours(runner, slice_, unit):
+    two = basin.basin(runner, AXES, RANGES, workers=2, unit=unit)
+    xarray.testing.assert_equal(two, slice_)
+    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), unit=unit)
+    np.testing.assert_array_equal(part["strides"].values, slice_["strides"].values[3:5, 1:])
+
+
+def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
+    path = tmp_path / "map.nc"
+    honest, calls = basin._fates, []
+
+    def interrupted(*arguments):
+        calls.append(len(arguments[2]))
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        return honest(*arguments)
+
+    monkeypatch.setattr(basin, "_fates", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
+    whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
+    assert calls == [8, 4, 4]  # the block that was done is not done twice
+    xarray.testing.assert_equal(whole, slice_)
+    with pytest.raises(InputError, match="another slice"):
+        basin.basin(runner, AXES, (RANGES[0] + 0.1, RANGES[1]), path=path, unit=unit)
+
+
+def test_basin_command(command):
+    options = ("--n", 4, "--range", "1.3:1.5", "1.0:1.1")
+    status, out, _ = command("basin", *options, "--json", "--output", "map.nc", "--plot", "map.png")
+    found = json.loads(out)
+    assert status == 0
+    assert (found["starts"], found["settled"]) == (16, 16)
+    assert command("basin", "--axes", "com_height", "height", *options)[0] == 2
