@@ -13,12 +13,12 @@ from .errors import InputError, RunError
 from .orbit import Orbit, Runner, find_orbit, stride_from
 
 ROOT_ACCURACY = 1e-11
-"""Relative, of the parameter where a test function of the gait is zero."""
+"""Of the parameter where a test function of the gait is zero, over its larger value around."""
 CLOSE_TO_BORDER = 1e-7
-"""Relative distance at which a straight line through two durations is exact."""
+"""Distance at which a straight line through two durations is exact, likewise."""
 BEYOND = 1e-8
-"""Relative distance from a border at which the word beyond is read."""
-MOST_LOOKS = 80
+"""Distance from a border at which the word beyond is read, likewise."""
+MOST_LOOKS = 100
 
 
 @dataclass(frozen=True)
@@ -140,22 +140,29 @@ def _border(family: _Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
     """Where the word of `inside` ends on the way to `last`, and the gait just beyond.
 
     The gaits on both sides are brought together until a letter's duration is all but zero, each time nine
-    tenths of the way to where the last two say it vanishes; a look that does not serve halves what is left.
+    tenths of the way to where the last two say it vanishes. A look that does not serve halves what is left,
+    and so does every second one: that finds durations which end as a square root does, where a guard is just
+    touched.
     """
     name = family.name
     outside = last
+    size = max(abs(inside.runner.values[name]), abs(last.runner.values[name]))
     sides: dict[str, list[Orbit]] = {inside.word: [inside], last.word: [last]}
-    for _ in range(MOST_LOOKS):
+    for looks in range(MOST_LOOKS):
         low, high = inside.runner.values[name], outside.runner.values[name]
+        if abs(high - low) <= ROOT_ACCURACY * size:
+            return 0.5 * (low + high), outside
         vanishing = _vanishing_point(name, sides[inside.word], sides[outside.word], low, high)
+        look = 0.5 * (low + high)
         if vanishing is not None:
             near, value = vanishing
-            if abs(near - value) <= CLOSE_TO_BORDER * abs(value):
-                beyond = value + np.copysign(min(BEYOND * abs(value), 0.5 * abs(high - value)), high - low)
-                return value, family.orbit(beyond, outside.apex)
-            look = value + 0.1 * (near - value)
-        if vanishing is None or not min(low, high) < look < max(low, high):
-            look = 0.5 * (low + high)
+            if abs(near - value) <= CLOSE_TO_BORDER * size:
+                beyond = value + np.copysign(min(BEYOND * size, 0.5 * abs(high - value)), high - low)
+                reached = family.orbit(beyond, outside.apex)
+                if reached.word != inside.word:
+                    return value, reached
+            elif looks % 2 == 0 and min(low, high) < value + 0.1 * (near - value) < max(low, high):
+                look = value + 0.1 * (near - value)
         tried = family.orbit(look, _between(inside, outside, look, name))
         sides.setdefault(tried.word, []).append(tried)
         if tried.word == inside.word:
@@ -278,16 +285,11 @@ def _branch(
     borders: list[Border] = []
     specials: list[Special] = []
     for k in range(1, len(orbits)):
-        before, after = orbits[k - 1], orbits[k]
-        if before.word != after.word:
-            borders += borders_between(family.runner, name, before, after)
-        elif np.sign(directions[k - 1][-1]) != np.sign(directions[k][-1]):
-            specials.append(
-                Special("fold", *_turning(family, before, directions[k - 1], directions[k], scales))
-            )
-        for kind, test in _TESTS.items():
-            if before.word == after.word and test(before) * test(after) < 0.0:
-                specials.append(Special(kind, *_sign_change(family, before, after, test)))
+        try:
+            borders += _borders_at(family, orbits, k)
+            specials += _specials_at(family, orbits, directions, scales, k)
+        except RunError as problem:  # the branch stands, what happens on this piece of it is not known
+            ended += f"; {problem}"
     return Branch(
         name,
         tuple(o.runner.values[name] for o in orbits),
@@ -296,6 +298,24 @@ def _branch(
         tuple(specials),
         ended,
     )
+
+
+def _borders_at(family: _Family, orbits: Sequence[Orbit], k: int) -> list[Border]:
+    before, after = orbits[k - 1], orbits[k]
+    return borders_between(family.runner, family.name, before, after) if before.word != after.word else []
+
+
+def _specials_at(
+    family: _Family, orbits: Sequence[Orbit], directions: Sequence[np.ndarray], scales: np.ndarray, k: int
+) -> Iterator[Special]:
+    before, after = orbits[k - 1], orbits[k]
+    if before.word != after.word:
+        return
+    if np.sign(directions[k - 1][-1]) != np.sign(directions[k][-1]):
+        yield Special("fold", *_turning(family, before, directions[k - 1], scales))
+    for kind, test in _TESTS.items():
+        if test(before) * test(after) < 0.0:
+            yield Special(kind, *_sign_change(family, before, after, test))
 
 
 def _period_doubling(orbit: Orbit) -> float:
@@ -334,9 +354,7 @@ def _sign_change(
     return middle.runner.values[name], middle
 
 
-def _turning(
-    family: _Family, before: Orbit, start: np.ndarray, end: np.ndarray, scales: np.ndarray
-) -> tuple[float, Orbit]:
+def _turning(family: _Family, before: Orbit, start: np.ndarray, scales: np.ndarray) -> tuple[float, Orbit]:
     """The fold beyond a gait: where the tangent has no share along the parameter."""
     orbit, direction = before, start
     step = 1e-2

@@ -104,16 +104,31 @@ def test_every_border_lies_between_its_words(runner, swept):
 
 
 def test_a_branch_is_followed_past_loss_of_stability(runner):
-    """More drive than the paper's: the gait ends its stability, its branch goes on."""
+    """More drive than the paper's: where an eigenvalue is -1 the period doubles, and the gait goes on unstable."""
     first = find_orbit(runner, along="hip.stance_torque")
     branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
-    stable = [orbit.stable for orbit in branch.orbits]
-    assert stable[0]
+    assert branch.ended == "end of the range"
     assert all(orbit.error < 1e-11 for orbit in branch.orbits)
-    for special in branch.specials:
-        size = np.abs(special.orbit.eigenvalues)
-        nearest = np.min(np.abs(size - 1.0))
-        assert nearest < 1e-7
+    (doubling,) = branch.specials
+    assert doubling.kind == "period doubling"
+    assert np.min(np.abs(doubling.orbit.eigenvalues + 1.0)) < 1e-8
+    before = [
+        orbit.stable for orbit, at in zip(branch.orbits, branch.values, strict=True) if at < doubling.value
+    ]
+    assert all(before) and not branch.orbits[-1].stable
+
+
+def test_a_branch_turns_at_a_fold(runner):
+    """The leg cannot be put forward at will: two gaits meet, where an eigenvalue is 1, and none is beyond."""
+    name = "hip.touchdown_angle"
+    first = find_orbit(runner, along=name)
+    branch = trace(runner, name, first, 1.2, largest_step=0.1, most_points=120)
+    (fold,) = [special for special in branch.specials if special.kind == "fold"]
+    assert np.min(np.abs(fold.orbit.eigenvalues - 1.0)) < 1e-6
+    assert max(branch.values) <= fold.value + 1e-9
+    assert branch.orbits[0].stable and not branch.orbits[-1].stable
+    for border in branch.borders:
+        assert border.before != border.after
 
 
 def test_the_ledger_of_a_gait_closes(swept):
@@ -183,9 +198,11 @@ def test_sweep_command(command):
 
 
 def test_sweep_that_breaks_off_keeps_what_it_found(command):
-    status, out, said = command("sweep", "--friction", "0.6:0.0:4", "--json")
+    """A leg put far forward: the gait is lost as friction falls."""
+    options = ("--set", "hip.touchdown_angle=1.0", "--json")
+    status, out, said = command("sweep", "--friction", "0.6:0.02:4", *options)
     assert status == 1
-    assert len(json.loads(out)["gaits"]) >= 1
+    assert len(json.loads(out)["gaits"]) == 2
     assert "of 4 gaits were found" in said
 
 
