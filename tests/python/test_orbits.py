@@ -104,7 +104,7 @@ def test_every_border_lies_between_its_words(runner, swept):
 
 
 def test_a_branch_is_followed_past_loss_of_stability(runner):
-    """More drive than the paper's: where an eigenvalue is -1 the period doubles, and the gait goes on unstable."""
+    """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
     first = find_orbit(runner, along="hip.stance_torque")
     branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
     assert branch.ended == "end of the range"
