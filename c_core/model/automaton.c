@@ -128,16 +128,13 @@ tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs,
 
     tdmf_run run = {model, inputs, time, state, mode, record};
     tdmf_observe(model, inputs, state, mode, record);
-    int links = 0;
-    while (links < TDMF_CHAIN_LIMIT && tdmf_take_transition(&run)) {
-        ++links;
-    }
+    const bool resolved = tdmf_take_transitions(&run);
     tdmf_observe(model, inputs, state, mode, record);
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, state, sizeof state_before) != 0,
         .mode_changed = !same_mode(&mode_before, mode),
-        .unresolved = links == TDMF_CHAIN_LIMIT,
+        .unresolved = !resolved,
     };
     return resolution;
 }

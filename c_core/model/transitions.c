@@ -206,3 +206,11 @@ bool tdmf_take_transition(tdmf_run *run) {
         return step_from_contact(run, guards);
     }
 }
+
+bool tdmf_take_transitions(tdmf_run *run) {
+    int links = 0;
+    while (links < TDMF_CHAIN_LIMIT && tdmf_take_transition(run)) {
+        ++links;
+    }
+    return links < TDMF_CHAIN_LIMIT;
+}

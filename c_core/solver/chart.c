@@ -25,6 +25,13 @@ static double angle_seen(double x, double y) {
     return atan2(-x, y);
 }
 
+/* A leg that has wound past a half turn in flight stays wound. */
+static double turns_of(double angle, const tdmf_coordinates *at) {
+    static const double turn = 6.283185307179586;
+    const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
+    return seen_as_it_is ? 0.0 : turn * round((angle - angle_seen(at->x, at->y)) / turn);
+}
+
 static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
     tdmf_coordinates *at = &chart->start;
     const double sine = sin(state[TDMF_LEG_ANGLE]);
@@ -37,9 +44,7 @@ static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT])
     at->foot_vx = state[TDMF_FOOT_VX];
     at->vx = at->foot_vx - along * sine - across * cosine;
     at->vy = along * cosine - across * sine;
-    /* A leg that has wound past a half turn in flight stays wound. */
-    const double turn = 2.0 * acos(-1.0);
-    chart->turn = turn * round((state[TDMF_LEG_ANGLE] - angle_seen(at->x, at->y)) / turn);
+    chart->turn = turns_of(state[TDMF_LEG_ANGLE], at);
 }
 
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,

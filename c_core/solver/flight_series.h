@@ -6,9 +6,6 @@
  *
  * `real` is a number, or a vector of them: one number for each of several runners. */
 
-/* The products of series: r r, r^2 w, r w, r w w, w w, v v. */
-enum { FLIGHT_PRODUCTS = 6 };
-
 typedef struct {
     real length[SERIES_TERMS];       /* r */
     real length_rate[SERIES_TERMS];  /* v */
@@ -17,7 +14,7 @@ typedef struct {
     real angle_rate[SERIES_TERMS];   /* w, up to order - 1, as all that follows */
     real rate_square[SERIES_TERMS];  /* w^2 */
     real speed_square[SERIES_TERMS]; /* v^2 */
-    real left[SERIES_TERMS][FLIGHT_PRODUCTS], right[SERIES_TERMS][FLIGHT_PRODUCTS];
+    flight_factors factors;
 } flight_series;
 
 /* What the series depend on, besides their first coefficients. */
@@ -37,26 +34,23 @@ static inline void expand_flight(const flight_coefficients *a, const real start[
     const real inverse_square = 1.0 / (start[0] * start[0]);
     real r = start[0], theta = start[1], v = start[2], w = start[3];
     real square = r * r, L = square * w, across = r * w, centrifugal = across * w;
+    const real across0 = across;
     f->rate_square[0] = w * w;
     f->speed_square[0] = v * v;
     for (int k = 0; k < order; ++k) {
         if (k > 0) {
             real sum[FLIGHT_PRODUCTS];
-            SUM_PRODUCTS(FLIGHT_PRODUCTS, sum, f->left, f->right, k);
+            flight_sums(&f->factors, k, sum);
             const real r0 = f->length[0], w0 = f->angle_rate[0], v0 = f->length_rate[0];
-            square = sum[0] + 2.0 * r0 * r;
-            w = (L - sum[1] - square * w0) * inverse_square;
-            across = sum[2] + r0 * w + r * w0;
-            centrifugal = sum[3] + f->left[0][3] * w + across * w0;
-            f->rate_square[k] = sum[4] + 2.0 * w0 * w;
-            f->speed_square[k] = sum[5] + 2.0 * v0 * v;
+            square = sum[FLIGHT_LENGTH_LENGTH] + 2.0 * r0 * r;
+            w = (L - sum[FLIGHT_SQUARE_RATE] - square * w0) * inverse_square;
+            across = sum[FLIGHT_LENGTH_RATE] + r0 * w + r * w0;
+            centrifugal = sum[FLIGHT_ACROSS_RATE] + across0 * w + across * w0;
+            f->rate_square[k] = sum[FLIGHT_RATE_RATE] + 2.0 * w0 * w;
+            f->speed_square[k] = sum[FLIGHT_SPEED_SPEED] + 2.0 * v0 * v;
         }
-        const real left[FLIGHT_PRODUCTS] = {r, square, r, across, w, v};
-        const real right[FLIGHT_PRODUCTS] = {r, w, w, w, w, v};
-        for (int lane = 0; lane < FLIGHT_PRODUCTS; ++lane) {
-            f->left[k][lane] = left[lane];
-            f->right[k][lane] = right[lane];
-        }
+        const flight_factor factor = {r, square, across, w, v};
+        flight_keep(&f->factors, k, &factor);
         f->length[k] = r;
         f->length_rate[k] = v;
         f->angle[k] = theta;

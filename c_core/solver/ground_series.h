@@ -10,25 +10,6 @@
  *
  * `real` is a number, or a vector of them: one number for each of several runners. */
 
-/* The products of series. Of place: X X, Y Y, r r, one coefficient ahead of the rest. */
-enum { PLACE_PRODUCTS = 4 };
-enum {
-    LENGTH_AXIAL,
-    X_AXIAL,
-    Y_AXIAL,
-    SQUARE_TURNING,
-    X_TURNING,
-    Y_TURNING,
-    SQUARE_RATE,
-    SPEED_SPEED,
-    STICK_PRODUCTS
-};
-enum {
-    Y_ACCELERATION = STICK_PRODUCTS,
-    LOSS,
-    FREE_PRODUCTS
-}; /* LOSS: friction by u in slip, tau by w in graze */
-
 typedef struct {
     real x[SERIES_TERMS], y[SERIES_TERMS];   /* X, Y */
     real vx[SERIES_TERMS], vy[SERIES_TERMS]; /* U, V */
@@ -44,8 +25,7 @@ typedef struct {
     real power[SERIES_TERMS];                /* tau w */
     real speed_square[SERIES_TERMS];         /* rdot^2 */
     real friction_power[SERIES_TERMS];       /* -f_x u */
-    real place[SERIES_TERMS][PLACE_PRODUCTS];
-    real left[SERIES_TERMS][FREE_PRODUCTS], right[SERIES_TERMS][FREE_PRODUCTS];
+    ground_factors factors;
 } ground_series;
 
 typedef struct {
@@ -59,11 +39,12 @@ typedef struct {
 
 enum { GROUND_X, GROUND_Y, GROUND_VX, GROUND_VY, GROUND_FOOT_VX, GROUND_START_COUNT };
 
-/* What is known of coefficient k before its forces. */
+/* What is known of coefficient k before its forces, and of coefficient 0. */
 typedef struct {
     real inverse_length, inverse_square, inverse_x;
     real a, b, w, v;
     real ax, ay, bx, by;
+    real a0, b0, v0, friction0, acceleration0;
 } ground_step;
 
 /* Place and length of coefficient k + 1, and the length's rate of coefficient k. */
@@ -72,13 +53,10 @@ static inline void expand_place(ground_series *g, int k, ground_step *now) {
     const int next = k + 1;
     const real x = g->vx[k] * series_reciprocal[next];
     const real y = g->vy[k] * series_reciprocal[next];
-    SUM_PRODUCTS(PLACE_PRODUCTS, sum, g->place, g->place, next);
-    const real square = sum[0] + sum[1] + 2.0 * (g->x[0] * x + g->y[0] * y);
-    const real length = 0.5 * (square - sum[2]) * now->inverse_length;
-    const real place[PLACE_PRODUCTS] = {x, y, length, real_of(0.0)};
-    for (int lane = 0; lane < PLACE_PRODUCTS; ++lane) {
-        g->place[next][lane] = place[lane];
-    }
+    place_sums(&g->factors, next, sum);
+    const real square = sum[PLACE_X_X] + sum[PLACE_Y_Y] + 2.0 * (g->x[0] * x + g->y[0] * y);
+    const real length = 0.5 * (square - sum[PLACE_LENGTH_LENGTH]) * now->inverse_length;
+    place_keep(&g->factors, next, x, y, length);
     g->x[next] = x;
     g->y[next] = y;
     g->square[next] = square;
@@ -102,9 +80,12 @@ static inline void expand_leg(const ground_coefficients *c, ground_series *g, in
         now->by = now->b * y;
         now->w = g->moment[0] * now->inverse_square;
         g->speed_square[0] = now->v * now->v;
+        now->a0 = now->a;
+        now->b0 = now->b;
+        now->v0 = now->v;
         return;
     }
-    const real a0 = g->right[0][X_AXIAL], b0 = g->right[0][X_TURNING], w0 = g->angle_rate[0];
+    const real a0 = now->a0, b0 = now->b0, w0 = g->angle_rate[0];
     now->a = (push - sum[LENGTH_AXIAL] - a0 * r) * now->inverse_length;
     now->ax = sum[X_AXIAL] + a0 * x + now->a * x0;
     now->ay = sum[Y_AXIAL] + a0 * y + now->a * y0;
@@ -113,13 +94,12 @@ static inline void expand_leg(const ground_coefficients *c, ground_series *g, in
     now->bx = sum[X_TURNING] + b0 * x + now->b * x0;
     now->by = sum[Y_TURNING] + b0 * y + now->b * y0;
     now->w = (g->moment[k] - sum[SQUARE_RATE] - w0 * s) * now->inverse_square;
-    g->speed_square[k] = sum[SPEED_SPEED] + 2.0 * g->left[0][SPEED_SPEED] * now->v;
+    g->speed_square[k] = sum[SPEED_SPEED] + 2.0 * now->v0 * now->v;
 }
 
 /* Coefficient k of the torque and its power. */
 static inline void expand_power(ground_series *g, int k, bool grazes, const real sum[FREE_PRODUCTS],
                                 const ground_step *now) {
-    const real b0 = k == 0 ? now->b : g->right[0][X_TURNING];
     const real w0 = k == 0 ? now->w : g->angle_rate[0];
     if (!grazes) {
         g->power[k] = g->torque[0] * now->w;
@@ -128,7 +108,7 @@ static inline void expand_power(ground_series *g, int k, bool grazes, const real
         }
         return;
     }
-    g->torque[k] = b0 * g->square[k];
+    g->torque[k] = now->b0 * g->square[k];
     if (k > 0) {
         g->torque[k] += sum[SQUARE_TURNING] + now->b * g->square[0];
     }
@@ -155,6 +135,8 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
     g->moment[0] = x0 * g->vy[0] - y0 * g->vx[0];
     now.inverse_length = 1.0 / g->length[0];
     now.inverse_square = now.inverse_length * now.inverse_length;
+    now.friction0 = real_of(0.0);
+    now.acceleration0 = real_of(0.0);
     now.inverse_x = grazes ? 1.0 / x0 : real_of(0.0);
     for (int k = 0; k < order; ++k) {
         g->torque[k] = k == 0 ? c->torque : k == 1 ? c->torque_rate : real_of(0.0);
@@ -164,11 +146,7 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
         real sum[FREE_PRODUCTS];
         real acceleration = real_of(0.0), friction = real_of(0.0), lever = real_of(0.0);
         expand_place(g, k, &now);
-        if (free) {
-            SUM_PRODUCTS(FREE_PRODUCTS, sum, g->left, g->right, k);
-        } else {
-            SUM_PRODUCTS(STICK_PRODUCTS, sum, g->left, g->right, k);
-        }
+        ground_sums(&g->factors, k, free, sum);
         expand_leg(c, g, k, grazes, sum, &now);
         expand_power(g, k, grazes, sum, &now);
         real lift = now.ay + now.bx;
@@ -183,25 +161,32 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
             }
             g->friction_power[k] = friction * g->foot_vx[0];
             if (k > 0) {
-                g->friction_power[k] += sum[LOSS] + g->left[0][LOSS] * g->foot_vx[k];
+                g->friction_power[k] += sum[LOSS] + now.friction0 * g->foot_vx[k];
             }
         }
         if (free) {
             acceleration = (g->pull[k] - friction) * c->inverse_foot_mass;
             lever = y0 * acceleration;
             if (k > 0) {
-                lever += sum[Y_ACCELERATION] + g->right[0][Y_ACCELERATION] * g->y[k];
+                lever += sum[Y_ACCELERATION] + now.acceleration0 * g->y[k];
             }
         }
-        const real left[FREE_PRODUCTS] = {
-            g->length[k], g->x[k],      g->y[k], g->square[k], g->x[k],
-            g->y[k],      g->square[k], now.v,   g->y[k],      grazes ? g->torque[k] : friction};
-        const real right[FREE_PRODUCTS] = {now.a, now.a, now.a, now.b,        now.b,
-                                           now.b, now.w, now.v, acceleration, grazes ? now.w : g->foot_vx[k]};
-        for (int lane = 0; lane < (free ? FREE_PRODUCTS : STICK_PRODUCTS); ++lane) {
-            g->left[k][lane] = left[lane];
-            g->right[k][lane] = right[lane];
+        if (k == 0) {
+            now.friction0 = friction;
+            now.acceleration0 = acceleration;
         }
+        const ground_factor factor = {.length = g->length[k],
+                                      .x = g->x[k],
+                                      .y = g->y[k],
+                                      .square = g->square[k],
+                                      .axial = now.a,
+                                      .turning = now.b,
+                                      .angle_rate = now.w,
+                                      .length_rate = now.v,
+                                      .acceleration = acceleration,
+                                      .loss_left = grazes ? g->torque[k] : friction,
+                                      .loss_right = grazes ? now.w : g->foot_vx[k]};
+        ground_keep(&g->factors, k, free, &factor);
         g->angle_rate[k] = now.w;
         g->foot_vx[k + 1] = acceleration * divide;
         g->vx[k + 1] = -(g->pull[k] * c->inverse_body_mass + acceleration) * divide;

@@ -53,8 +53,8 @@ void tdmf_expand_flight_tangent(const tdmf_step *step, const flight_coefficients
     const int order = step->order;
     double square[SERIES_TERMS], across[SERIES_TERMS], torque[SERIES_TERMS];
     double d_square[SERIES_TERMS], d_across[SERIES_TERMS], d_torque[SERIES_TERMS];
-    take(f->left, 1, order, square);
-    take(f->left, 3, order, across);
+    take(f->factors.left, FLIGHT_SQUARE_RATE, order, square);
+    take(f->factors.left, FLIGHT_ACROSS_RATE, order, across);
     t->length[0] = start->length;
     t->length_rate[0] = start->length_rate;
     t->angle[0] = start->angle;
@@ -94,11 +94,11 @@ void tdmf_expand_flight_tangent(const tdmf_step *step, const flight_coefficients
 typedef struct {
     double rate[SERIES_TERMS], axial[SERIES_TERMS], turning[SERIES_TERMS], friction[SERIES_TERMS],
         moment[SERIES_TERMS], torque[SERIES_TERMS];
-} ground_factors;
+} leg_factors;
 
 /* Variation of coefficient k of what the leg pushes with and turns at. */
 static void vary_leg(const tdmf_step *step, const ground_coefficients *c, const ground_coefficients *change,
-                     const ground_factors *factors, int k, ground_tangent *t, ground_factors *d) {
+                     const leg_factors *factors, int k, ground_tangent *t, leg_factors *d) {
     const ground_series *g = &step->series.ground;
     const double first = k == 0 ? 1.0 : 0.0;
     const bool grazes = step->chart->contact == TDMF_CONTACT_GRAZE;
@@ -127,7 +127,7 @@ static void vary_leg(const tdmf_step *step, const ground_coefficients *c, const 
 
 /* Variation of the foot's acceleration, coefficient k. */
 static double vary_foot(const tdmf_step *step, const ground_coefficients *c,
-                        const ground_coefficients *change, const ground_factors *factors, int k,
+                        const ground_coefficients *change, const leg_factors *factors, int k,
                         const ground_tangent *t) {
     const ground_series *g = &step->series.ground;
     if (step->chart->contact == TDMF_CONTACT_STICK) {
@@ -150,12 +150,12 @@ void tdmf_expand_ground_tangent(const tdmf_step *step, const ground_coefficients
     const int order = step->order;
     const bool sticks = step->chart->contact == TDMF_CONTACT_STICK;
     const bool grazes = step->chart->contact == TDMF_CONTACT_GRAZE;
-    ground_factors factors, d;
-    take_free(g->left, SPEED_SPEED, order, factors.rate);
-    take_free(g->right, X_AXIAL, order, factors.axial);
-    take_free(g->right, X_TURNING, order, factors.turning);
+    leg_factors factors, d;
+    take_free(g->factors.left, SPEED_SPEED, order, factors.rate);
+    take_free(g->factors.right, X_AXIAL, order, factors.axial);
+    take_free(g->factors.right, X_TURNING, order, factors.turning);
     if (!sticks) {
-        take_free(g->left, LOSS, order, factors.friction);
+        take_free(g->factors.left, LOSS, order, factors.friction);
     }
     for (int k = 0; k < order; ++k) {
         factors.torque[k] = g->torque[k];

@@ -1,31 +1,88 @@
-"""The region of attraction of a gait: which starts on a slice of the apex section run on, and which fall."""
+"""The region of attraction of a gait: which starts run on, over a slice of the apex section, over all of it, and
+how hard a runner may be pushed."""
 
-import os
+import functools
+import math
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import xarray
 
-from . import progress
+from . import blocks, ensemble, progress
 from .errors import InputError
 from .files import whole
-from .library import c, ffi
 from .orbit import Orbit, Runner
 from .section import COORDINATES
 from .sweep import first_orbit
 from .unit import Unit, load
 
-TOLERANCE = 1e-8
-"""Relative tolerance of the native solver, for thousands of runners."""
-NEAR = 1e-2
-"""Distance from the gait's apex, over the scales, at which a runner counts as settled."""
 MOST_STRIDES = 400
-FATES = ("settled", "fell", "undecided", "no_start")
-"""By the library's numbers."""
 NOT_YET = -1
-ROWS_AT_ONCE = 8
+STARTS_AT_ONCE = 4096
+"""In a block."""
+BOX: Mapping[str, tuple[float, float]] = {
+    "com_height": (0.8, 2.2),
+    "com_speed": (0.0, 2.0),
+    "leg_length": (0.8, 1.2),
+    "leg_angle": (-0.5, 2.0),
+    "leg_length_rate": (-0.5, 0.5),
+    "leg_angle_rate": (-1.0, 1.0),
+}
+"""Of the section, over its scales: where starts are drawn from. The same for every gait, to compare them."""
+CONFIDENCE = 0.95
+NORMAL_QUANTILE = 1.959963984540054
+"""Of CONFIDENCE, two-sided."""
+FARTHEST = 5.0
+"""Over the scales: beyond this no disturbance is tried."""
+COARSE, REFINEMENTS = 500, 3
+
+
+# ---- over a slice -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Slice:
+    """Starts that differ from a gait's apex in two coordinates: a block of work."""
+
+    runner: Runner
+    apex: tuple[float, ...]
+    axes: tuple[str, str]
+    rows: tuple[float, ...]
+    columns: tuple[float, ...]
+
+    def starts(self) -> np.ndarray:
+        """One to a row, the columns running fastest."""
+        sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
+        sections[..., COORDINATES.index(self.axes[0])] = np.asarray(self.rows)[:, None]
+        sections[..., COORDINATES.index(self.axes[1])] = np.asarray(self.columns)[None, :]
+        return sections.reshape(-1, len(COORDINATES))
+
+
+def fates_of_slice(part: Slice) -> np.ndarray:
+    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`."""
+    ends = fates(part.runner, part.apex, part.starts())
+    return ends.reshape(len(part.rows), len(part.columns))
+
+
+def fates(runner: Runner, apex: Sequence[float], starts: np.ndarray) -> np.ndarray:
+    """What becomes of runners that start somewhere, as `ensemble.run` tells it, by one thread."""
+    case = ensemble.Case(runner, (apex,))
+    return ensemble.run([case], starts, most_strides=MOST_STRIDES, threads=1)[0]
+
+
+def stable_gait(runner: Runner, unit: Unit) -> Orbit:
+    """The gait of a runner, if it attracts anything.
+
+    Raises:
+        InputError: it is unstable.
+        RunError: there is none.
+    """
+    gait = first_orbit(runner, unit)
+    if not gait.stable:
+        raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
+    return gait
 
 
 def basin(
@@ -34,6 +91,7 @@ def basin(
     ranges: tuple[Sequence[float], Sequence[float]],
     *,
     path: Path | None = None,
+    scheduler: str | None = None,
     workers: int | None = None,
     show_progress: bool = False,
     unit: Unit | None = None,
@@ -48,7 +106,8 @@ def basin(
         axes: two names of `section.COORDINATES`.
         ranges: values along each.
         path: of a NetCDF file.
-        workers: threads; by default one for each processor. The result does not depend on it.
+        scheduler: of a Dask cluster, see `blocks.run`. The result does not depend on who computes it.
+        workers: processes on this machine, by default one for each processor.
         show_progress: a bar on stderr.
         unit: for units.
 
@@ -57,53 +116,34 @@ def basin(
         large a share of the slice settles is the attribute `settled_share`.
 
     Raises:
-        InputError: an unknown axis, or the file holds another slice.
+        InputError: an unknown axis, the file holds another slice, or the gait is unstable.
         RunError: there is no gait.
     """
     unit = load() if unit is None else unit
     if len(set(axes)) != 2 or any(axis not in COORDINATES for axis in axes):
         raise InputError(f"axes {', '.join(axes)}: allowed: two of {', '.join(COORDINATES)}")
-    gait = first_orbit(runner, unit)
-    if not gait.stable:
-        raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
+    gait = stable_gait(runner, unit)
     data = _blank(gait, axes, ranges, unit)
     if path is not None and path.exists():
         data = _resumed(path, data)
-    missing = [r for r in range(len(ranges[0])) if (data["fate"].values[r] == NOT_YET).any()]
-    blocks = [missing[i : i + ROWS_AT_ONCE] for i in range(0, len(missing), ROWS_AT_ONCE)]
-    with (
-        progress.bar("basin", len(ranges[0]), "rows", show_progress) as bar,
-        ThreadPoolExecutor(workers or os.cpu_count()) as pool,
-    ):
+    missing = [row for row in range(len(ranges[0])) if (data["fate"].values[row] == NOT_YET).any()]
+    at_once = max(1, STARTS_AT_ONCE // len(ranges[1]))
+    rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
+    parts = [
+        Slice(runner, tuple(gait.apex), axes, tuple(np.asarray(ranges[0])[block]), tuple(ranges[1]))
+        for block in rows
+    ]
+    with progress.bar("basin", len(ranges[0]), "rows", show_progress) as bar:
         bar.update(len(ranges[0]) - len(missing))
-        runs = [pool.submit(_fates, gait, axes, np.asarray(ranges[0])[block], ranges[1]) for block in blocks]
-        for block, run in zip(blocks, runs, strict=True):
-            data["fate"].values[block], data["strides"].values[block] = run.result()
-            bar.update(len(block))
+        for number, ends in blocks.run(fates_of_slice, parts, scheduler=scheduler, workers=workers):
+            for name in ("fate", "strides"):
+                data[name].values[rows[number]] = ends[name]
+            bar.update(len(rows[number]))
             if path is not None:
                 with whole(path) as beside:
                     data.to_netcdf(beside)
     data.attrs["settled_share"] = float(np.mean(data["fate"].values == 0))
     return data
-
-
-def _fates(
-    gait: Orbit, axes: tuple[str, str], rows: np.ndarray, columns: Sequence[float]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Fates and strides of a block of rows; the library is busy without Python's lock."""
-    sections = np.tile(gait.apex, (len(rows), len(columns), 1))
-    sections[..., COORDINATES.index(axes[0])] = np.asarray(rows)[:, None]
-    sections[..., COORDINATES.index(axes[1])] = np.asarray(columns)[None, :]
-    runner = Runner(gait.runner.values, TOLERANCE)
-    count = sections.shape[0] * sections.shape[1]
-    gaits = ffi.new("double[1][6]", [list(gait.apex)])
-    rules = ffi.new("tdmf_fate_rules *")
-    rules.gaits, rules.gait_count, rules.distance, rules.most_strides = gaits, 1, NEAR, MOST_STRIDES
-    fates = ffi.new("tdmf_fate[]", count)
-    starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
-    c.tdmf_find_fates(runner.solver(), runner.model, runner.inputs, rules, starts, count, fates)
-    found = np.frombuffer(ffi.buffer(fates), dtype=np.intc).reshape(*sections.shape[:2], 3)
-    return found[..., 0], found[..., 2]
 
 
 def _blank(
@@ -117,7 +157,10 @@ def _blank(
         },
         coords={axis: ((axis,), np.asarray(v, dtype=float)) for axis, v in zip(axes, ranges, strict=True)},
     )
-    data["fate"].attrs = {"flag_values": np.arange(len(FATES)), "flag_meanings": " ".join(FATES)}
+    data["fate"].attrs = {
+        "flag_values": np.arange(len(ensemble.FATES)),
+        "flag_meanings": " ".join(ensemble.FATES),
+    }
     data["strides"].attrs = {"units": "1", "long_name": "strides closed until then"}
     for axis, value in zip(COORDINATES, gait.apex, strict=True):
         data.attrs[f"gait_{axis}"] = float(value)
@@ -148,3 +191,155 @@ def _same_attributes(found: Mapping, wanted: Mapping) -> bool:
         else found.get(name) == value
         for name, value in wanted.items()
     )
+
+
+# ---- over the whole section -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Volume:
+    """A Monte-Carlo estimate of how much of the box `BOX` a gait attracts."""
+
+    samples: int
+    settled: int
+    box: float
+    """The box's own volume, in the section's scales."""
+
+    @property
+    def share(self) -> float:
+        """Of the samples that settle."""
+        return self.settled / self.samples
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Confidence interval of the share, by Wilson's score: sound where nearly all or nothing settles."""
+        z2 = NORMAL_QUANTILE**2 / self.samples
+        middle = (self.share + 0.5 * z2) / (1.0 + z2)
+        spread = math.sqrt(z2 * (self.share * (1.0 - self.share) + 0.25 * z2)) / (1.0 + z2)
+        return max(0.0, middle - spread), min(1.0, middle + spread)
+
+    @property
+    def volume(self) -> tuple[float, float, float]:
+        """Estimate, lower and upper end, in the section's scales."""
+        return tuple(share * self.box for share in (self.share, *self.interval))
+
+    def as_json(self) -> dict[str, object]:
+        """The estimate as a plain object."""
+        estimate, low, high = self.volume
+        return {
+            "samples": self.samples,
+            "share": self.share,
+            "share_interval": list(self.interval),
+            "volume": estimate,
+            "volume_interval": [low, high],
+            "confidence": CONFIDENCE,
+            "box": {name: list(ends) for name, ends in BOX.items()},
+        }
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
+
+    runner: Runner
+    apex: tuple[float, ...]
+    seed: int
+    number: int
+    count: int
+
+    def starts(self) -> np.ndarray:
+        """Uniform over the box."""
+        source = np.random.default_rng([self.seed, self.number])
+        low, high = np.array(list(BOX.values())).T
+        return self.runner.scales * source.uniform(low, high, size=(self.count, len(COORDINATES)))
+
+
+def count_settled(drawing: Drawing) -> int:
+    """How many of a block's starts settle."""
+    ends = fates(drawing.runner, drawing.apex, drawing.starts())
+    return int(np.count_nonzero(ends["fate"] == 0))
+
+
+def volume(
+    gait: Orbit,
+    samples: int,
+    *,
+    seed: int = 0,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    show_progress: bool = False,
+) -> Volume:
+    """Estimate the volume of a gait's region of attraction in all six coordinates.
+
+    Args:
+        gait: stable.
+        samples: how many starts are drawn.
+        seed: of the drawing.
+        scheduler: see `blocks.run`.
+        workers: see `blocks.run`.
+        show_progress: a bar on stderr.
+
+    Raises:
+        InputError: no samples.
+    """
+    if samples < 1:
+        raise InputError(f"samples {samples}: allowed: 1 or more")
+    counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
+    runner = Runner(gait.runner.values)
+    drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
+    settled = 0
+    with progress.bar("volume", samples, "starts", show_progress) as bar:
+        for number, found in blocks.run(count_settled, drawings, scheduler=scheduler, workers=workers):
+            settled += found
+            bar.update(counts[number])
+    low, high = np.array(list(BOX.values())).T
+    return Volume(samples, settled, float(np.prod(high - low)))
+
+
+# ---- along a line -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Robustness:
+    """The largest disturbances at an apex that a runner recovers from, each by itself; infinite where the
+    largest that is tried is recovered from."""
+
+    push_forward: float
+    """Of the speed, m/s."""
+    push_backward: float
+    step_down: float
+    """Of the ground, m: the runner then starts so much higher."""
+    step_up: float
+
+    def as_json(self) -> dict[str, float | None]:
+        """The disturbances as a plain object."""
+        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
+        return {name: value if math.isfinite(value) else None for name, value in values.items()}
+
+
+def robustness(gait: Orbit) -> Robustness:
+    """How far along height and speed the region of attraction reaches, without a gap, from the gait's apex."""
+    reach = functools.partial(_reach, gait)
+    return Robustness(
+        push_forward=reach("com_speed", 1.0),
+        push_backward=reach("com_speed", -1.0),
+        step_down=reach("com_height", 1.0),
+        step_up=reach("com_height", -1.0),
+    )
+
+
+def _reach(gait: Orbit, axis: str, direction: float) -> float:
+    """The first disturbance that is not recovered from, between the tries of a line that is refined."""
+    index = COORDINATES.index(axis)
+    runner = Runner(gait.runner.values)
+    recovered, lost = 0.0, FARTHEST * runner.scales[index]
+    for _ in range(REFINEMENTS):
+        tries = np.linspace(recovered, lost, COARSE + 1)[1:]
+        starts = np.tile(gait.apex, (COARSE, 1))
+        starts[:, index] += direction * tries
+        fails = np.flatnonzero(fates(runner, gait.apex, starts)["fate"] != 0)
+        if not fails.size:
+            return math.inf
+        first = fails[0]
+        recovered, lost = tries[first - 1] if first else recovered, tries[first]
+    return float(recovered)

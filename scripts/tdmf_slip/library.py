@@ -20,6 +20,8 @@ from .errors import InputError
 
 FOLDER = Path(__file__).parent / "native"
 HEADERS = FOLDER / "tdmf_slip"
+ROOTS = ("tdmf_slip.h", "ensemble.h")
+"""Headers that bring in all others."""
 PATH_VARIABLE = "TDMF_SLIP_LIBRARY"
 NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 
@@ -54,7 +56,8 @@ def _declarations() -> str:
         text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
         texts.append(re.sub(r"^#.*$", "", text, flags=re.MULTILINE))
 
-    read("tdmf_slip.h")
+    for name in ROOTS:
+        read(name)
     return "\n".join(texts)
 
 

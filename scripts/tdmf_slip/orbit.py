@@ -72,6 +72,10 @@ class Runner:
         """The same runner with another value."""
         return replace(self, values={**self.values, name: float(value)})
 
+    def __reduce__(self) -> tuple:
+        """Without what the C library has made of it, which is of use in this process only."""
+        return type(self), (dict(self.values), self.relative_tolerance)
+
     @cached_property
     def model(self) -> object:
         """The C model of the parameters.

@@ -1,4 +1,5 @@
-/* TDMF-SLIP: a legged runner whose foot can slip. This header brings in the whole library. */
+/* TDMF-SLIP: a legged runner whose foot can slip. This header brings in the whole core;
+ * ensemble.h and cvode.h belong to libraries beside it. */
 #ifndef TDMF_SLIP_TDMF_SLIP_H
 #define TDMF_SLIP_TDMF_SLIP_H
 
@@ -7,7 +8,6 @@
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"
-#include "tdmf_slip/fate.h"
 #include "tdmf_slip/graze.h"
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"

@@ -1,0 +1,158 @@
+/* Chooses instructions, shares the starts out among threads, and runs one by one where there are no lanes. */
+#include "tdmf_slip/ensemble.h"
+
+#include "lane_march.h"
+#include "step.h"
+#include "threads.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct tdmf_starts {
+    long next, count;
+};
+
+long tdmf_next_start(tdmf_starts *starts) {
+    const long number = tdmf_take_number(&starts->next);
+    return number < starts->count ? number : -1;
+}
+
+/* ---- instructions ------------------------------------------------------------------------------------- */
+
+static tdmf_lane_march march_one_by_one;
+
+/* What this build has; NULL where it has not. */
+static tdmf_lane_march *const marches[TDMF_INSTRUCTIONS_COUNT] = {
+    [TDMF_ONE_BY_ONE] = march_one_by_one,
+#ifdef TDMF_HAS_TWO_LANES
+    [TDMF_TWO_LANES] = tdmf_march_two_lanes,
+#endif
+#ifdef TDMF_HAS_AVX2
+    [TDMF_AVX2] = tdmf_march_avx2,
+#endif
+#ifdef TDMF_HAS_AVX512
+    [TDMF_AVX512] = tdmf_march_avx512,
+#endif
+};
+
+static bool processor_has(tdmf_instructions instructions) {
+#ifdef TDMF_HAS_AVX2
+    if (instructions == TDMF_AVX2) {
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    }
+#endif
+#ifdef TDMF_HAS_AVX512
+    if (instructions == TDMF_AVX512) {
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512vl");
+    }
+#endif
+    (void)instructions;
+    return true;
+}
+
+bool tdmf_has_instructions(tdmf_instructions instructions) {
+    const int number = (int)instructions;
+    return number == TDMF_BEST_INSTRUCTIONS ||
+           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && marches[number] && processor_has(instructions));
+}
+
+tdmf_instructions tdmf_best_instructions(void) {
+    int best = TDMF_INSTRUCTIONS_COUNT - 1;
+    while (!tdmf_has_instructions((tdmf_instructions)best)) {
+        --best;
+    }
+    return (tdmf_instructions)best;
+}
+
+const char *tdmf_instructions_name(tdmf_instructions instructions) {
+    static const char *const names[TDMF_INSTRUCTIONS_COUNT] = {"best", "one by one", "two lanes", "avx2",
+                                                               "avx512"};
+    const int number = (int)instructions;
+    return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT ? names[number] : "unknown";
+}
+
+/* ---- one by one --------------------------------------------------------------------------------------- */
+
+static bool march_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
+                             tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
+    tdmf_solver solver = tdmf_solver_default();
+    const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
+    (void)order;
+    *work = none;
+    solver.relative_tolerance = ensemble->relative_tolerance;
+    for (long i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
+        const tdmf_ensemble_case *its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[i] : 0];
+        tdmf_runner runner;
+        bool goes_on = tdmf_runner_begin(&runner, its_case, ensemble->starts[i], &ends[i]);
+        while (goes_on) {
+            goes_on = tdmf_runner_stride(&runner, &solver);
+        }
+        work->strides += ends[i].strides;
+    }
+    work->steps = work->places = solver.steps;
+    work->events = solver.events;
+    work->evaluations = solver.evaluations;
+    return true;
+}
+
+/* ---- all ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    const tdmf_ensemble *ensemble;
+    tdmf_lane_march *march;
+    tdmf_starts starts;
+    int order;
+    tdmf_ensemble_end *ends;
+    tdmf_ensemble_work *works; /* of each thread */
+} everything;
+
+static void run_share(void *shared, int number) {
+    everything *all = shared;
+    const tdmf_ensemble *ensemble = all->ensemble;
+    /* Without memory for lanes the starts are left to whoever has some. */
+    if (!all->march(ensemble, &all->starts, all->order, all->ends, &all->works[number]) && number == 0) {
+        march_one_by_one(ensemble, &all->starts, all->order, all->ends, &all->works[number]);
+    }
+}
+
+static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
+    sum->strides += part->strides;
+    sum->events += part->events;
+    sum->steps += part->steps;
+    sum->places += part->places;
+    sum->evaluations += part->evaluations;
+}
+
+static bool is_sound(const tdmf_ensemble *ensemble) {
+    return ensemble->threads > 0 && ensemble->relative_tolerance > 0.0 &&
+           isfinite(ensemble->relative_tolerance) && tdmf_has_instructions(ensemble->instructions);
+}
+
+bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
+    if (!is_sound(ensemble)) {
+        return false;
+    }
+    everything all = {
+        .ensemble = ensemble,
+        .march = marches[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
+                                                                          : ensemble->instructions],
+        .starts = {0, ensemble->count},
+        .order = tdmf_step_order(ensemble->relative_tolerance),
+        .ends = ends,
+        .works = calloc((size_t)ensemble->threads, sizeof *all.works),
+    };
+    if (all.works == NULL) {
+        return false;
+    }
+    tdmf_side_by_side(run_share, &all, ensemble->threads);
+    if (work) {
+        const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
+        *work = none;
+        for (int i = 0; i < ensemble->threads; ++i) {
+            add_work(work, &all.works[i]);
+        }
+    }
+    free(all.works);
+    return true;
+}

@@ -1,0 +1,45 @@
+# The ensemble engine: a library beside the core, because it needs threads and the core needs libm only. The file that
+# steps runners side by side is compiled once for each instruction set; which one runs is chosen at run time.
+include(CheckCCompilerFlag)
+find_package(Threads REQUIRED)
+
+set(ensemble_sources ensemble/ensemble.c ensemble/runner.c ensemble/threads.c)
+list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
+
+# add_lanes(<name> <function> <flag>...): a build of lane_march.c, if the compiler takes the flags.
+function(add_lanes name function)
+    string(MAKE_C_IDENTIFIER "takes flags of ${name}" takes)
+    string(REPLACE ";" " " flags "${ARGN}")
+    check_c_compiler_flag("${flags}" ${takes})
+    if(NOT ${takes})
+        return()
+    endif()
+    add_library(lanes_${name} OBJECT ensemble/lane_march.c)
+    target_include_directories(lanes_${name} PRIVATE include model solver)
+    target_compile_definitions(lanes_${name} PRIVATE TDMF_LANE_MARCH=${function})
+    tdmf_slip_compile(lanes_${name})
+    target_compile_options(lanes_${name} PRIVATE ${ARGN})
+    string(TOUPPER TDMF_HAS_${name} macro)
+    set_property(DIRECTORY APPEND PROPERTY lanes $<TARGET_OBJECTS:lanes_${name}>)
+    set_property(DIRECTORY APPEND PROPERTY lane_macros ${macro})
+endfunction()
+
+# Vector types are an extension of GCC and clang. GCC for Windows does not align wide vectors on the stack.
+if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULATE_ID STREQUAL "MSVC")
+    add_lanes(two_lanes tdmf_march_two_lanes -ffp-contract=off)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
+        add_lanes(avx2 tdmf_march_avx2 -mavx2 -mfma -ffp-contract=fast)
+        add_lanes(avx512 tdmf_march_avx512 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
+                  -ffp-contract=fast)
+    endif()
+endif()
+get_property(lanes DIRECTORY PROPERTY lanes)
+get_property(lane_macros DIRECTORY PROPERTY lane_macros)
+
+# use_ensemble(<target>): puts the engine into a library of the core's sources, or beside one.
+function(use_ensemble target)
+    target_sources(${target} PRIVATE ${ensemble_sources} ${lanes})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/model ${PROJECT_SOURCE_DIR}/c_core/solver)
+    target_compile_definitions(${target} PRIVATE ${lane_macros})
+    target_link_libraries(${target} PRIVATE ${CMAKE_THREAD_LIBS_INIT})
+endfunction()

@@ -1,0 +1,104 @@
+/* Several numbers side by side, one for each of LANES runners, in the compiler's vector types. */
+#ifndef TDMF_ENSEMBLE_LANES_H
+#define TDMF_ENSEMBLE_LANES_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined(__AVX512DQ__) || defined(__AVX__)
+#include <immintrin.h>
+#endif
+
+/* As many as the registers of the instruction set hold that this file is compiled for. */
+#if defined(__AVX512DQ__)
+#define LANES 8
+#elif defined(__AVX2__)
+#define LANES 4
+#else
+#define LANES 2
+#endif
+
+typedef double real __attribute__((vector_size(8 * LANES)));
+typedef int64_t bits __attribute__((vector_size(8 * LANES)));
+
+typedef uint64_t pattern __attribute__((vector_size(8 * LANES))); /* for shifts to the left */
+
+/* All bits set in the lanes chosen, none in the others: what comparing yields. */
+typedef bits choice;
+
+static inline real real_of(double x) {
+    return x - (real){0.0};
+}
+
+static inline bits bits_of(int64_t x) {
+    return x - (bits){0};
+}
+
+/* a in the lanes chosen, b in the others. */
+static inline real pick(choice chosen, real a, real b) {
+    return (real)(((bits)a & chosen) | ((bits)b & ~chosen));
+}
+
+static inline real real_abs(real x) {
+    return (real)((bits)x & bits_of(INT64_MAX));
+}
+
+static inline real smaller(real a, real b) {
+    return pick(a < b, a, b);
+}
+
+static inline real larger(real a, real b) {
+    return pick(a > b, a, b);
+}
+
+static inline real real_sqrt(real x) {
+#if defined(__AVX512DQ__)
+    return (real)_mm512_sqrt_pd((__m512d)x);
+#elif defined(__AVX2__)
+    return (real)_mm256_sqrt_pd((__m256d)x);
+#else
+    real root;
+    for (int lane = 0; lane < LANES; ++lane) {
+        root[lane] = sqrt(x[lane]);
+    }
+    return root;
+#endif
+}
+
+/* A bit for each lane chosen. */
+static inline unsigned lanes_of(choice chosen) {
+#if defined(__AVX512DQ__)
+    return (unsigned)_mm512_movepi64_mask((__m512i)chosen);
+#elif defined(__AVX2__)
+    return (unsigned)_mm256_movemask_pd((__m256d)chosen);
+#else
+    unsigned lanes = 0;
+    for (int lane = 0; lane < LANES; ++lane) {
+        lanes |= (unsigned)(chosen[lane] & 1) << lane;
+    }
+    return lanes;
+#endif
+}
+
+static inline bool any(choice chosen) {
+    return lanes_of(chosen) != 0;
+}
+
+/* Neither infinite nor not a number. */
+static inline choice finite(real x) {
+    return real_abs(x) < real_of(INFINITY);
+}
+
+/* Whole numbers up to 2^51 as integers and back: added to this, they are the low bits of the sum. */
+static const double whole_bias = 6755399441055744.0; /* 1.5 * 2^52 */
+
+static inline bits bits_of_whole(real x) {
+    return (bits)(x + whole_bias) - (bits)real_of(whole_bias);
+}
+
+static inline real whole_of_bits(bits x) {
+    return (real)(x + (bits)real_of(whole_bias)) - whole_bias;
+}
+
+#endif

@@ -1,0 +1,43 @@
+/* One runner of an ensemble, between the events that take it from lane to lane. */
+#ifndef TDMF_ENSEMBLE_RUNNER_H
+#define TDMF_ENSEMBLE_RUNNER_H
+
+#include "chart.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/solver.h"
+
+/* Runners in the same kind of motion share a crew. */
+typedef enum { CREW_PLACE, CREW_RETRACT, CREW_STICK, CREW_SLIP, CREW_GRAZE, CREW_COUNT } crew_kind;
+
+/* Room for the fields of either kind of member (members.h), and for those that change; they come first. */
+enum { MEMBER_FIELDS = 40, CHANGING_FIELDS = 12 };
+
+typedef struct {
+    const tdmf_ensemble_case *its_case;
+    tdmf_ensemble_end *end;
+    tdmf_motion motion;
+    tdmf_chart chart;
+    double stride_began;
+    long steps_left, events_left; /* in the stride */
+} tdmf_runner;
+
+/* Begins at an apex. False where there is nothing to run: `end` says why. */
+bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
+                       const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end);
+
+/* Which crew the runner belongs to. */
+crew_kind tdmf_runner_crew(const tdmf_runner *runner);
+
+/* Opens its mode and writes what a lane has to know; returns how many fields that are. */
+int tdmf_runner_board(tdmf_runner *runner, double fields[MEMBER_FIELDS]);
+
+/* Takes the event that the lane has come to. False where the run has ended. */
+bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FIELDS]);
+
+/* Makes a stride by the native solver. False where the run has ended. */
+bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);
+
+/* Gives up: too many steps or events, too long a stride, or no finite step. */
+void tdmf_runner_give_up(tdmf_runner *runner);
+
+#endif

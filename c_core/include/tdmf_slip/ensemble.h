@@ -1,0 +1,93 @@
+/* Many runners at once: from different starts and with different parameters, over threads, and side by side
+ * in the vector registers of the processor. A library of its own, tdmf_slip_ensemble, beside the core. */
+#ifndef TDMF_SLIP_ENSEMBLE_H
+#define TDMF_SLIP_ENSEMBLE_H
+
+#include "tdmf_slip/return_map.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How runners are stepped: one by one, which is the native solver, or so many of them side by side, in the
+ * lanes of an instruction set. Results differ by rounding. */
+typedef enum {
+    TDMF_BEST_INSTRUCTIONS, /* the best that this processor and this build have */
+    TDMF_ONE_BY_ONE,
+    TDMF_TWO_LANES,
+    TDMF_AVX2,   /* four lanes, with fused multiply-add */
+    TDMF_AVX512, /* eight */
+    TDMF_INSTRUCTIONS_COUNT
+} tdmf_instructions;
+
+/* When a runner counts as settled: its apex is this near that of a gait, over the section's scales; and how
+ * many strides it has to get there. The distance has to be so small that the gait attracts everything within
+ * it. Without gaits every runner makes the most strides, or falls. */
+typedef struct {
+    const double (*gaits)[TDMF_SECTION_COUNT];
+    int gait_count;
+    double distance;
+    int most_strides;
+} tdmf_ensemble_rules;
+
+/* What a runner is given, besides its start. Inputs are held. */
+typedef struct {
+    const tdmf_model *model;
+    tdmf_inputs inputs;
+    tdmf_ensemble_rules rules;
+} tdmf_ensemble_case;
+
+typedef struct {
+    const tdmf_ensemble_case *cases;
+    const int *case_of;                         /* each runner's case; NULL: all the first */
+    const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
+    long count;
+    double relative_tolerance; /* as in tdmf_solver */
+    int threads;
+    tdmf_instructions instructions;
+} tdmf_ensemble;
+
+typedef enum {
+    TDMF_FATE_SETTLED,   /* on a gait */
+    TDMF_FATE_FELL,      /* or closed no more stride */
+    TDMF_FATE_UNDECIDED, /* neither within the strides allowed */
+    TDMF_FATE_NO_START   /* the start is no apex above the ground */
+} tdmf_fate;
+
+/* What became of a runner. */
+typedef struct {
+    int fate; /* a tdmf_fate */
+    int gait; /* which, counted from 0; -1 for none */
+    int strides;
+    int word_code;                                        /* of the last stride, see tdmf_stride */
+    double apex[TDMF_SECTION_COUNT];                      /* the last; the start while no stride has closed */
+    double time, distance;                                /* s and m, that the strides took */
+    double work, damper_loss, friction_loss, impact_loss; /* J, of all strides */
+} tdmf_ensemble_end;
+
+/* Work done in a run, for whoever wants to know. */
+typedef struct {
+    long strides, events;
+    long steps;       /* of runners */
+    long places;      /* lanes stepped; the steps in them over their number is how full they were */
+    long evaluations; /* coefficients of series, as in tdmf_solver */
+} tdmf_ensemble_work;
+
+/* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
+ * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
+ * had, the tolerance or the number of threads is not positive, or there is no memory. */
+bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
+
+/* Whether this processor and this build have them. */
+bool tdmf_has_instructions(tdmf_instructions instructions);
+
+/* Which TDMF_BEST_INSTRUCTIONS stands for. */
+tdmf_instructions tdmf_best_instructions(void);
+
+/* "avx512" and so on. */
+const char *tdmf_instructions_name(tdmf_instructions instructions);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,165 @@
+"""Many runners at once, by the C library's ensemble engine: threads, and several runners to each processor.
+
+    ends = ensemble.run([ensemble.Case(runner)], starts, most_strides=100)
+    ends["fate"] == ensemble.FATES.index("settled")
+"""
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .errors import InputError
+from .library import c, ffi
+from .orbit import Runner
+from .section import COORDINATES
+
+TOLERANCE = 2e-7
+"""Relative tolerance of a step: a stride then errs by less than 1e-8."""
+NEAR = 1e-2
+"""Distance from a gait's apex, over the scales, at which a runner counts as settled."""
+FATES = ("settled", "fell", "undecided", "no_start")
+"""By the library's numbers."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """Whose parameters runners have, and what they may settle on."""
+
+    runner: Runner
+    gaits: Sequence[Sequence[float]] = field(default=())
+    """Apices; without any, runners make the most strides or fall."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a run of the engine took."""
+
+    strides: int
+    events: int
+    steps: int
+    places: int
+    """Lanes stepped, with or without a runner in them."""
+    evaluations: int
+    """Coefficients of series."""
+
+
+def instruction_sets() -> tuple[str, ...]:
+    """What this processor and this build have, the slowest first: `one by one` is the native solver."""
+    every = range(1, c.TDMF_INSTRUCTIONS_COUNT)
+    return tuple(_name(number) for number in every if c.tdmf_has_instructions(number))
+
+
+def run(
+    cases: Sequence[Case],
+    starts: np.ndarray,
+    case_of: np.ndarray | None = None,
+    *,
+    most_strides: int,
+    near: float = NEAR,
+    tolerance: float = TOLERANCE,
+    threads: int | None = None,
+    instructions: str | None = None,
+) -> tuple[np.ndarray, Work]:
+    """Follow runners from their starts until they settle, fall, or have made the most strides.
+
+    Args:
+        cases: parameters, inputs and gaits.
+        starts: apices, one to a row, in the order of `section.COORDINATES`.
+        case_of: the number of each runner's case; by default all have the first.
+        most_strides: a runner that has closed as many is undecided.
+        near: distance from a gait's apex, over the scales, at which a runner counts as settled.
+        tolerance: relative tolerance of a step.
+        threads: by default one for each processor. Results do not depend on it.
+        instructions: one of `instruction_sets()`; by default the fastest. Results differ by rounding.
+
+    Returns:
+        A row for each runner with the fields of the library's `tdmf_ensemble_end`: `fate` (a number into
+        `FATES`), `gait` (-1 for none), `strides`, `word_code`, and of the strides closed the last `apex`,
+        `time`, `distance`, `work`, `damper_loss`, `friction_loss` and `impact_loss`; and the work that was
+        done.
+
+    Raises:
+        InputError: an array of another shape, or a value that is not allowed.
+    """
+    sections = np.ascontiguousarray(starts, dtype=float)
+    if sections.ndim != 2 or sections.shape[1] != len(COORDINATES):
+        raise InputError(f"starts of shape {sections.shape}: allowed: (runners, {len(COORDINATES)})")
+    ensemble = ffi.new("tdmf_ensemble *")
+    ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
+    ensemble.count = len(sections)
+    ensemble.relative_tolerance = _positive("tolerance", tolerance)
+    ensemble.threads = int(_positive("threads", threads or os.cpu_count() or 1))
+    ensemble.instructions = _number(instructions)
+    c_cases, kept = _c_cases(cases, int(most_strides), _positive("near", near))
+    ensemble.cases = c_cases
+    if case_of is not None:
+        numbers = _case_numbers(case_of, len(sections), len(cases))
+        ensemble.case_of = ffi.cast("int *", ffi.from_buffer(numbers))
+    ends = np.zeros(len(sections), dtype=END)
+    work = ffi.new("tdmf_ensemble_work *")
+    if not c.tdmf_run_ensemble(ensemble, ffi.cast("tdmf_ensemble_end *", ffi.from_buffer(ends)), work):
+        raise MemoryError("the ensemble engine found no memory")
+    del kept
+    return ends, Work(work.strides, work.events, work.steps, work.places, work.evaluations)
+
+
+def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[object, list]:
+    """The cases as the library takes them, and what has to live as long."""
+    made = ffi.new("tdmf_ensemble_case[]", len(cases))
+    kept: list[object] = []
+    for case, its in zip(cases, made, strict=True):
+        gaits = ffi.new("double[][6]", [list(gait) for gait in case.gaits])
+        its.model, its.inputs = case.runner.model, case.runner.inputs[0]
+        its.rules.gaits, its.rules.gait_count = gaits, len(case.gaits)
+        its.rules.distance, its.rules.most_strides = near, most_strides
+        kept += [gaits, case.runner]
+    return made, kept
+
+
+def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
+    numbers = np.ascontiguousarray(case_of, dtype=np.intc)
+    if numbers.shape != (runners,) or (runners and not 0 <= numbers.min() <= numbers.max() < cases):
+        raise InputError(f"case_of: allowed: {runners} numbers from 0 to {cases - 1}, one for each runner")
+    return numbers
+
+
+def _positive(name: str, value: float) -> float:
+    if not 0 < value < np.inf:
+        raise InputError(f"{name} {value}: allowed: a finite number above 0")
+    return value
+
+
+def _name(number: int) -> str:
+    return ffi.string(c.tdmf_instructions_name(number)).decode()
+
+
+def _number(instructions: str | None) -> int:
+    if instructions is None:
+        return c.TDMF_BEST_INSTRUCTIONS
+    known = {_name(number): number for number in range(1, c.TDMF_INSTRUCTIONS_COUNT)}
+    if instructions not in instruction_sets():
+        raise InputError(f"instructions {instructions}: allowed here: {', '.join(instruction_sets())}")
+    return known[instructions]
+
+
+def _dtype_of(name: str) -> np.dtype:
+    """A C struct of numbers and arrays of numbers as NumPy sees it."""
+    struct = ffi.typeof(name)
+    codes = {"int": "i4", "double": "f8"}
+
+    def code(kind: object) -> object:
+        return (codes[kind.item.cname], kind.length) if kind.kind == "array" else codes[kind.cname]
+
+    return np.dtype(
+        {
+            "names": [name for name, _ in struct.fields],
+            "formats": [code(member.type) for _, member in struct.fields],
+            "offsets": [member.offset for _, member in struct.fields],
+            "itemsize": ffi.sizeof(struct),
+        }
+    )
+
+
+END = _dtype_of("tdmf_ensemble_end")

@@ -1,0 +1,391 @@
+/* The ensemble engine: runners side by side end where the native solver takes them, one by one; and a
+ * runner's end is the same, bit for bit, whoever its neighbours are and however many threads there are. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNNERS = 1500 };
+
+static const double tight = 1e-11;
+
+/* Models, inputs and starts, each runner with a case of its own. */
+typedef struct {
+    tdmf_model models[RUNNERS];
+    tdmf_ensemble_case cases[RUNNERS];
+    int case_of[RUNNERS];
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble ensemble;
+} crowd;
+
+static void scale_randomly(random_source *source, double *value, double most) {
+    *value *= random_magnitude(source, 1.0 / most, most);
+}
+
+static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case) {
+    tdmf_parameters p = tdmf_default_parameters();
+    double *const varied[] = {&p.body.mass,         &p.foot.mass, &p.leg.damping, &p.gravity,
+                              &p.hip.stance_torque, &p.hip.kp,    &p.hip.kd,      &p.hip.touchdown_angle};
+    for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
+        scale_randomly(source, varied[i], 1.2);
+    }
+    assert_null(tdmf_model_create(model, &p).variable);
+    its_case->inputs.ground.friction = random_magnitude(source, 0.02, 10.0);
+    its_case->inputs.hip.external_torque =
+        random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
+}
+
+/* Around a gait's apex, some of them below the ground. */
+static void place_near_the_gait(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
+                                double start[TDMF_SECTION_COUNT]) {
+    vary_case(source, model, its_case);
+    memcpy(start, &reference_gaits[2].apex, TDMF_SECTION_COUNT * sizeof *start);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        start[i] += random_uniform(source, -0.4, 0.4) * (i == TDMF_SECTION_LEG_LENGTH ? 0.1 : 1.0);
+    }
+}
+
+/* Anything: most of these fall, by every way there is. */
+static void place_anywhere(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
+                           double start[TDMF_SECTION_COUNT]) {
+    const runner anybody = scene_random(source, TDMF_CONTACT_FLIGHT);
+    const tdmf_point com = tdmf_center_of_mass(&anybody.model, anybody.state);
+    const double section[TDMF_SECTION_COUNT] = {com.y,
+                                                com.vx,
+                                                anybody.state[TDMF_LEG_LENGTH],
+                                                2.0 * anybody.state[TDMF_LEG_ANGLE],
+                                                anybody.state[TDMF_LEG_LENGTH_RATE],
+                                                anybody.state[TDMF_LEG_ANGLE_RATE]};
+    *model = anybody.model;
+    its_case->inputs = anybody.inputs;
+    memcpy(start, section, sizeof section);
+}
+
+typedef void place_runner(random_source *, tdmf_model *, tdmf_ensemble_case *, double[TDMF_SECTION_COUNT]);
+
+static crowd *make_crowd(place_runner *place, int most_strides) {
+    random_source source = {20261121};
+    crowd *crowd = calloc(1, sizeof *crowd);
+    assert_non_null(crowd);
+    for (int i = 0; i < RUNNERS; ++i) {
+        crowd->case_of[i] = RUNNERS - 1 - i;
+        tdmf_ensemble_case *its_case = &crowd->cases[crowd->case_of[i]];
+        tdmf_model *model = &crowd->models[i];
+        place(&source, model, its_case, crowd->starts[i]);
+        its_case->model = model;
+        its_case->rules.most_strides = most_strides;
+    }
+    crowd->ensemble.cases = crowd->cases;
+    crowd->ensemble.case_of = crowd->case_of;
+    crowd->ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts;
+    crowd->ensemble.count = RUNNERS;
+    crowd->ensemble.relative_tolerance = tight;
+    crowd->ensemble.threads = 1;
+    return crowd;
+}
+
+static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble, tdmf_ensemble_work *work) {
+    tdmf_ensemble_end *ends = calloc((size_t)ensemble->count, sizeof *ends);
+    assert_non_null(ends);
+    assert_true(tdmf_run_ensemble(ensemble, ends, work));
+    return ends;
+}
+
+/* ---- against the native solver ------------------------------------------------------------------------ */
+
+static void assert_near(double actual, double expected, double scale, double tolerance) {
+    assert_close(actual / scale, expected / scale, tolerance * (1.0 + fabs(expected / scale)));
+}
+
+/* In the scales of the runner. */
+static void assert_same_end(const tdmf_model *model, const tdmf_ensemble_end *a, const tdmf_ensemble_end *b,
+                            double tolerance) {
+    const tdmf_scales *scales = &model->scales;
+    double section[TDMF_SECTION_COUNT];
+    tdmf_section_scales(model, section);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_near(a->apex[i], b->apex[i], section[i], tolerance);
+    }
+    assert_near(a->time, b->time, scales->time, tolerance);
+    assert_near(a->distance, b->distance, scales->length, tolerance);
+    assert_near(a->work, b->work, scales->energy, tolerance);
+    assert_near(a->damper_loss, b->damper_loss, scales->energy, tolerance);
+    assert_near(a->friction_loss, b->friction_loss, scales->energy, tolerance);
+    assert_near(a->impact_loss, b->impact_loss, scales->energy, tolerance);
+}
+
+static bool took_the_same_way(const tdmf_ensemble_end *a, const tdmf_ensemble_end *b) {
+    return a->fate == b->fate && a->strides == b->strides && a->word_code == b->word_code;
+}
+
+/* Some strides magnify the least error: of legs that spin, touch the ground at a tangent, or bounce a dozen
+ * times before they stand. They show by what the native solver makes of a tighter tolerance, and the few that
+ * take another way in lanes are counted. */
+static bool is_well_posed(const tdmf_model *model, const tdmf_ensemble_end *native,
+                          const tdmf_ensemble_end *tighter) {
+    double section[TDMF_SECTION_COUNT];
+    double farthest = 0.0;
+    tdmf_section_scales(model, section);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        farthest = fmax(farthest, fabs(native->apex[i] - tighter->apex[i]) / section[i]);
+    }
+    return took_the_same_way(native, tighter) && farthest < 1e-8;
+}
+
+static void assert_agreement(crowd *crowd, double tolerance) {
+    crowd->ensemble.instructions = TDMF_ONE_BY_ONE;
+    tdmf_ensemble_end *native = run(&crowd->ensemble, NULL);
+    crowd->ensemble.relative_tolerance = 0.1 * tight;
+    tdmf_ensemble_end *tighter = run(&crowd->ensemble, NULL);
+    crowd->ensemble.relative_tolerance = tight;
+    for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        if (!tdmf_has_instructions((tdmf_instructions)set)) {
+            print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
+            continue;
+        }
+        crowd->ensemble.instructions = (tdmf_instructions)set;
+        tdmf_ensemble_end *lanes = run(&crowd->ensemble, NULL);
+        int compared = 0;
+        for (int i = 0; i < RUNNERS; ++i) {
+            if (is_well_posed(&crowd->models[i], &native[i], &tighter[i]) &&
+                took_the_same_way(&lanes[i], &native[i])) {
+                assert_same_end(&crowd->models[i], &lanes[i], &native[i], tolerance);
+                ++compared;
+            }
+        }
+        assert_true(compared >= 0.99 * RUNNERS);
+        free(lanes);
+    }
+    free(tighter);
+    free(native);
+    free(crowd);
+}
+
+static void runners_near_the_gait_end_as_by_the_native_solver(void **state) {
+    (void)state;
+    assert_agreement(make_crowd(place_near_the_gait, 3), 1e-8);
+}
+
+static void any_runner_ends_as_by_the_native_solver(void **state) {
+    (void)state;
+    assert_agreement(make_crowd(place_anywhere, 2), 1e-7);
+}
+
+/* ---- neighbours and threads --------------------------------------------------------------------------- */
+
+static void threads_do_not_matter(void **state) {
+    crowd *crowd = make_crowd(place_near_the_gait, 4);
+    (void)state;
+    tdmf_ensemble_end *alone = run(&crowd->ensemble, NULL);
+    for (int threads = 2; threads <= 7; threads += 5) {
+        crowd->ensemble.threads = threads;
+        tdmf_ensemble_end *shared = run(&crowd->ensemble, NULL);
+        assert_memory_equal(shared, alone, RUNNERS * sizeof *alone);
+        free(shared);
+    }
+    free(alone);
+    free(crowd);
+}
+
+static void neighbours_do_not_matter(void **state) {
+    crowd *crowd = make_crowd(place_near_the_gait, 4);
+    (void)state;
+    tdmf_ensemble_end *together = run(&crowd->ensemble, NULL);
+    tdmf_ensemble one = crowd->ensemble;
+    one.count = 1;
+    for (int i = 0; i < RUNNERS; i += 7) {
+        one.starts = &crowd->ensemble.starts[i];
+        one.case_of = &crowd->case_of[i];
+        tdmf_ensemble_end *alone = run(&one, NULL);
+        assert_memory_equal(alone, &together[i], sizeof *alone);
+        free(alone);
+    }
+    free(together);
+    free(crowd);
+}
+
+/* ---- what becomes of runners -------------------------------------------------------------------------- */
+
+static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_SECTION_COUNT]) {
+    double state[TDMF_STATE_COUNT];
+    tdmf_section_state(model, apex, state);
+    return tdmf_mechanical_energy(model, state).total;
+}
+
+static void energy_is_accounted_for(void **state) {
+    crowd *crowd = make_crowd(place_near_the_gait, 20);
+    (void)state;
+    tdmf_ensemble_end *ends = run(&crowd->ensemble, NULL);
+    for (int i = 0; i < RUNNERS; ++i) {
+        const tdmf_model *model = &crowd->models[i];
+        const tdmf_ensemble_end *end = &ends[i];
+        if (end->strides > 0) {
+            const double change =
+                mechanical_energy(model, end->apex) - mechanical_energy(model, crowd->starts[i]);
+            assert_close(change, end->work - end->damper_loss - end->friction_loss - end->impact_loss, 1e-8);
+        }
+    }
+    free(ends);
+    free(crowd);
+}
+
+/* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
+ * ground does not start. */
+static void runners_settle_fall_or_do_not_start(void **state) {
+    static const double gait[1][TDMF_SECTION_COUNT] = {{1.406106854441984, 1.062891224817656,
+                                                        1.004282245348082, 1.242779537928858,
+                                                        9.84952562003722e-07, 0.2165916273954818}};
+    double starts[4][TDMF_SECTION_COUNT];
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    for (int i = 0; i < 4; ++i) {
+        memcpy(starts[i], gait[0], sizeof starts[i]);
+    }
+    starts[1][TDMF_SECTION_COM_HEIGHT] += 0.05;
+    starts[2][TDMF_SECTION_LEG_ANGLE] = -1.2;
+    starts[2][TDMF_SECTION_COM_HEIGHT] = 0.6;
+    starts[3][TDMF_SECTION_COM_HEIGHT] = 0.1;
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {gait, 1, 1e-3, 400}};
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = 4,
+                              .relative_tolerance = 1e-9,
+                              .threads = 1};
+    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(ensemble.instructions)) {
+            continue;
+        }
+        tdmf_ensemble_end *ends = run(&ensemble, NULL);
+        assert_int_equal(ends[0].fate, TDMF_FATE_SETTLED);
+        assert_int_equal(ends[0].strides, 1);
+        assert_int_equal(ends[0].gait, 0);
+        assert_int_equal(ends[1].fate, TDMF_FATE_SETTLED);
+        assert_true(ends[1].strides > 1);
+        assert_int_equal(ends[2].fate, TDMF_FATE_FELL);
+        assert_int_equal(ends[2].gait, -1);
+        assert_int_equal(ends[3].fate, TDMF_FATE_NO_START);
+        free(ends);
+    }
+}
+
+/* The gait again and again, by lanes, at the accuracy of the reference. */
+static void reference_gaits_are_kept(void **state) {
+    tdmf_model model;
+    tdmf_ensemble_case cases[REFERENCE_GAITS];
+    int case_of[REFERENCE_GAITS];
+    double starts[REFERENCE_GAITS][TDMF_SECTION_COUNT];
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    for (int i = 0; i < REFERENCE_GAITS; ++i) {
+        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 1}};
+        cases[i] = its_case;
+        cases[i].inputs.ground.friction = reference_gaits[i].friction;
+        case_of[i] = i;
+        memcpy(starts[i], &reference_gaits[i].apex, sizeof starts[i]);
+    }
+    const tdmf_ensemble ensemble = {.cases = cases,
+                                    .case_of = case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .count = REFERENCE_GAITS,
+                                    .relative_tolerance = tight,
+                                    .threads = 1};
+    tdmf_ensemble_end *ends = run(&ensemble, NULL);
+    for (int i = 0; i < REFERENCE_GAITS; ++i) {
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_close(ends[i].apex[k], starts[i][k], 1e-9);
+        }
+        assert_relatively_close(ends[i].time, reference_gaits[i].period, 1e-9);
+        assert_relatively_close(ends[i].distance, reference_gaits[i].length, 1e-9);
+        assert_relatively_close(ends[i].work, reference_gaits[i].work, 1e-9);
+    }
+    free(ends);
+}
+
+/* A runner that sinks into a stand closes no stride; the engine gives it up instead of waiting. */
+static void a_runner_that_comes_to_rest_is_given_up(void **state) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    (void)state;
+    parameters.leg.damping = 2.0;
+    parameters.hip.touchdown_angle = 0.0;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 10}};
+    tdmf_ensemble ensemble = {
+        .cases = &its_case, .starts = start, .count = 1, .relative_tolerance = 1e-9, .threads = 1};
+    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(ensemble.instructions)) {
+            tdmf_ensemble_end *ends = run(&ensemble, NULL);
+            assert_int_equal(ends[0].fate, TDMF_FATE_FELL);
+            free(ends);
+        }
+    }
+}
+
+static void work_is_counted(void **state) {
+    crowd *crowd = make_crowd(place_near_the_gait, 5);
+    tdmf_ensemble_work work;
+    long strides = 0, fallen = 0, closed_none = 0;
+    (void)state;
+    crowd->ensemble.threads = 2;
+    tdmf_ensemble_end *ends = run(&crowd->ensemble, &work);
+    for (int i = 0; i < RUNNERS; ++i) {
+        strides += ends[i].strides;
+        fallen += ends[i].fate == TDMF_FATE_FELL;
+        closed_none += ends[i].strides == 0;
+    }
+    /* The crowd is mixed: what the other tests say of it, they say of falls as well. */
+    assert_true(fallen > RUNNERS / 20 && fallen < RUNNERS / 2 && closed_none > 0);
+    assert_int_equal(work.strides, strides);
+    assert_true(work.events > 4 * strides && work.steps > work.events);
+    assert_true(work.places >= work.steps && work.evaluations > 8 * work.steps);
+    free(ends);
+    free(crowd);
+}
+
+static void unsound_ensembles_are_refused(void **state) {
+    crowd *crowd = make_crowd(place_near_the_gait, 1);
+    tdmf_ensemble_end end = {.strides = 77};
+    (void)state;
+    const double tolerances[] = {0.0, -1.0, NAN, INFINITY};
+    for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
+        tdmf_ensemble bad = crowd->ensemble;
+        bad.relative_tolerance = tolerances[i];
+        assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    }
+    tdmf_ensemble bad = crowd->ensemble;
+    bad.threads = 0;
+    assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    bad = crowd->ensemble;
+    bad.instructions = TDMF_INSTRUCTIONS_COUNT;
+    assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    assert_int_equal(end.strides, 77);
+    assert_true(tdmf_has_instructions(tdmf_best_instructions()));
+    assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));
+    free(crowd);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(runners_near_the_gait_end_as_by_the_native_solver),
+        cmocka_unit_test(any_runner_ends_as_by_the_native_solver),
+        cmocka_unit_test(threads_do_not_matter),
+        cmocka_unit_test(neighbours_do_not_matter),
+        cmocka_unit_test(energy_is_accounted_for),
+        cmocka_unit_test(runners_settle_fall_or_do_not_start),
+        cmocka_unit_test(reference_gaits_are_kept),
+        cmocka_unit_test(a_runner_that_comes_to_rest_is_given_up),
+        cmocka_unit_test(work_is_counted),
+        cmocka_unit_test(unsound_ensembles_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
