@@ -94,10 +94,11 @@ static void watch_length(search *search, const double *length) {
 /* ---- flight ------------------------------------------------------------------------------------------- */
 
 /* r cos(theta), by (cos)' = -w sin and (sin)' = w cos. */
-static void expand_drop(const flight_series *f, int order, double drop[SERIES_TERMS]) {
+static void expand_drop(const flight_series *f, double sine0, double cosine0, int order,
+                        double drop[SERIES_TERMS]) {
     double sine[SERIES_TERMS], cosine[SERIES_TERMS];
-    sine[0] = sin(f->angle[0]);
-    cosine[0] = cos(f->angle[0]);
+    sine[0] = sine0;
+    cosine[0] = cosine0;
     for (int k = 0; k < order; ++k) {
         double rise = 0.0;
         double fall = 0.0;
@@ -120,19 +121,31 @@ static double center_of_mass_height(const tdmf_chart *chart, double t) {
     return chart->com_y + t * (chart->com_vy - 0.5 * chart->model->parameters.gravity * t);
 }
 
+/* Whether the leg may reach the ground by either end: a parabola is lowest at an end, and a leg does not drop
+ * further than its longest at the angle that brings it nearest to the vertical. */
+static bool may_reach_ground(const tdmf_step *step, double share, double longest, double sine,
+                             double cosine) {
+    const tdmf_chart *chart = step->chart;
+    const double lowest = fmin(chart->com_y, center_of_mass_height(chart, step->size));
+    const double turn = tdmf_spread(step->series.flight.angle, step->order, &step->reach);
+    const double change = turn * (fabs(sine) + 0.5 * turn);
+    const double down = share * longest * fmin(1.0, cosine + change);
+    const double up = (1.0 - share) * longest * fmin(1.0, change - cosine);
+    return !(lowest > fmax(0.0, fmax(down, up)));
+}
+
 static void watch_heights(search *search, double longest) {
     const tdmf_step *step = search->step;
     const tdmf_chart *chart = step->chart;
     const flight_series *f = &step->series.flight;
     const double share = chart->model->parameters.body.mass / chart->model->total_mass;
     const double length = chart->model->scales.length;
-    const double lowest = fmin(chart->com_y, center_of_mass_height(chart, step->size));
+    const double sine = sin(f->angle[0]), cosine = cos(f->angle[0]);
     double drop[SERIES_TERMS];
-    /* Neither end of the leg reaches the ground, wherever the leg points: a parabola is lowest at an end. */
-    if (lowest > fmax(share, 1.0 - share) * longest) {
+    if (!may_reach_ground(step, share, longest, sine, cosine)) {
         return;
     }
-    expand_drop(f, step->order, drop);
+    expand_drop(f, sine, cosine, step->order, drop);
     tdmf_polynomial foot = scaled(drop, -share, step->order);
     tdmf_polynomial body = scaled(drop, 1.0 - share, step->order);
     const double curvature = -0.5 * chart->model->parameters.gravity;

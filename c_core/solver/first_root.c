@@ -5,7 +5,9 @@
  *
  * so no root lies before the first positive root of the right-hand side. Going there again and again comes up
  * to the first root from below and never beyond it, as fast as Newton's method does; a polynomial that only
- * comes near zero is passed. */
+ * comes near zero is passed. From t = 0 the coefficients themselves serve: what they add up to from k = 3 on,
+ * sum |c_k| d^k, is at most (d/h)^3 sum |c_k| h^k, which has the place of C d^3/6 and is several times
+ * smaller. */
 #include "first_root.h"
 
 /* Next to a multiple root a march is slow, and rounding may stall it. */
@@ -105,7 +107,7 @@ static double safe_distance(const expansion *at, double bound, double left) {
 
 tdmf_root tdmf_first_root(const tdmf_polynomial *p, const tdmf_reach *reach, double sign, double floor,
                           double from, double to) {
-    const double bound = weighted_sum(p->c, reach->third, 3, p->order);
+    double bound = 0.0;
     tdmf_root root = {from, false};
     for (int i = 0; i < MARCH_LIMIT; ++i) {
         expansion at = expand(p, root.time);
@@ -116,7 +118,13 @@ tdmf_root tdmf_first_root(const tdmf_polynomial *p, const tdmf_reach *reach, dou
             root.is_root = true;
             return root;
         }
-        root.time += safe_distance(&at, bound, to - root.time);
+        if (i == 0 && from == 0.0) {
+            const double tail = weighted_sum(p->c, reach->power, 3, p->order) / reach->power[3];
+            root.time = safe_distance(&at, 6.0 * tail, to);
+        } else {
+            bound = bound > 0.0 ? bound : weighted_sum(p->c, reach->third, 3, p->order);
+            root.time += safe_distance(&at, bound, to - root.time);
+        }
         if (root.time > to) {
             root.time = INFINITY;
             return root;

@@ -18,17 +18,20 @@ from .section import COORDINATES
 from .sweep import first_orbit
 from .unit import Unit, load
 
+TOLERANCE = 1e-5
+"""Relative tolerance of a step for maps and volumes: a stride errs by less than 1e-5, far less than the distance of
+neighbouring starts."""
 MOST_STRIDES = 400
 NOT_YET = -1
 STARTS_AT_ONCE = 4096
 """In a block."""
 BOX: Mapping[str, tuple[float, float]] = {
-    "com_height": (0.8, 2.2),
-    "com_speed": (0.0, 2.0),
-    "leg_length": (0.8, 1.2),
-    "leg_angle": (-0.5, 2.0),
-    "leg_length_rate": (-0.5, 0.5),
-    "leg_angle_rate": (-1.0, 1.0),
+    "com_height": (0.0, 4.0),
+    "com_speed": (-2.0, 4.0),
+    "leg_length": (0.5, 1.5),
+    "leg_angle": (-1.6, 1.6),
+    "leg_length_rate": (-2.0, 2.0),
+    "leg_angle_rate": (-4.0, 4.0),
 }
 """Of the section, over its scales: where starts are drawn from. The same for every gait, to compare them."""
 CONFIDENCE = 0.95
@@ -36,7 +39,9 @@ NORMAL_QUANTILE = 1.959963984540054
 """Of CONFIDENCE, two-sided."""
 FARTHEST = 5.0
 """Over the scales: beyond this no disturbance is tried."""
-COARSE, REFINEMENTS = 500, 3
+COARSE, REFINEMENTS = 500, 2
+"""Tries along the line, and how often the interval between two of them is divided again."""
+EDGE_TOLERANCE = 1e-8
 
 
 # ---- over a slice -----------------------------------------------------------------------------------------
@@ -66,10 +71,12 @@ def fates_of_slice(part: Slice) -> np.ndarray:
     return ends.reshape(len(part.rows), len(part.columns))
 
 
-def fates(runner: Runner, apex: Sequence[float], starts: np.ndarray) -> np.ndarray:
+def fates(
+    runner: Runner, apex: Sequence[float], starts: np.ndarray, *, tolerance: float = TOLERANCE
+) -> np.ndarray:
     """What becomes of runners that start somewhere, as `ensemble.run` tells it, by one thread."""
     case = ensemble.Case(runner, (apex,))
-    return ensemble.run([case], starts, most_strides=MOST_STRIDES, threads=1)[0]
+    return ensemble.run([case], starts, most_strides=MOST_STRIDES, tolerance=tolerance, threads=1)[0]
 
 
 def stable_gait(runner: Runner, unit: Unit) -> Orbit:
@@ -337,7 +344,7 @@ def _reach(gait: Orbit, axis: str, direction: float) -> float:
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]
         starts = np.tile(gait.apex, (COARSE, 1))
         starts[:, index] += direction * tries
-        fails = np.flatnonzero(fates(runner, gait.apex, starts)["fate"] != 0)
+        fails = np.flatnonzero(fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE)["fate"] != 0)
         if not fails.size:
             return math.inf
         first = fails[0]
