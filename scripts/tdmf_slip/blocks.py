@@ -25,13 +25,13 @@ def run(
     Args:
         work: a function that can be pickled, of one block.
         blocks: what it is called with; has to be picklable, as the results have.
-        scheduler: address of a Dask scheduler whose workers have this package; without one, a cluster of
-            processes on this machine.
+        scheduler: address of a Dask scheduler; this package has to be installed where it and its workers run.
+            Without one, a cluster of processes on this machine.
         workers: processes of that cluster, by default one for each processor. One needs no cluster.
 
     Raises:
         InputError: no scheduler answers, or there are less than one worker.
-        RunError: a block killed every worker that tried it.
+        RunError: a block killed every worker that tried it, or the cluster cannot run the work.
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers {workers}: allowed: 1 or more")
@@ -43,9 +43,7 @@ def run(
         yield from _gathered(client, work, blocks)
 
 
-def _gathered(
-    client: object, work: Callable[[Any], Any], blocks: Sequence[Any]
-) -> Iterator[tuple[int, Any]]:
+def _gathered(client: object, work: Callable[[Any], Any], blocks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
     from distributed import KilledWorker, as_completed  # slow to load, and not always needed
 
     futures = {
@@ -59,6 +57,8 @@ def _gathered(
             yield number, result
     except KilledWorker as problem:
         raise RunError(f"a block killed every worker that tried it: {problem}") from problem
+    except RuntimeError as problem:
+        raise RunError(f"the cluster cannot run this: {problem}") from problem
     finally:
         with contextlib.suppress(OSError, RuntimeError):
             client.cancel(list(futures), force=True)

@@ -1,7 +1,7 @@
 """Many runners at once, by the C library's ensemble engine: threads, and several runners to each processor.
 
-    ends = ensemble.run([ensemble.Case(runner)], starts, most_strides=100)
-    ends["fate"] == ensemble.FATES.index("settled")
+ends = ensemble.run([ensemble.Case(runner)], starts, most_strides=100)
+ends["fate"] == ensemble.FATES.index("settled")
 """
 
 import os

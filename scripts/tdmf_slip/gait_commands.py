@@ -6,7 +6,15 @@ import click
 
 from . import files
 from .errors import InputError, RunError
-from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
+from .options import (
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SCHEDULER_OPTION,
+    SET_OPTION,
+    WORKERS_OPTION,
+    json_text,
+    start_values,
+)
 from .text import table
 from .unit import load
 
@@ -53,6 +61,8 @@ def gait_command(
     metavar="FILE",
     help="Write the gaits as NetCDF (.nc).",
 )
+@SCHEDULER_OPTION
+@WORKERS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -61,6 +71,8 @@ def sweep_command(
     over: str | None,
     spacing: str,
     output: Path | None,
+    scheduler: str | None,
+    workers: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     as_json_object: bool,
@@ -68,7 +80,7 @@ def sweep_command(
     """Gaits over a range of friction, and the borders between gait words.
 
     Where the branch of gaits cannot be followed to the end, what was found is printed and written, and the
-    exit status is 1.
+    exit status is 1. The rows of a grid are computed side by side.
     """
     from . import sweep as sweeps  # the C library is loaded when it is needed
     from .orbit import Runner
@@ -79,7 +91,8 @@ def sweep_command(
     values = sweeps.values_of(frictions, spacing, "--friction")
     runner = Runner.of(start_values(unit, parameters, None, settings), unit)
     if over is not None:
-        _grid(runner, values, over, spacing, output, as_json_object)
+        where = {"scheduler": scheduler, "workers": workers}
+        _grid(runner, values, over, spacing, output, where, as_json_object)
         return
     found = sweeps.sweep(runner, values, show_progress=True)
     if output is not None:
@@ -92,7 +105,13 @@ def sweep_command(
 
 
 def _grid(
-    runner: object, frictions: object, over: str, spacing: str, output: Path | None, as_json_object: bool
+    runner: object,
+    frictions: object,
+    over: str,
+    spacing: str,
+    output: Path | None,
+    where: dict,
+    as_json_object: bool,
 ) -> None:
     from . import sweep as sweeps
 
@@ -106,7 +125,7 @@ def _grid(
     if name not in runner.values or variable.causality not in ("parameter", "input"):
         raise InputError(f"--over {name}: allowed: a parameter or input")
     rows = sweeps.values_of(span, spacing, "--over")
-    data = sweeps.grid(runner, frictions, name, rows, output, show_progress=True, unit=unit)
+    data = sweeps.grid(runner, frictions, name, rows, output, show_progress=True, unit=unit, **where)
     gaits = int(data["period"].notnull().sum())
     words = sorted({word for word in data["word"].values.ravel() if word})
     result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
@@ -145,6 +164,15 @@ def _grid(
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the map: .png, .svg or .pdf."
 )
+@click.option(
+    "--samples",
+    type=int,
+    default=20000,
+    show_default=True,
+    help="Random starts in all six coordinates, for the region's volume; 0 for none.",
+)
+@SCHEDULER_OPTION
+@WORKERS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -155,12 +183,20 @@ def basin_command(
     count: int,
     output: Path | None,
     plot: Path | None,
+    samples: int,
+    scheduler: str | None,
+    workers: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     as_json_object: bool,
 ) -> None:
-    """The region of attraction of a gait over a slice of the apex section."""
-    from .basin import basin  # the C library is loaded when it is needed
+    """The region of attraction of a gait: a map over a slice of the apex section, its volume, its robustness.
+
+    Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
+    recovers from.
+    """
+    from . import attraction  # the C library is loaded when it is needed
+    from .basin import basin, stable_gait
     from .orbit import Runner
     from .sweep import values_of
 
@@ -173,17 +209,26 @@ def basin_command(
     unit = load()
     ranges = tuple(values_of(f"{span}:{count}", "linear", "--range") for span in spans)
     runner = Runner.of(start_values(unit, parameters, friction, settings), unit)
-    data = basin(runner, axes, ranges, path=output, show_progress=True, unit=unit)
+    where = {"scheduler": scheduler, "workers": workers, "show_progress": True}
+    data = basin(runner, axes, ranges, path=output, unit=unit, **where)
     if plot is not None:
         basin_map.draw(plot, data)
-    strides = int(data["strides"].sum())
+    gait = stable_gait(runner, unit)
     fates = {
         name: int((data["fate"] == flag).sum())
         for flag, name in enumerate(data["fate"].attrs["flag_meanings"].split())
     }
-    result = {"word": data.attrs["word"], "starts": data["fate"].size, **fates, "strides": strides}
-    text = "\n".join(f"{name:12}{value}" for name, value in result.items())
-    print(json_text(result) if as_json_object else text)
+    result = {
+        "word": gait.word,
+        "starts": data["fate"].size,
+        **fates,
+        "strides": int(data["strides"].sum()),
+        "settled_share": data.attrs["settled_share"],
+        "robustness": attraction.robustness(gait).as_json(),
+    }
+    if samples:
+        result["volume"] = attraction.volume(gait, samples, **where).as_json()
+    print(json_text(result) if as_json_object else _basin_text(result))
 
 
 @click.command("figures")
@@ -220,6 +265,23 @@ def _orbit_text(orbit: object) -> str:
             f"{'stable':18}{'yes' if orbit.stable else 'no'}",
         ]
     )
+
+
+def _basin_text(result: dict) -> str:
+    robustness = {
+        name: "beyond the largest tried" if value is None else f"{value:.4g}"
+        for name, value in result["robustness"].items()
+    }
+    rows = {n: v for n, v in result.items() if n not in ("robustness", "volume")} | robustness
+    lines = [f"{name:18}{value}" for name, value in rows.items()]
+    if "volume" in result:
+        found = result["volume"]
+        low, high = found["share_interval"]
+        lines.append(
+            f"{'volume':18}{found['volume']:.5g}, {100 * found['share']:.2f} % of the box "
+            f"({100 * found['confidence']:.0f} % confidence: {100 * low:.2f} to {100 * high:.2f} %)"
+        )
+    return "\n".join(lines)
 
 
 def _complex(value: complex) -> str:

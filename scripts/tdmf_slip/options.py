@@ -24,6 +24,17 @@ PARAMETERS_OPTION = click.option(
     metavar="FILE",
     help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
 )
+SCHEDULER_OPTION = click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Dask scheduler whose workers do the work, tcp://host:8786; without one, processes of this machine.",
+)
+WORKERS_OPTION = click.option(
+    "--workers",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Processes on this machine.  [default: one for each processor]",
+)
 
 
 def start_values(

@@ -2,14 +2,14 @@
 
 import contextlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import xarray
 
-from . import progress
+from . import blocks, progress
 from .continuation import Border, borders_between, gaits_over
 from .errors import InputError, RunError
 from .files import whole
@@ -160,6 +160,8 @@ def grid(
     values: Sequence[float],
     path: Path,
     *,
+    scheduler: str | None = None,
+    workers: int | None = None,
     show_progress: bool = False,
     unit: Unit | None = None,
 ) -> xarray.Dataset:
@@ -174,6 +176,8 @@ def grid(
         name: the second parameter or input.
         values: one for each row.
         path: of the NetCDF file.
+        scheduler: of a Dask cluster, see `blocks.run`. The result does not depend on who computes it.
+        workers: processes on this machine, by default one for each processor.
         show_progress: a bar on stderr.
         unit: for units and descriptions.
 
@@ -192,28 +196,35 @@ def grid(
         data = as_dataset([None] * (len(values) * len(frictions)), coordinates, unit)
         data["done"] = (name,), np.zeros(len(values), dtype="i1")
         data.attrs = attributes
+    missing = np.flatnonzero(data["done"].values == 0)
+    rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
     with progress.bar("sweep", len(values), "rows", show_progress) as bar:
-        for row, value in enumerate(values):
-            if not data["done"].values[row]:
-                found = as_dataset(
-                    list(_row(runner.but(name, value), frictions)), {FRICTION: coordinates[FRICTION]}, unit
-                )
-                for variable in found.data_vars:
-                    data[variable][row] = found[variable]
-                data["done"][row] = 1
-                with whole(path) as beside:
-                    data.to_netcdf(beside)
+        bar.update(len(values) - len(missing))
+        for number, orbits in blocks.run(gaits_of_row, rows, scheduler=scheduler, workers=workers):
+            found = as_dataset(orbits, {FRICTION: coordinates[FRICTION]}, unit)
+            for variable in found.data_vars:
+                data[variable][missing[number]] = found[variable]
+            data["done"][missing[number]] = 1
+            with whole(path) as beside:
+                data.to_netcdf(beside)
             bar.update()
     return data
 
 
-def _row(runner: Runner, frictions: Sequence[float]) -> Iterator[Orbit | None]:
+@dataclass(frozen=True)
+class Row:
+    """A row of a grid: a block of work."""
+
+    runner: Runner
+    frictions: tuple[float, ...]
+
+
+def gaits_of_row(row: Row) -> list[Orbit | None]:
     """The gait at each friction; None from where the branch cannot be followed."""
     found: tuple[Orbit, ...] = ()
     with contextlib.suppress(RunError):  # no gait at the first friction: none in this row
-        found = sweep(runner, frictions).orbits
-    yield from found
-    yield from [None] * (len(frictions) - len(found))
+        found = sweep(row.runner, row.frictions).orbits
+    return [*found, *[None] * (len(row.frictions) - len(found))]
 
 
 def _resumed(

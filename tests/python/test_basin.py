@@ -39,24 +39,26 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
             assert run.stride["word"] == slice_.attrs["word"]
 
 
-def test_fates_do_not_depend_on_threads_or_neighbours(runner, slice_, unit):
+def test_fates_do_not_depend_on_who_computes_them(runner, slice_, unit, monkeypatch):
+    monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
     two = basin.basin(runner, AXES, RANGES, workers=2, unit=unit)
     xarray.testing.assert_equal(two, slice_)
-    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), unit=unit)
+    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), workers=1, unit=unit)
     np.testing.assert_array_equal(part["strides"].values, slice_["strides"].values[3:5, 1:])
 
 
 def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
     path = tmp_path / "map.nc"
-    honest, calls = basin._fates, []
+    honest, calls = basin.fates_of_slice, []
 
-    def interrupted(*arguments):
-        calls.append(len(arguments[2]))
+    def interrupted(part):
+        calls.append(len(part.rows))
         if len(calls) == 2:
             raise KeyboardInterrupt
-        return honest(*arguments)
+        return honest(part)
 
-    monkeypatch.setattr(basin, "_fates", interrupted)
+    monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * len(RANGES[1]))
+    monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
         basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
     whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
@@ -67,9 +69,14 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
 
 
 def test_basin_command(command):
-    options = ("--n", 4, "--range", "1.3:1.5", "1.0:1.1")
+    options = ("--n", 4, "--range", "1.3:1.5", "1.0:1.1", "--samples", 200)
     status, out, _ = command("basin", *options, "--json", "--output", "map.nc", "--plot", "map.png")
     found = json.loads(out)
     assert status == 0
     assert (found["starts"], found["settled"]) == (16, 16)
+    assert found["robustness"]["push_backward"] is None  # beyond the largest tried
+    low, high = found["volume"]["share_interval"]
+    assert 0.6 < low < found["volume"]["share"] < high < 0.95
+    status, out, _ = command("basin", *options)
+    assert status == 0 and "95 % confidence" in out
     assert command("basin", "--axes", "com_height", "height", *options)[0] == 2

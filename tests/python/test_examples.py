@@ -36,3 +36,13 @@ def test_a_controller_at_the_hip_holds_the_speed(load):
     assert held[-1][1] == pytest.approx(target, rel=0.01)
     # The work of the external torque is in the books of the hip.
     assert abs(ledger) < 1e-8
+
+
+def test_a_batch_over_a_table(load, monkeypatch, capsys, tmp_path):
+    example = load("batch")
+    monkeypatch.setattr(example, "DAMPINGS", (0.2,))
+    monkeypatch.setattr(example, "FRICTIONS", (0.6, 1.2))
+    monkeypatch.setattr("sys.argv", ["batch.py", "--output", str(tmp_path / "runs.nc")])
+    example.main()
+    assert [line.split()[2] for line in capsys.readouterr().out.splitlines()[1:]] == ["+0-0+", "+0+"]
+    assert (tmp_path / "runs.nc").exists()

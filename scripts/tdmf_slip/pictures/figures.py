@@ -9,18 +9,33 @@ from pathlib import Path
 import numpy as np
 
 from .. import progress
+from ..attraction import Attraction, measure_all
 from ..errors import InputError
 from ..files import whole
 from ..orbit import Runner, find_orbit
 from ..parameters import read_parameters
 from ..sweep import Sweep, sweep
 from ..unit import Unit
-from . import energy, figure_1, figure_2, figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9
+from . import (
+    attraction,
+    energy,
+    figure_1,
+    figure_2,
+    figure_3,
+    figure_4,
+    figure_5,
+    figure_6,
+    figure_7,
+    figure_8,
+    figure_9,
+)
 from .stride import Stride
 
 FORMATS = (".png", ".svg")
 SWEPT = np.geomspace(10.0, 0.05, 200)
 """Frictions of figure 9."""
+MEASURED = 26
+"""So many of these have their region of attraction measured."""
 STRIDE_COLUMNS = (
     "time",
     "com.y",
@@ -94,6 +109,12 @@ def _figures(unit: Unit) -> dict[str, Figure]:
     def gaits() -> Sweep:
         return sweep(runner, SWEPT)
 
+    @cache
+    def measured() -> list[Attraction]:
+        orbits = gaits().orbits
+        chosen = [orbits[i] for i in np.linspace(0, len(orbits) - 1, MEASURED).round().astype(int)]
+        return [found for _, found in sorted(measure_all(chosen), key=lambda numbered: numbered[0])]
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -109,6 +130,9 @@ def _figures(unit: Unit) -> dict[str, Figure]:
             lambda: _stride_table([stride(first), stride(second)]),
         ),
         "figure_9": Figure(lambda path: figure_9.draw(path, gaits()), lambda: figure_9.table(gaits())),
+        "attraction": Figure(
+            lambda path: attraction.draw(path, gaits(), measured()), lambda: attraction.table(measured())
+        ),
         "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
     }
 

@@ -1,0 +1,129 @@
+"""Blocks of work on Dask: the same results wherever they are computed, and none lost with a worker."""
+
+import functools
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import xarray
+from tdmf_slip import InputError, RunError, basin, batch, blocks, sweep
+from tdmf_slip.orbit import Runner
+
+BLOCKS = 12
+
+
+def note(folder, number):
+    """A block that leaves a trace of who did it."""
+    time.sleep(0.3)
+    (folder / f"{number}-{os.getpid()}").touch()
+    return number * number
+
+
+def die(_):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+@pytest.fixture
+def cluster(tmp_path):
+    """A scheduler and two workers, processes of their own; yields its address and the workers."""
+    file = tmp_path / "scheduler.json"
+    run = functools.partial(
+        subprocess.Popen,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": str(pathlib.Path(__file__).parent)},  # for `note`
+    )
+    dask = (sys.executable, "-m", "dask")
+    options = ("--scheduler-file", str(file))
+    scheduler = run([*dask, "scheduler", *options, "--port", "0", "--no-dashboard"])
+    command = [*dask, "worker", *options, "--nthreads", "1", "--no-dashboard", "--no-nanny"]
+    workers = [run(command) for _ in range(2)]
+    try:
+        yield _address(file), workers
+    finally:
+        for process in (*workers, scheduler):
+            process.kill()
+            process.wait()
+
+
+def _address(file):
+    for _ in range(300):
+        if file.exists() and file.read_text():
+            return json.loads(file.read_text())["address"]
+        time.sleep(0.1)
+    raise AssertionError("the scheduler did not start")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="workers are killed by a POSIX signal")
+def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
+    address, workers = cluster
+    folder = tmp_path / "done"
+    folder.mkdir()
+    results = {}
+    for number, result in blocks.run(functools.partial(note, folder), list(range(BLOCKS)), scheduler=address):
+        results[number] = result
+        if len(results) == 3:
+            workers[0].kill()
+    assert results == {number: number * number for number in range(BLOCKS)}
+    # What the dead worker had begun, and what it had done but not handed over, is all that is done again.
+    assert BLOCKS <= len(list(folder.iterdir())) <= BLOCKS + 2
+
+
+def test_a_block_that_kills_its_workers_is_said(monkeypatch):
+    with pytest.raises(RunError, match="killed every worker"):
+        list(blocks.run(die, [0, 1], workers=2))
+
+
+def test_a_cluster_gives_the_same_map(cluster, unit):
+    address, _ = cluster
+    runner = Runner.of({}, unit)
+    ranges = np.linspace(1.2, 2.9, 6), np.linspace(0.9, 1.6, 5)
+    here = basin.basin(runner, ("com_height", "com_speed"), ranges, workers=1, unit=unit)
+    there = basin.basin(runner, ("com_height", "com_speed"), ranges, scheduler=address, unit=unit)
+    xarray.testing.assert_identical(here, there)
+
+
+def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
+    runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
+    grids = [
+        sweep.grid(
+            runner, frictions, "leg.damping", dampings, tmp_path / f"{workers}.nc", workers=workers, unit=unit
+        )
+        for workers in (1, 2)
+    ]
+    xarray.testing.assert_identical(*grids)
+
+
+def test_a_batch_of_units_is_the_same_by_two_workers(unit):
+    table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
+    one, two = (batch.run(table, strides=3, workers=workers, unit=unit) for workers in (1, 2))
+    xarray.testing.assert_identical(one, two)
+    assert list(one["count"].values) == [3, 3, 3]
+    assert list(one["ground.friction"].values) == [1.2, 0.6, 0.2]
+    assert one["period"].attrs["units"] == "s"
+    assert (one["problem"].values == "").all()
+
+
+def test_a_run_that_fails_leaves_the_others(unit):
+    """A runner that falls is a result; one that closes no stride has its reason written beside it."""
+    table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
+    runs = batch.run(table, strides=2, workers=1, unit=unit)
+    assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
+    assert runs["fallen"].values[1] or runs["problem"].values[1]
+
+
+def test_wrong_arguments_are_said(unit):
+    with pytest.raises(InputError, match="no Dask scheduler answers"):
+        list(blocks.run(abs, [1, 2], scheduler="nonsense://here"))
+    with pytest.raises(InputError, match="workers 0"):
+        list(blocks.run(abs, [1, 2], workers=0))
+    with pytest.raises(InputError, match="table: allowed"):
+        batch.run([], strides=1, unit=unit)
+    with pytest.raises(InputError, match="row 1"):
+        batch.run([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, unit=unit)
