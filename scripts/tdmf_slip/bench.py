@@ -1,37 +1,52 @@
-"""The unit's two solvers and their peers on the same stride, each at the loosest accurate tolerance."""
+"""Solvers and the ensemble engine against peers: the same strides, each at the loosest accurate tolerance."""
 
+import datetime
+import os
 import platform
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
+from importlib.metadata import version
 
 import numpy as np
 
-from . import progress, reference
+from . import ensemble, progress, reference
 from .errors import RunError
 from .instance import opened
+from .library import c, ffi
+from .orbit import Runner
 from .section import COORDINATES, scales, start_values
 from .text import table
 from .unit import Unit, load
 
 FRICTION = 0.6
-WANTED_ERROR = 1e-8
-TOLERANCES = tuple(digit * 10.0**-power for power in range(6, 13) for digit in (10, 5, 2))
-PEER_STRIDES = 200
-INTEGRATORS_ALONE = ", integrators alone"
-"""Without the transitions between modes, which a user of heyoka writes in Python."""
-STRIDES = {"native": 2000, "cvode": 50}
+ACCURACIES = (1e-8, 1e-5)
+"""Wanted of the apex after one stride, over its scales."""
+TOLERANCES = tuple(digit * 10.0**-power for power in range(3, 13) for digit in (10, 5, 2))
 REPEATS = 5
+STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
+"""Timed in each repeat."""
+ALONE = ", integrators alone"
+"""Without the transitions between modes, which a user of heyoka writes in Python."""
+RUNNERS, STRIDES_EACH = 4096, 4
+SPREAD = 0.05
+"""Of the ensemble's starts about the gait's apex, either way; all make the gait's word."""
+JUDGED = 64
+"""Runners by which the ensemble's error is judged."""
+TIGHT = 1e-13
+ONE, MANY = "one runner", "ensemble, on one processor"
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """One solver at the loosest tolerance that reaches the wanted error."""
+    """One solver at the loosest tolerance that reaches an accuracy."""
 
+    group: str
     solver: str
+    accuracy: float
     tolerance: float
     error: float
-    """Of the apex after one stride from the reference gait, the largest coordinate over its scale."""
+    """Of the apex after one stride, the largest coordinate over its scale; the worst runner's."""
     evaluations: float | None
     """Of the right-hand side, or of a coefficient of its series, a stride; None where nobody says."""
     microseconds: float
@@ -43,38 +58,65 @@ class Bench:
     """What was measured, and on what."""
 
     measurements: tuple[Measurement, ...]
-    """The native solver first."""
-    machine: str
+    ours: Mapping[str, str]
+    """By group, the solver of ours that the others are compared with."""
+    threads: int
+    scaling: float
+    """Of the ensemble over so many threads: strides a second each, over those of one alone."""
+    versions: Mapping[str, str]
     missing: tuple[str, ...] = ()
     """Peers that are not installed."""
 
-    @property
-    def ratios(self) -> dict[str, float]:
-        """How many times faster the native solver is than each other."""
-        native = self.measurements[0]
-        return {m.solver: m.microseconds / native.microseconds for m in self.measurements[1:]}
+    def ratio(self, measurement: Measurement) -> float:
+        """How many times faster our solver of its group is than a solver."""
+        ours = next(
+            m
+            for m in self.measurements
+            if (m.group, m.accuracy, m.solver)
+            == (measurement.group, measurement.accuracy, self.ours[measurement.group])
+        )
+        return measurement.microseconds / ours.microseconds
 
     def as_json(self) -> dict[str, object]:
         """The measurements as a plain object."""
-        rows = [asdict(measurement) for measurement in self.measurements]
-        return {"measurements": rows, "ratios": self.ratios, "missing": self.missing, "machine": self.machine}
+        rows = [asdict(m) | {"ratio": self.ratio(m)} for m in self.measurements]
+        return {
+            "measurements": rows,
+            "threads": self.threads,
+            "scaling": self.scaling,
+            "versions": dict(self.versions),
+            "missing": list(self.missing),
+        }
 
     def as_text(self) -> str:
-        """The measurements as a table."""
-        header = ("solver", "tolerance", "error", "evaluations/stride", "us/stride")
-        rows = [
-            (
-                m.solver,
-                f"{m.tolerance:.0e}",
-                f"{m.error:.1e}",
-                "" if m.evaluations is None else f"{m.evaluations:.0f}",
-                f"{m.microseconds:.1f}",
-            )
-            for m in self.measurements
-        ]
-        lines = [f"native is {ratio:.1f} times as fast as {name}" for name, ratio in self.ratios.items()]
-        lines += [f"{name} is not installed: pip install 'tdmf-slip[bench]'" for name in self.missing]
-        return "\n".join([table(header, rows), *lines, f"on {self.machine}"])
+        """The measurements as tables."""
+        parts = []
+        for group, ours in self.ours.items():
+            for accuracy in ACCURACIES:
+                rows = [m for m in self.measurements if (m.group, m.accuracy) == (group, accuracy)]
+                parts += [f"{group}, to {accuracy:g}; ratios to {ours}", self._rows_text(rows), ""]
+        parts.append(f"{self.threads} threads: each makes {self.scaling:.2f} times the strides of one alone")
+        parts += [f"{name} is not installed: pip install 'tdmf-slip[bench]'" for name in self.missing]
+        parts += [f"{name}: {what}" for name, what in self.versions.items()]
+        return "\n".join(parts)
+
+    def _rows_text(self, rows: list[Measurement]) -> str:
+        header = ("solver", "tolerance", "error", "evaluations", "us/stride", "strides/s", "ratio")
+        return table(
+            header,
+            [
+                (
+                    m.solver,
+                    f"{m.tolerance:.0e}",
+                    f"{m.error:.1e}",
+                    "" if m.evaluations is None else f"{m.evaluations:.0f}",
+                    f"{m.microseconds:.2f}" if m.microseconds < 100 else f"{m.microseconds:.0f}",
+                    f"{1e6 / m.microseconds:.0f}",
+                    f"{self.ratio(m):.3g}",
+                )
+                for m in rows
+            ],
+        )
 
 
 def known_gait() -> dict:
@@ -82,8 +124,43 @@ def known_gait() -> dict:
     return next(gait for gait in reference.gaits() if gait["friction"] == FRICTION)
 
 
+def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[float, float, float]]:
+    """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error.
+
+    Raises:
+        RunError: no tolerance does.
+    """
+    errors: dict[float, float] = {}
+    for accuracy in ACCURACIES:
+        found = None
+        for tolerance in reversed(TOLERANCES):
+            if tolerance not in errors:
+                errors[tolerance] = error_at(tolerance)
+            if not errors[tolerance] <= accuracy:
+                break
+            found = tolerance
+        if found is None:
+            raise RunError(
+                f"{what}: no tolerance down to {TOLERANCES[-1]:g} reaches an error of {accuracy:g}"
+            )
+        yield accuracy, found, errors[found]
+
+
+def _fastest(work: Callable[[], object], repeats: int = REPEATS) -> float:
+    """Seconds of the fastest of some repeats."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+# ---- one runner -------------------------------------------------------------------------------------------
+
+
 def starts(unit: Unit, solver: str, tolerance: float) -> dict[str, float | int]:
-    """Start values of a run from the gait's apex by a solver."""
+    """Start values of a run from the gait's apex by a solver of the unit."""
     methods = unit.variables["solver.method"].items
     return {
         **start_values(unit, known_gait()["apex"]),
@@ -94,7 +171,7 @@ def starts(unit: Unit, solver: str, tolerance: float) -> dict[str, float | int]:
 
 
 def stride_error(unit: Unit, solver: str, tolerance: float) -> float:
-    """Error of the apex after one stride."""
+    """Error of the apex after one stride by a solver of the unit."""
     gait = known_gait()
     with opened(unit, "cs") as runner:
         runner.start(starts(unit, solver, tolerance))
@@ -104,72 +181,167 @@ def stride_error(unit: Unit, solver: str, tolerance: float) -> float:
         return max(abs(value - known) / scale for value, known, scale in pairs)
 
 
-def loosest_tolerance(what: str, error_at: Callable[[float], float]) -> tuple[float, float]:
-    """The loosest tolerance from which on all tighter ones are accurate enough, and its error.
-
-    Raises:
-        RunError: no tolerance is.
-    """
-    found = None
-    for tolerance in reversed(TOLERANCES):
-        error = error_at(tolerance)
-        if error > WANTED_ERROR:
-            break
-        found = tolerance, error
-    if found is None:
-        raise RunError(
-            f"{what}: no tolerance down to {TOLERANCES[-1]:g} reaches an error of {WANTED_ERROR:g}"
+def measure_unit(unit: Unit, solver: str, effort: float) -> Iterator[Measurement]:
+    """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
+    strides = max(1, round(effort * STRIDES[solver]))
+    duration = strides * known_gait()["period"]
+    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(unit, solver, t)):
+        times, evaluations = [], 0
+        for _ in range(REPEATS):
+            with opened(unit, "cs") as runner:
+                runner.start(starts(unit, solver, tolerance))
+                start = time.perf_counter()
+                runner.advance(0.0, duration)
+                times.append(time.perf_counter() - start)
+                evaluations = runner.value("solver.evaluations")
+        yield Measurement(
+            ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
         )
-    return found
 
 
-def measure_heyoka(repeats: int, effort: float) -> list[Measurement]:
-    """Time heyoka over the same stride: as a whole, and its integrators alone.
+def measure_peer(peer_of: type, strides: int) -> Iterator[Measurement]:
+    """Time a peer that makes one stride at a time."""
+    apex = np.array(known_gait()["apex"])
+
+    def error_at(tolerance: float) -> float:
+        return float(np.max(np.abs(peer_of(tolerance).stride(apex) - apex)))
+
+    for accuracy, tolerance, error in loosest(peer_of.name, error_at):
+        peer = peer_of(tolerance)
+        peer.stride(apex)
+        counted = getattr(peer, "evaluations", None)
+        seconds = _fastest(lambda peer=peer: [peer.stride(apex) for _ in range(strides)])
+        yield Measurement(ONE, peer_of.name, accuracy, tolerance, error, counted, 1e6 * seconds / strides)
+
+
+# ---- ensembles --------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """The ensemble that is run: starts about the gait's apex."""
+
+    case: ensemble.Case
+    starts: np.ndarray
+
+    def ends(self, instructions: str, tolerance: float, *, judged: bool) -> np.ndarray:
+        """Apices after one stride."""
+        chosen = self.starts[:JUDGED] if judged else self.starts
+        ends, _ = ensemble.run(
+            [self.case], chosen, most_strides=1, tolerance=tolerance, threads=1, instructions=instructions
+        )
+        return ends["apex"]
+
+    def run(
+        self, instructions: str | None, tolerance: float, threads: int, effort: float
+    ) -> tuple[float, ensemble.Work]:
+        """Seconds for all, making some strides, and the work that was done."""
+        count = max(JUDGED, round(effort * len(self.starts))) * threads
+        runners = np.resize(self.starts, (count, len(COORDINATES)))
+        work: list[ensemble.Work] = []
+
+        def once() -> None:
+            _, done = ensemble.run(
+                [self.case],
+                runners,
+                most_strides=STRIDES_EACH,
+                tolerance=tolerance,
+                threads=threads,
+                instructions=instructions,
+            )
+            work.append(done)
+
+        return _fastest(once), work[0]
+
+
+def crowd(unit: Unit) -> Crowd:
+    """Starts drawn about the gait's apex."""
+    source = np.random.default_rng(0)
+    runner = Runner.of({"ground.friction": FRICTION}, unit)
+    spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(COORDINATES)))
+    return Crowd(ensemble.Case(runner), np.array(known_gait()["apex"]) + spread)
+
+
+def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
+    """Time the engine by one instruction set, in one thread."""
+    exact = many.ends("one by one", TIGHT, judged=True)
+
+    def error_at(tolerance: float) -> float:
+        return float(np.max(np.abs(many.ends(instructions, tolerance, judged=True) - exact)))
+
+    for accuracy, tolerance, error in loosest(instructions, error_at):
+        seconds, work = many.run(instructions, tolerance, 1, effort)
+        yield Measurement(
+            MANY,
+            instructions,
+            accuracy,
+            tolerance,
+            error,
+            work.evaluations / work.strides,
+            1e6 * seconds / work.strides,
+        )
+
+
+def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
+    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone.
 
     Raises:
         ImportError: it is not installed.
     """
-    from .peers.heyoka_peer import Peer
+    from .peers.heyoka_peer import BatchPeer
 
-    apex = np.array(known_gait()["apex"])
-    tolerance, error = loosest_tolerance(
-        Peer.name, lambda tolerance: float(np.max(np.abs(Peer(tolerance).stride(apex) - apex)))
-    )
-    peer, strides = Peer(tolerance), max(1, round(effort * PEER_STRIDES))
-    whole, alone = [], []
-    for _ in range(repeats):
-        peer.seconds = 0.0
-        start = time.perf_counter()
-        for _ in range(strides):
-            peer.stride(apex)
-        whole.append(1e6 * (time.perf_counter() - start) / strides)
-        alone.append(1e6 * peer.seconds / strides)
-    return [
-        Measurement(Peer.name, tolerance, error, None, min(whole)),
-        Measurement(Peer.name + INTEGRATORS_ALONE, tolerance, error, None, min(alone)),
-    ]
+    exact = many.ends("one by one", TIGHT, judged=True)
+    batches = many.starts[:JUDGED].reshape(-1, BatchPeer.lanes, len(COORDINATES))
+
+    def error_at(tolerance: float) -> float:
+        peer = BatchPeer(tolerance)
+        found = np.concatenate([peer.strides(batch) for batch in batches])
+        return float(np.max(np.abs(found - exact)))
+
+    for accuracy, tolerance, error in loosest(BatchPeer.name, error_at):
+        peer = BatchPeer(tolerance)
+        rounds = [*batches] * max(1, round(effort * STRIDES["heyoka"] / len(batches)))
+        strides = len(rounds) * BatchPeer.lanes
+        whole, alone = [], []
+        for _ in range(REPEATS):
+            peer.seconds = 0.0
+            whole.append(_fastest(lambda peer=peer, rounds=rounds: [peer.strides(b) for b in rounds], 1))
+            alone.append(peer.seconds)
+        for name, seconds in ((BatchPeer.name, min(whole)), (BatchPeer.name + ALONE, min(alone))):
+            yield Measurement(MANY, name, accuracy, tolerance, error, None, 1e6 * seconds / strides)
 
 
-def measure(unit: Unit, solver: str, strides: int, repeats: int) -> Measurement:
-    """Time a solver over many strides of the gait, several times."""
-    tolerance, error = loosest_tolerance(solver, lambda tolerance: stride_error(unit, solver, tolerance))
-    duration = strides * known_gait()["period"]
-    times, evaluations = [], 0
-    for _ in range(repeats):
-        with opened(unit, "cs") as runner:
-            runner.start(starts(unit, solver, tolerance))
-            start = time.perf_counter()
-            runner.advance(0.0, duration)
-            times.append(time.perf_counter() - start)
-            evaluations = runner.value("solver.evaluations")
-    return Measurement(solver, tolerance, error, evaluations / strides, 1e6 * min(times) / strides)
+def measure_scaling(many: Crowd, threads: int, effort: float) -> float:
+    """Strides a second of each of many threads, over those of one alone."""
+    alone, _ = many.run(None, ensemble.TOLERANCE, 1, effort)
+    together, _ = many.run(None, ensemble.TOLERANCE, threads, effort)
+    return alone / together
+
+
+# ---- all --------------------------------------------------------------------------------------------------
+
+
+def _peers(effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
+    """What may not be installed, by name."""
+
+    def of(name: str) -> Iterator[Measurement]:
+        if name == "heyoka":
+            from .peers.heyoka_peer import Peer
+        elif name == "numba":
+            from .peers.numba_peer import Peer
+        else:
+            from .peers.scipy_peer import Peer
+        yield from measure_peer(Peer, max(1, round(effort * STRIDES[name])))
+
+    for name in ("heyoka", "numba", "scipy"):
+        yield name, lambda name=name: of(name)
 
 
 def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None = None) -> Bench:
-    """Measure both solvers, and heyoka where it is installed, on this machine, single-threaded.
+    """Measure everything on this machine; all but the scaling over threads in one thread.
 
     Args:
-        effort: scales the number of strides.
+        effort: scales how long is measured.
         show_progress: a bar on stderr.
         unit: the unit to measure; by default that of `fmu_path`.
 
@@ -178,18 +350,41 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         RunError: a solver does not reach the wanted error.
     """
     unit = load() if unit is None else unit
-    measurements, missing = [], []
-    with progress.bar("bench", len(STRIDES) + 1, "solvers", show_progress) as bar:
-        for solver, strides in STRIDES.items():
-            measurements.append(measure(unit, solver, max(1, round(effort * strides)), REPEATS))
+    many = crowd(unit)
+    sets = ensemble.instruction_sets()
+    jobs = [
+        *(
+            (solver, lambda solver=solver: measure_unit(unit, solver, effort))
+            for solver in ("native", "cvode")
+        ),
+        *_peers(effort),
+        *((name, lambda name=name: measure_lanes(many, name, effort)) for name in reversed(sets)),
+        ("heyoka", lambda: measure_batches(many, effort)),
+    ]
+    measurements: list[Measurement] = []
+    missing: dict[str, None] = {}
+    with progress.bar("bench", len(jobs) + 1, "solvers", show_progress) as bar:
+        for name, measure in jobs:
+            try:
+                measurements += measure()
+            except ImportError:
+                missing[name] = None
             bar.update(1)
-        try:
-            measurements += measure_heyoka(REPEATS, effort)
-        except ImportError:
-            missing.append("heyoka")
+        threads = os.cpu_count() or 1
+        scaling = measure_scaling(many, threads, effort)
         bar.update(1)
-    machine = f"{_processor()}, {platform.system()} {platform.machine()}"
-    return Bench(tuple(measurements), machine, tuple(missing))
+    ours = {ONE: "native", MANY: sets[-1]}
+    return Bench(tuple(measurements), ours, threads, scaling, _versions(), tuple(missing))
+
+
+def _versions() -> dict[str, str]:
+    return {
+        "date": datetime.date.today().isoformat(),
+        "processor": f"{_processor()}, {platform.system()} {platform.machine()}",
+        "compiler": ffi.string(c.tdmf_compiler()).decode(),
+        "tdmf-slip": version("tdmf-slip"),
+        "python": platform.python_version(),
+    }
 
 
 def _processor() -> str:

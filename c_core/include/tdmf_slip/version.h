@@ -8,6 +8,9 @@ extern "C" {
 /* The library's version, "major.minor.patch". */
 const char *tdmf_version(void);
 
+/* What the library was compiled by and how: "GNU 12.2.0, -O3 -DNDEBUG". */
+const char *tdmf_compiler(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -60,31 +60,31 @@ def rise(state, sin, cos):
     return vy + BODY / (BODY + FOOT) * (r_rate * cos(theta) - r * theta_rate * sin(theta))
 
 
-def impact(state):
-    """The state after an impact that slips forward."""
+def impact(state, maths=math):
+    """The state after an impact that slips forward. `maths` has sin and cos for what the state is made of."""
     x, _, r, theta, vx, vy, r_rate, theta_rate = state
-    sine, cosine = math.sin(theta), math.cos(theta)
+    sine, cosine = maths.sin(theta), maths.cos(theta)
     body_vx = vx - r_rate * sine - r * theta_rate * cosine
     body_vy = vy + r_rate * cosine - r * theta_rate * sine
     foot_vx = vx - FRICTION * abs(vy)
     relative = body_vx - foot_vx
     along, across = -relative * sine + body_vy * cosine, -relative * cosine - body_vy * sine
-    return [x, 0.0, r, theta, foot_vx, 0.0, along, across / r]
+    return [x, 0.0 * r, r, theta, foot_vx, 0.0 * r, along, across / r]
 
 
-def apex(state):
+def apex(state, maths=math):
     """Section of an apex: height and speed of the centre of mass, and the leg."""
     _, y, r, theta, vx, _, r_rate, theta_rate = state
     share = BODY / (BODY + FOOT)
-    speed = vx - share * (r_rate * math.sin(theta) + r * theta_rate * math.cos(theta))
-    return [y + share * r * math.cos(theta), speed, r, theta, r_rate, theta_rate]
+    speed = vx - share * (r_rate * maths.sin(theta) + r * theta_rate * maths.cos(theta))
+    return [y + share * r * maths.cos(theta), speed, r, theta, r_rate, theta_rate]
 
 
-def start(section):
+def start(section, maths=math):
     """The state at an apex."""
     height, speed, r, theta, r_rate, theta_rate = section
     share = BODY / (BODY + FOOT)
-    sine, cosine = math.sin(theta), math.cos(theta)
+    sine, cosine = maths.sin(theta), maths.cos(theta)
     vx = speed + share * (r_rate * sine + r * theta_rate * cosine)
     vy = -share * (r_rate * cosine - r * theta_rate * sine)
-    return [0.0, height - share * r * cosine, r, theta, vx, vy, r_rate, theta_rate]
+    return [0.0 * r, height - share * r * cosine, r, theta, vx, vy, r_rate, theta_rate]

@@ -7,67 +7,47 @@ import heyoka as hy
 import numpy as np
 
 from . import equations as eq
+from . import sequence
 
-LONGEST = 100.0
-"""Time within which every mode ends."""
-MOVING = {"flight": range(8), "stick": (2, 3, 6, 7), "slip": (0, 2, 3, 4, 6, 7), "graze": (0, 2, 3, 4, 6, 7)}
-"""Indices of the states that change in a mode."""
+
+def _system(name: str) -> tuple[list, list]:
+    """Equations of motion and guards of a mode."""
+    state = hy.make_vars(*eq.STATES)
+    parameters = [hy.par[i] for i in range(sequence.PARAMETERS)]
+    torque = sequence.torque_of(name, state, parameters)
+    accelerations = eq.accelerations(sequence.mode_of(name), state, torque, parameters[1], hy.sin, hy.cos)
+    rates = [*state[4:], *accelerations]
+    guards = sequence.guards_of(name, state, parameters, hy.sin, hy.cos)
+    return [(state[i], rates[i]) for i in sequence.MOVING[name]], guards
 
 
 class Peer:
-    """Integrators of all modes at one tolerance."""
+    """Integrators of all modes at one tolerance, for one runner."""
 
     name = f"heyoka {hy.__version__}"
 
     def __init__(self, tolerance: float) -> None:
         """Compile them."""
-        state = hy.make_vars(*eq.STATES)
-        falls = hy.event_direction.negative
-        first, second, third, fourth = (hy.par[i] for i in range(4))
-        stays = eq.sticking_force(state, first, hy.sin, hy.cos)
         self.seconds = 0.0
         """Spent in integrators so far."""
-        # Parameters of flight: gain, target, rate gain, sign of the clamp's argument; on the ground: torque,
-        # friction, sign of the slip, and what keeps the guard of mid-stance away once it has passed.
-        torque = -first * (state[3] - second) - third * state[7]
-        lands, peaks = state[1], eq.rise(state, hy.sin, hy.cos)
-        clamp = fourth * eq.servo(state, second) + eq.ARMED
-        upright = state[3] + fourth
-        lifts = eq.sticking_force(state, eq.servo(state, second), hy.sin, hy.cos)[1]
-        cone = [second * stays[1] - stays[0], second * stays[1] + stays[0]]
-        slips = [state[4] * third + eq.ARMED, upright, stays[1]]
-        guards = {
-            "place": ("flight", [hy.t_event(lands, direction=falls)]),
-            "retract": ("flight", [hy.t_event(peaks, direction=falls), hy.t_event(clamp, direction=falls)]),
-            "slip": ("slip", [hy.t_event(guard, direction=falls) for guard in slips]),
-            "stick": ("stick", [hy.t_event(guard, direction=falls) for guard in (*cone, upright, stays[1])]),
-            "graze": ("graze", [hy.t_event(lifts, direction=falls)]),
-        }
         self._integrators = {}
-        for name, (mode, events) in guards.items():
-            applied = torque if mode == "flight" else first
-            integrator = self._integrator(mode, state, applied, events, tolerance)
-            self._integrators[name] = integrator, MOVING[mode]
-
-    @staticmethod
-    def _integrator(mode: str, state: Sequence, torque: object, events: list, tolerance: float) -> object:
-        ax, ay, r_acceleration, theta_acceleration = eq.accelerations(
-            mode, state, torque, hy.par[1], hy.sin, hy.cos
-        )
-        rates = [*state[4:], ax, ay, r_acceleration, theta_acceleration]
-        system = [(state[i], rates[i]) for i in MOVING[mode]]
-        start = [0.1] * len(system)
-        return hy.taylor_adaptive(system, start, t_events=events, tol=tolerance, compact_mode=False)
+        for name in sequence.MOVING:
+            system, guards = _system(name)
+            events = [hy.t_event(guard, direction=hy.event_direction.negative) for guard in guards]
+            start = [0.1] * len(system)
+            self._integrators[name] = hy.taylor_adaptive(
+                system, start, t_events=events, tol=tolerance, compact_mode=False
+            )
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
         """The state at the first event of a mode, and which it was."""
-        integrator, moving = self._integrators[name]
+        integrator, moving = self._integrators[name], sequence.MOVING[name]
         integrator.time = 0.0
         integrator.state[:] = [state[i] for i in moving]
         integrator.pars[:] = parameters[: len(integrator.pars)]
         integrator.reset_cooldowns()
         begin = time.perf_counter()
-        outcome = int(integrator.propagate_until(LONGEST)[0])
+        outcome = int(integrator.propagate_until(sequence.LONGEST)[0])
         self.seconds += time.perf_counter() - begin
         reached = list(state)
         for i, value in zip(moving, integrator.state, strict=True):
@@ -75,26 +55,53 @@ class Peer:
         return reached, -outcome - 1
 
     def stride(self, section: Sequence[float]) -> np.ndarray:
-        """The apex after one stride of the gait `+0-0+` from an apex."""
-        mu, drive = eq.FRICTION, -eq.STANCE_TORQUE
-        state, _ = self._run("place", eq.start(section), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
-        state = eq.impact(state)
-        for name, torque, friction, sign, passed in (
-            ("slip", drive, mu, 1.0, 0.0),
-            ("stick", drive, mu, 0.0, 0.0),
-            ("slip", drive, -mu, -1.0, 0.0),  # to mid-stance
-            ("slip", 0.0, -mu, -1.0, 10.0),
-            ("stick", 0.0, mu, 0.0, 10.0),
-            ("slip", 0.0, mu, 1.0, 10.0),
-        ):
-            state, guard = self._run(name, state, (torque, friction, sign, passed))
-            if name == "slip" and guard == 0:
-                state[4] = 0.0
-        target = eq.LIFTOFF_FACTOR * state[3]
-        state, _ = self._run("graze", state, (0.0, target, 0.0, 0.0))
-        opened, closed = (eq.KP, target, eq.KD, 1.0), (0.0, target, 0.0, -1.0)
-        for parameters in (opened, closed, opened):  # the clamp closes, and in other gaits opens again
-            state, guard = self._run("retract", state, parameters)
-            if guard == 0:
-                break
-        return np.array(eq.apex(state))
+        """The apex after one stride from an apex."""
+        return sequence.stride(section, self._run)
+
+
+class BatchPeer:
+    """The same for several runners at once, as many as heyoka recommends for this processor."""
+
+    name = f"heyoka {hy.__version__} in batches"
+    lanes = hy.recommended_simd_size()
+
+    def __init__(self, tolerance: float) -> None:
+        """Compile them."""
+        self.seconds = 0.0
+        """Spent in integrators so far."""
+        self._integrators = {}
+        for name in sequence.MOVING:
+            system, guards = _system(name)
+            events = [hy.t_event_batch(guard, direction=hy.event_direction.negative) for guard in guards]
+            start = np.full((len(system), self.lanes), 0.1)
+            self._integrators[name] = hy.taylor_adaptive_batch(
+                system, start, t_events=events, tol=tolerance, compact_mode=False
+            )
+
+    def _run(self, name: str, state: Sequence, parameters: Sequence) -> tuple[list, np.ndarray]:
+        """States at each runner's first event of a mode, and which it was."""
+        integrator, moving = self._integrators[name], sequence.MOVING[name]
+        integrator.set_time([0.0] * self.lanes)
+        for row, i in enumerate(moving):
+            integrator.state[row] = state[i]
+        for row in range(len(integrator.pars)):
+            integrator.pars[row] = parameters[row]
+        integrator.reset_cooldowns()
+        guards = np.full(self.lanes, -1)
+        while (guards < 0).any():
+            # A propagation stops at the first event of any runner; those that have had theirs stay.
+            targets = np.where(guards < 0, sequence.LONGEST, integrator.time)
+            begin = time.perf_counter()
+            integrator.propagate_until(list(targets))
+            self.seconds += time.perf_counter() - begin
+            outcomes = np.array([int(result[0]) for result in integrator.propagate_res])
+            stopped = (guards < 0) & (outcomes < 0) & (outcomes > -sequence.PARAMETERS - 1)
+            guards[stopped] = -outcomes[stopped] - 1
+        reached = list(state)
+        for row, i in enumerate(moving):
+            reached[i] = integrator.state[row].copy()
+        return reached, guards
+
+    def strides(self, sections: np.ndarray) -> np.ndarray:
+        """The apices after one stride, one to a row; as many as there are lanes."""
+        return sequence.stride(sections.T, self._run, np).T

@@ -1,0 +1,216 @@
+"""The stride as one writes it by hand and compiles with Numba: DOP853's pair, events by the secant method.
+
+The tableau is SciPy's. A step over which a guard falls to zero is repeated, shorter, until it ends at the
+event: simple, and what most people do.
+"""
+
+from collections.abc import Sequence
+
+import numba
+import numpy as np
+from scipy.integrate import DOP853
+
+from . import equations as eq
+from . import sequence
+
+A, B, C, E3, E5 = (np.ascontiguousarray(x) for x in (DOP853.A, DOP853.B, DOP853.C, DOP853.E3, DOP853.E5))
+STAGES = DOP853.n_stages
+NAMES = tuple(sequence.MOVING)
+EVENT_LIMIT = 60
+STEP_LIMIT = 100000
+SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
+CLOSE = 1e-14
+"""Of a step: as near the secant method comes to an event."""
+
+_jit = numba.njit(cache=False, error_model="numpy", fastmath=False)
+
+
+def _compiled_modes() -> tuple[object, object]:
+    """Right-hand side and guards by the number of the mode in `NAMES`."""
+    body, foot, stiffness, damping, gravity = eq.BODY, eq.FOOT, eq.STIFFNESS, eq.DAMPING, eq.GRAVITY
+    kp, kd, armed = eq.KP, eq.KD, eq.ARMED
+
+    @_jit
+    def rates(mode: int, s: np.ndarray, p: np.ndarray, out: np.ndarray) -> None:
+        sine, cosine = np.sin(s[3]), np.cos(s[3])
+        axial = stiffness * (1.0 - s[2]) - damping * s[6]
+        flies = mode <= 1
+        torque = -p[0] * (s[3] - p[1]) - p[2] * s[7] if flies else p[0]
+        across = (axial * cosine + foot * gravity) / sine if mode == 4 else torque / s[2]
+        press = axial * cosine - across * sine + foot * gravity
+        pull = axial * sine + across * cosine
+        ax = 0.0
+        if mode == 3:
+            ax = (pull - p[1] * press) / foot
+        elif mode != 2:
+            ax = pull / foot
+        ay = (-axial * cosine + across * sine) / foot - gravity if flies else 0.0
+        out[0:4] = s[4:8]
+        out[4], out[5] = ax, ay
+        out[6] = s[2] * s[7] * s[7] + axial / body - gravity * cosine + ax * sine - ay * cosine
+        turn = across / body + gravity * sine + ax * cosine + ay * sine
+        out[7] = (turn - 2.0 * s[6] * s[7]) / s[2]
+
+    @_jit
+    def guards(mode: int, s: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
+        sine, cosine = np.sin(s[3]), np.cos(s[3])
+        axial = stiffness * (1.0 - s[2]) - damping * s[6]
+        servo = -kp * (s[3] - p[1]) - kd * s[7]
+        torque = servo if mode == 4 else p[0]
+        press = axial * cosine - torque / s[2] * sine + foot * gravity
+        pull = -axial * sine - torque / s[2] * cosine
+        if mode == 0:
+            out[0] = s[1]
+            return 1
+        if mode == 1:
+            out[0] = s[5] + body / (body + foot) * (s[6] * cosine - s[2] * s[7] * sine)
+            out[1] = p[3] * servo + armed
+            return 2
+        if mode == 4:
+            out[0] = press
+            return 1
+        if mode == 3:
+            out[0], out[1], out[2] = s[4] * p[2] + armed, s[3] + p[3], press
+            return 3
+        out[0], out[1] = p[1] * press - pull, p[1] * press + pull
+        out[2], out[3] = s[3] + p[3], press
+        return 4
+
+    return rates, guards
+
+
+_rates, _guards = _compiled_modes()
+
+
+@_jit
+def _step(mode: int, s: np.ndarray, p: np.ndarray, h: float, k: np.ndarray, reached: np.ndarray) -> None:
+    """One step of length h; k[0] holds the rates at its start."""
+    for stage in range(1, STAGES):
+        for i in range(8):
+            reached[i] = s[i]
+            for j in range(stage):
+                reached[i] += h * A[stage, j] * k[j, i]
+        _rates(mode, reached, p, k[stage])
+    for i in range(8):
+        reached[i] = s[i]
+        for j in range(STAGES):
+            reached[i] += h * B[j] * k[j, i]
+    _rates(mode, reached, p, k[STAGES])
+
+
+@_jit
+def _error(s: np.ndarray, reached: np.ndarray, k: np.ndarray, h: float, tolerance: float) -> float:
+    """As in SciPy's DOP853."""
+    fifth, third = 0.0, 0.0
+    for i in range(8):
+        scale = tolerance + tolerance * max(abs(s[i]), abs(reached[i]))
+        e5, e3 = 0.0, 0.0
+        for j in range(STAGES + 1):
+            e5 += E5[j] * k[j, i]
+            e3 += E3[j] * k[j, i]
+        fifth += (e5 / scale) ** 2
+        third += (e3 / scale) ** 2
+    if fifth == 0.0 and third == 0.0:
+        return 0.0
+    return abs(h) * fifth / np.sqrt((fifth + 0.01 * third) * 8.0)
+
+
+@_jit
+def _first_fallen(before: np.ndarray, after: np.ndarray, count: int) -> int:
+    for i in range(count):
+        if before[i] > 0.0 and after[i] <= 0.0:
+            return i
+    return -1
+
+
+@_jit
+def _run_mode(mode: int, s: np.ndarray, p: np.ndarray, tolerance: float, longest: float) -> tuple[int, int]:
+    """Takes s to the first guard that falls to zero; which, and how many steps that took."""
+    k = np.empty((STAGES + 1, 8))
+    reached, before, after = np.empty(8), np.empty(4), np.empty(4)
+    t, h = 0.0, 0.1
+    _rates(mode, s, p, k[0])
+    count = _guards(mode, s, p, before)
+    for steps in range(1, STEP_LIMIT):
+        if t >= longest:
+            return -1, steps
+        _step(mode, s, p, h, k, reached)
+        error = _error(s, reached, k, h, tolerance)
+        if error >= 1.0:
+            h *= max(SHRINK, SAFETY * error ** (-1.0 / 8.0))
+            continue
+        _guards(mode, reached, p, after)
+        fired = _first_fallen(before, after, count)
+        if fired >= 0:
+            fired = _end_at_event(mode, s, p, h, k, reached, before, after, count)
+            s[:] = reached
+            return fired, steps
+        s[:] = reached
+        t += h
+        k[0, :] = k[STAGES, :]
+        before[:] = after
+        h *= GROW if error == 0.0 else min(GROW, SAFETY * error ** (-1.0 / 8.0))
+    return -1, STEP_LIMIT
+
+
+@_jit
+def _end_at_event(
+    mode: int,
+    s: np.ndarray,
+    p: np.ndarray,
+    h: float,
+    k: np.ndarray,
+    reached: np.ndarray,
+    before: np.ndarray,
+    after: np.ndarray,
+    count: int,
+) -> int:
+    """Repeats the step until it ends just past its first event, by the Illinois method."""
+    low, high = 0.0, h
+    fired = _first_fallen(before, after, count)
+    g_low, g_high = before[fired], after[fired]
+    trial = np.empty(4)
+    for _ in range(EVENT_LIMIT):
+        if high - low <= CLOSE * h or g_high == 0.0:
+            break
+        middle = high - g_high * (high - low) / (g_high - g_low)
+        middle = min(max(middle, low + 0.1 * CLOSE * h), high - 0.1 * CLOSE * h)
+        _step(mode, s, p, middle, k, reached)
+        _guards(mode, reached, p, trial)
+        other = _first_fallen(before, trial, count)
+        if other >= 0:
+            if other != fired:
+                fired, g_low = other, before[other]
+                low = 0.0
+            else:
+                g_low *= 0.5
+            high, g_high = middle, trial[fired]
+        else:
+            low, g_low = middle, trial[fired]
+            g_high *= 0.5
+    _step(mode, s, p, high, k, reached)
+    return fired
+
+
+class Peer:
+    """The compiled loop at a tolerance."""
+
+    name = f"numba {numba.__version__}"
+
+    def __init__(self, tolerance: float) -> None:
+        """Compiled at the first stride."""
+        self._tolerance = tolerance
+        self.evaluations = 0
+        """Of the right-hand side so far, event location left out."""
+
+    def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
+        now = np.array(state, dtype=float)
+        guard, steps = _run_mode(
+            NAMES.index(name), now, np.array(parameters, dtype=float), self._tolerance, sequence.LONGEST
+        )
+        self.evaluations += STAGES * steps
+        return now.tolist(), guard
+
+    def stride(self, section: Sequence[float]) -> np.ndarray:
+        """The apex after one stride from an apex."""
+        return sequence.stride(section, self._run)

@@ -1,0 +1,88 @@
+"""The modes of the stride `+0-0+` in their order, which every peer is told."""
+
+import math
+from collections.abc import Callable, Sequence
+from types import ModuleType
+
+import numpy as np
+
+from . import equations as eq
+
+MOVING = {
+    "place": range(8),
+    "retract": range(8),
+    "stick": (2, 3, 6, 7),
+    "slip": (0, 2, 3, 4, 6, 7),
+    "graze": (0, 2, 3, 4, 6, 7),
+}
+"""Indices of the states that change in a mode."""
+LONGEST = 100.0
+"""Time within which every mode ends."""
+PARAMETERS = 4
+
+PASSED = 10.0
+"""Keeps the guard of mid-stance away once it has passed."""
+DRIVE = -eq.STANCE_TORQUE
+STANCE = (
+    ("slip", (DRIVE, eq.FRICTION, 1.0, 0.0)),
+    ("stick", (DRIVE, eq.FRICTION, 0.0, 0.0)),
+    ("slip", (DRIVE, -eq.FRICTION, -1.0, 0.0)),  # to mid-stance
+    ("slip", (0.0, -eq.FRICTION, -1.0, PASSED)),
+    ("stick", (0.0, eq.FRICTION, 0.0, PASSED)),
+    ("slip", (0.0, eq.FRICTION, 1.0, PASSED)),
+)
+
+
+def mode_of(name: str) -> str:
+    """What `equations.accelerations` calls a mode: place and retract are both flight."""
+    return "flight" if name in ("place", "retract") else name
+
+
+def torque_of(name: str, state: Sequence, parameters: Sequence) -> object:
+    """Of the hip.
+
+    In flight the parameters are gain, target and rate gain, and the sign of the clamp's argument; on the
+    ground torque, friction, sign of the slip, and what keeps the guard of mid-stance away.
+    """
+    if mode_of(name) == "flight":
+        return -parameters[0] * (state[3] - parameters[1]) - parameters[2] * state[7]
+    return parameters[0]
+
+
+def guards_of(name: str, state: Sequence, parameters: Sequence, sin: Callable, cos: Callable) -> list:
+    """What falls to zero at the end of a mode."""
+    if name == "place":
+        return [state[1]]
+    if name == "retract":
+        return [eq.rise(state, sin, cos), parameters[3] * eq.servo(state, parameters[1]) + eq.ARMED]
+    if name == "graze":
+        return [eq.sticking_force(state, eq.servo(state, parameters[1]), sin, cos)[1]]
+    pull, press = eq.sticking_force(state, parameters[0], sin, cos)
+    upright = state[3] + parameters[3]
+    if name == "slip":
+        return [state[4] * parameters[2] + eq.ARMED, upright, press]
+    return [parameters[1] * press - pull, parameters[1] * press + pull, upright, press]
+
+
+def stride(section: Sequence, run: Callable, maths: ModuleType = math) -> np.ndarray:
+    """The apex after one stride from an apex.
+
+    Args:
+        section: its coordinates; arrays of them for several runners.
+        run: takes a mode's name, a state and parameters to the first guard; returns the state and which.
+        maths: has sin and cos for what the section is made of.
+    """
+    state, _ = run("place", eq.start(section, maths), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
+    state = eq.impact(state, maths)
+    for name, parameters in STANCE:
+        state, guard = run(name, state, parameters)
+        if name == "slip":
+            state[4] = state[4] * (guard != 0)  # it has come to rest
+    target = eq.LIFTOFF_FACTOR * state[3]
+    state, _ = run("graze", state, (0.0, target, 0.0, 0.0))
+    opened, closed = (eq.KP, target, eq.KD, 1.0), (0.0, target, 0.0, -1.0)
+    for parameters in (opened, closed, opened):  # the clamp closes, and in other gaits opens again
+        state, guard = run("retract", state, parameters)
+        if np.all(guard == 0):
+            break
+    return np.array(eq.apex(state, maths))
