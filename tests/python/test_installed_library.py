@@ -28,20 +28,25 @@ def installed(tmp_path_factory):
     return prefix
 
 
-def assert_runs(program):
-    assert run(program).startswith("tdmf_slip 0.1.0: touchdown at t = 11.90")
+SAYS = {
+    "runner": "tdmf_slip 0.1.0: touchdown at t = 11.90",
+    "crowd": "200 of 200 runners are back on the gait",
+}
+"""What each program prints."""
 
 
 def test_find_package(installed, tmp_path):
     run("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={installed}")
     run("cmake", "--build", tmp_path)
-    assert_runs(tmp_path / "runner")
+    for program, says in SAYS.items():
+        assert run(tmp_path / program).startswith(says)
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
-def test_pkg_config(installed, tmp_path):
-    (folder,) = {path.parent for path in installed.rglob("tdmf_slip.pc")}
+@pytest.mark.parametrize(("program", "package"), [("runner", "tdmf_slip"), ("crowd", "tdmf_slip_ensemble")])
+def test_pkg_config(installed, tmp_path, program, package):
+    (folder,) = {path.parent for path in installed.rglob(f"{package}.pc")}
     environment = os.environ | {"PKG_CONFIG_PATH": str(folder)}
-    flags = run("pkg-config", "--cflags", "--libs", "tdmf_slip", env=environment).split()
-    run("cc", "-std=c99", CONSUMER / "runner.c", *flags, "-o", tmp_path / "runner")
-    assert_runs(tmp_path / "runner")
+    flags = run("pkg-config", "--cflags", "--libs", package, env=environment).split()
+    run("cc", "-std=c99", CONSUMER / f"{program}.c", *flags, "-o", tmp_path / program)
+    assert run(tmp_path / program).startswith(SAYS[program])

@@ -82,11 +82,12 @@ def _draw_disturbances(axes: Axes, data: dict[str, list]) -> None:
     axes.axhline(FARTHEST, **style.LIMIT_LINE)
     axes.annotate(
         "the largest tried",
-        (data["friction"][-1], FARTHEST),
-        xytext=(4, -11),
+        (data["friction"][0], FARTHEST),
+        xytext=(-4, 4),
         textcoords="offset points",
+        ha="right",
         fontsize=8.5,
     )
-    axes.set_ylim(0.0, 1.1 * FARTHEST)
+    axes.set_ylim(0.0, 1.15 * FARTHEST)
     axes.set_title("(c) largest disturbance at an apex that is recovered from")
     axes.legend(loc="center right")

@@ -1,0 +1,40 @@
+/* A crowd of runners, each with a push of its own, that find back to the default gait. */
+#include <tdmf_slip/ensemble.h>
+#include <tdmf_slip/tdmf_slip.h>
+
+#include <stdio.h>
+
+enum { RUNNERS = 200, PROCESSORS = 2 };
+
+int main(void) {
+    static const double gait[1][TDMF_SECTION_COUNT] = {{1.406106854441984, 1.062891224817656,
+                                                        1.004282245348082, 1.242779537928858, 0.0,
+                                                        0.2165916273954818}};
+    static double starts[RUNNERS][TDMF_SECTION_COUNT];
+    static tdmf_ensemble_end ends[RUNNERS];
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    tdmf_model_create(&model, &parameters);
+    for (int i = 0; i < RUNNERS; ++i) {
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            starts[i][k] = gait[0][k];
+        }
+        starts[i][TDMF_SECTION_COM_SPEED] += 0.5 * (i - RUNNERS / 2) / RUNNERS;
+    }
+    const tdmf_ensemble_case runner = {&model, tdmf_default_inputs(), {gait, 1, 1e-2, 400}};
+    const tdmf_ensemble ensemble = {.cases = &runner,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = 1e-8,
+                                    .threads = PROCESSORS};
+    int settled = 0;
+    if (!tdmf_run_ensemble(&ensemble, ends, NULL)) {
+        fprintf(stderr, "no memory\n");
+        return 1;
+    }
+    for (int i = 0; i < RUNNERS; ++i) {
+        settled += ends[i].fate == TDMF_FATE_SETTLED;
+    }
+    printf("%d of %d runners are back on the gait\n", settled, RUNNERS);
+    return 0;
+}
