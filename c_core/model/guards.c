@@ -197,16 +197,22 @@ static void rate_all(const tdmf_model *model, const tdmf_inputs *inputs, const t
     }
 }
 
-void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                 const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
+void tdmf_leg_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                     const double state[TDMF_STATE_COUNT], const tdmf_leg *leg,
+                     double guards[TDMF_GUARD_COUNT]) {
     if (mode->fallen) {
         for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
             guards[i] = 1.0;
         }
         return;
     }
+    guard_all(model, inputs, mode, leg, state, guards);
+}
+
+void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                 const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
     const tdmf_leg leg = tdmf_leg_of(model, state);
-    guard_all(model, inputs, mode, &leg, state, guards);
+    tdmf_leg_guards(model, inputs, mode, state, &leg, guards);
 }
 
 tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,

@@ -1,6 +1,7 @@
 /* Resets of the automaton: what each event makes of state, mode and record. */
 #include "transitions.h"
 
+#include "leg.h"
 #include "record.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/graze.h"
@@ -191,9 +192,11 @@ static bool fall(tdmf_run *run, const double guards[TDMF_GUARD_COUNT]) {
     return false;
 }
 
-bool tdmf_take_transition(tdmf_run *run) {
+/* Takes the one transition that is due first, if any is. */
+static bool take_transition(tdmf_run *run, double sine, double cosine) {
+    const tdmf_leg leg = tdmf_leg_at(run->model, run->state, sine, cosine);
     double guards[TDMF_GUARD_COUNT];
-    tdmf_guards(run->model, run->inputs, run->mode, run->state, guards);
+    tdmf_leg_guards(run->model, run->inputs, run->mode, run->state, &leg, guards);
     if (fall(run, guards)) {
         return true;
     }
@@ -208,8 +211,11 @@ bool tdmf_take_transition(tdmf_run *run) {
 }
 
 bool tdmf_take_transitions(tdmf_run *run) {
+    /* No reset moves the leg. */
+    const double sine = sin(run->state[TDMF_LEG_ANGLE]);
+    const double cosine = cos(run->state[TDMF_LEG_ANGLE]);
     int links = 0;
-    while (links < TDMF_CHAIN_LIMIT && tdmf_take_transition(run)) {
+    while (links < TDMF_CHAIN_LIMIT && take_transition(run, sine, cosine)) {
         ++links;
     }
     return links < TDMF_CHAIN_LIMIT;

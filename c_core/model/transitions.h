@@ -26,11 +26,8 @@ void tdmf_touch_down(tdmf_run *run);
 /* The centre of mass is highest in flight. */
 void tdmf_reach_apex(tdmf_run *run);
 
-/* Takes the one transition that is due first, if any is. */
-bool tdmf_take_transition(tdmf_run *run);
-
-/* Takes all that are due, as tdmf_resolve does, but does not look at the ground force for its peak. False where
- * the chain did not come to rest. */
+/* Takes all that are due, as tdmf_resolve does, but does not look at the ground force for its peak. False
+ * where the chain did not come to rest. */
 bool tdmf_take_transitions(tdmf_run *run);
 
 #endif
