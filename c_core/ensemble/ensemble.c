@@ -2,6 +2,7 @@
 #include "tdmf_slip/ensemble.h"
 
 #include "lane_march.h"
+#include "processor.h"
 #include "step.h"
 #include "threads.h"
 
@@ -35,26 +36,15 @@ static tdmf_lane_march *const marches[TDMF_INSTRUCTIONS_COUNT] = {
 #endif
 };
 
-static bool processor_has(tdmf_instructions instructions) {
-#ifdef TDMF_HAS_AVX2
-    if (instructions == TDMF_AVX2) {
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    }
-#endif
-#ifdef TDMF_HAS_AVX512
-    if (instructions == TDMF_AVX512) {
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl");
-    }
-#endif
-    (void)instructions;
-    return true;
+static bool processor_has(int instructions) {
+    return (instructions != TDMF_AVX2 || tdmf_processor_has_avx2()) &&
+           (instructions != TDMF_AVX512 || tdmf_processor_has_avx512());
 }
 
 bool tdmf_has_instructions(tdmf_instructions instructions) {
     const int number = (int)instructions;
     return number == TDMF_BEST_INSTRUCTIONS ||
-           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && marches[number] && processor_has(instructions));
+           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && marches[number] && processor_has(number));
 }
 
 tdmf_instructions tdmf_best_instructions(void) {

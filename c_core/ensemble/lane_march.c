@@ -1,5 +1,5 @@
 /* Steps runners side by side. This file is compiled once for each instruction set, with TDMF_LANE_MARCH the
- * name of its one function.
+ * name of its one function and TDMF_LANES the number of lanes.
  *
  * A runner stays in a lane of the crew for its kind of motion until an event takes it elsewhere: so all lanes
  * of a step follow one formula without switches, each with a step size of its own, and whoever waits takes

@@ -6,17 +6,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#if defined(__AVX512DQ__) || defined(__AVX__)
-#include <immintrin.h>
-#endif
+/* As many as the registers hold of the instructions that this is compiled for: 8 for AVX-512, 4 for AVX2. */
+#define LANES TDMF_LANES
 
-/* As many as the registers of the instruction set hold that this file is compiled for. */
-#if defined(__AVX512DQ__)
-#define LANES 8
-#elif defined(__AVX2__)
-#define LANES 4
-#else
-#define LANES 2
+#if LANES > 2
+#include <immintrin.h>
 #endif
 
 typedef double real __attribute__((vector_size(8 * LANES)));
@@ -53,9 +47,9 @@ static inline real larger(real a, real b) {
 }
 
 static inline real real_sqrt(real x) {
-#if defined(__AVX512DQ__)
+#if LANES == 8
     return (real)_mm512_sqrt_pd((__m512d)x);
-#elif defined(__AVX2__)
+#elif LANES == 4
     return (real)_mm256_sqrt_pd((__m256d)x);
 #else
     real root;
@@ -68,9 +62,9 @@ static inline real real_sqrt(real x) {
 
 /* A bit for each lane chosen. */
 static inline unsigned lanes_of(choice chosen) {
-#if defined(__AVX512DQ__)
+#if LANES == 8
     return (unsigned)_mm512_movepi64_mask((__m512i)chosen);
-#elif defined(__AVX2__)
+#elif LANES == 4
     return (unsigned)_mm256_movemask_pd((__m256d)chosen);
 #else
     unsigned lanes = 0;

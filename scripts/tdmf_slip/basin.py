@@ -96,8 +96,9 @@ def basin(
         unit: for units.
 
     Returns:
-        `fate`, by the flag values of its attribute, and `strides` until then, over the two coordinates; how
-        large a share of the slice settles is the attribute `settled_share`.
+        `fate`, by the flag values of its attribute, and `strides` until then, over the two coordinates. How
+        much of the slice settles, its attributes say: `settled_share` and, in the coordinates' units,
+        `settled_area`.
 
     Raises:
         InputError: an unknown axis, the file holds another slice, or the gait is unstable.
@@ -126,7 +127,11 @@ def basin(
             if path is not None:
                 with whole(path) as beside:
                     data.to_netcdf(beside)
-    data.attrs["settled_share"] = float(np.mean(data["fate"].values == 0))
+    share = float(np.mean(data["fate"].values == 0))
+    data.attrs |= {
+        "settled_share": share,
+        "settled_area": share * float(np.prod([np.ptp(r) for r in ranges])),
+    }
     return data
 
 

@@ -101,7 +101,7 @@ class Bench:
         return "\n".join(parts)
 
     def _rows_text(self, rows: list[Measurement]) -> str:
-        header = ("solver", "tolerance", "error", "evaluations", "us/stride", "strides/s", "ratio")
+        header = ("solver", "tolerance", "error", "evaluations", "ns each", "us/stride", "strides/s", "ratio")
         return table(
             header,
             [
@@ -110,6 +110,7 @@ class Bench:
                     f"{m.tolerance:.0e}",
                     f"{m.error:.1e}",
                     "" if m.evaluations is None else f"{m.evaluations:.0f}",
+                    "" if m.evaluations is None else f"{1e3 * m.microseconds / m.evaluations:.1f}",
                     f"{m.microseconds:.2f}" if m.microseconds < 100 else f"{m.microseconds:.0f}",
                     f"{1e6 / m.microseconds:.0f}",
                     f"{self.ratio(m):.3g}",

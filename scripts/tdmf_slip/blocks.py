@@ -20,7 +20,8 @@ def run(
 ) -> Iterator[tuple[int, Any]]:
     """Do work on each block, wherever there is room, and yield results with their numbers as they come.
 
-    A block that a dying worker leaves behind is done again by another; nothing else is.
+    A block that a dying worker leaves behind is done again by another; nothing else is. As with all processes
+    that Python starts, a script has to keep what it runs under `if __name__ == "__main__":`.
 
     Args:
         work: a function that can be pickled, of one block.
@@ -31,7 +32,8 @@ def run(
 
     Raises:
         InputError: no scheduler answers, or there are less than one worker.
-        RunError: a block killed every worker that tried it, or the cluster cannot run the work.
+        RunError: a block killed every worker that tried it, the cluster cannot run the work, or no process
+            can be started.
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers {workers}: allowed: 1 or more")
@@ -79,8 +81,18 @@ def _client(scheduler: str | None, workers: int) -> Iterator[object]:
         with client:
             yield client
         return
-    cluster = LocalCluster(
-        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs="ERROR"
-    )
+    try:
+        cluster = LocalCluster(
+            n_workers=workers,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address=None,
+            silence_logs="ERROR",
+        )
+    except RuntimeError as problem:
+        raise RunError(
+            f"no processes could be started for the work ({problem}); a script has to keep what it runs "
+            'under if __name__ == "__main__":, or ask for one worker'
+        ) from problem
     with cluster, Client(cluster) as client:
         yield client

@@ -166,7 +166,7 @@ def _grid(
 )
 @click.option(
     "--samples",
-    type=int,
+    type=click.IntRange(min=0),
     default=20000,
     show_default=True,
     help="Random starts in all six coordinates, for the region's volume; 0 for none.",
@@ -224,6 +224,7 @@ def basin_command(
         **fates,
         "strides": int(data["strides"].sum()),
         "settled_share": data.attrs["settled_share"],
+        "settled_area": data.attrs["settled_area"],
         "robustness": attraction.robustness(gait).as_json(),
     }
     if samples:

@@ -75,6 +75,7 @@ def test_basin_command(command):
     assert status == 0
     assert (found["starts"], found["settled"]) == (16, 16)
     assert found["robustness"]["push_backward"] is None  # beyond the largest tried
+    assert found["settled_area"] == pytest.approx(0.2 * 0.1)
     low, high = found["volume"]["share_interval"]
     assert 0.6 < low < found["volume"]["share"] < high < 0.95
     status, out, _ = command("basin", *options)

@@ -80,6 +80,13 @@ def test_a_block_that_kills_its_workers_is_said(monkeypatch):
         list(blocks.run(die, [0, 1], workers=2))
 
 
+def test_a_script_without_a_guard_is_told(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text("from tdmf_slip import blocks\nprint(list(blocks.run(abs, [1, 2], workers=2)))\n")
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=100)
+    assert done.returncode != 0 and '__name__ == "__main__"' in done.stderr.splitlines()[-1]
+
+
 def test_a_cluster_gives_the_same_map(cluster, unit):
     address, _ = cluster
     runner = Runner.of({}, unit)
