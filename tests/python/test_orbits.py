@@ -140,7 +140,7 @@ def test_the_ledger_of_a_gait_closes(swept):
 def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeypatch):
     path = tmp_path / "grid.nc"
     frictions, rows = np.linspace(0.5, 0.7, 3), np.linspace(0.18, 0.22, 3)
-    honest, calls = sweeps._row, []
+    honest, calls = sweeps.gaits_of_row, []
 
     def interrupted(*arguments):
         calls.append(arguments)
@@ -148,10 +148,10 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
             raise KeyboardInterrupt
         return honest(*arguments)
 
-    monkeypatch.setattr(sweeps, "_row", interrupted)
+    monkeypatch.setattr(sweeps, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, frictions, "leg.damping", rows, path, unit=unit)
-    whole = grid(runner, frictions, "leg.damping", rows, path, unit=unit)
+        grid(runner, frictions, "leg.damping", rows, path, workers=1, unit=unit)
+    whole = grid(runner, frictions, "leg.damping", rows, path, workers=1, unit=unit)
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)
@@ -160,7 +160,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
     middle = find_orbit(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
-        grid(runner, frictions, "leg.damping", rows + 0.01, path, unit=unit)
+        grid(runner, frictions, "leg.damping", rows + 0.01, path, workers=1, unit=unit)
 
 
 def test_what_cannot_be_found_is_said(runner):
