@@ -2,6 +2,8 @@
 
 import contextlib
 import os
+import signal
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
@@ -67,6 +69,19 @@ def _gathered(client: object, work: Callable[[Any], Any], blocks: Sequence[Any])
 
 
 @contextlib.contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Processes that begin inside leave it to this one what an interrupt from the keyboard means."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+@contextlib.contextmanager
 def _client(scheduler: str | None, workers: int) -> Iterator[object]:
     from distributed import Client, LocalCluster
 
@@ -82,13 +97,14 @@ def _client(scheduler: str | None, workers: int) -> Iterator[object]:
             yield client
         return
     try:
-        cluster = LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address=None,
-            silence_logs="ERROR",
-        )
+        with _interrupts_ignored():
+            cluster = LocalCluster(
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=None,
+                silence_logs="ERROR",
+            )
     except RuntimeError as problem:
         raise RunError(
             f"no processes could be started for the work ({problem}); a script has to keep what it runs "
