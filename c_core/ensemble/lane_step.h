@@ -50,12 +50,12 @@ static inline real trusted_size(const lane_remainder *remainder, int order, doub
 /* Powers of a time, and what they integrate to. */
 typedef struct {
     real power[SERIES_TERMS], integral[SERIES_TERMS];
-} moment_in_time;
+} elapsed_time;
 
-static inline void set_moment(moment_in_time *moment, real t, int order) {
-    set_powers(moment->power, t, order + 1);
+static inline void set_elapsed(elapsed_time *elapsed, real t, int order) {
+    set_powers(elapsed->power, t, order + 1);
     for (int k = 0; k <= order; ++k) {
-        moment->integral[k] = moment->power[k + 1] * series_reciprocal[k + 1];
+        elapsed->integral[k] = elapsed->power[k + 1] * series_reciprocal[k + 1];
     }
 }
 
@@ -84,8 +84,10 @@ static inline void expand_drop(const flight_series *f, real sine0, real cosine0,
             sum += f->length[i] * cosine[k - i];
         }
         drop[k] = sum;
-        sine[k + 1] = rise * series_reciprocal[k + 1];
-        cosine[k + 1] = -fall * series_reciprocal[k + 1];
+        if (k < order) {
+            sine[k + 1] = rise * series_reciprocal[k + 1];
+            cosine[k + 1] = -fall * series_reciprocal[k + 1];
+        }
     }
 }
 
@@ -152,17 +154,17 @@ static inline void watch_clamp(lane_search *search, const flying_member *m, cons
 
 static inline void fly_on(flying_member *m, const flight_series *f, int order, real t) {
     const flight_coefficients *a = &m->law;
-    moment_in_time moment;
-    set_moment(&moment, t, order);
-    const real turned = dot(f->angle_rate, moment.integral, order - 1);
+    elapsed_time elapsed;
+    set_elapsed(&elapsed, t, order);
+    const real turned = dot(f->angle_rate, elapsed.integral, order - 1);
     m->now.work += m->inverse_mobility *
                    (a->gain * turned * (a->target - m->angle - 0.5 * turned) -
-                    a->rate_gain * dot(f->rate_square, moment.integral, order - 1) + a->push * turned);
-    m->now.damper_loss += m->frame.damping * dot(f->speed_square, moment.integral, order - 1);
-    m->length = dot(f->length, moment.power, order);
-    m->length_rate = dot(f->length_rate, moment.power, order);
-    m->angle = dot(f->angle, moment.power, order);
-    m->angle_rate = dot(f->momentum, moment.power, order) / (m->length * m->length);
+                    a->rate_gain * dot(f->rate_square, elapsed.integral, order - 1) + a->push * turned);
+    m->now.damper_loss += m->frame.damping * dot(f->speed_square, elapsed.integral, order - 1);
+    m->length = dot(f->length, elapsed.power, order);
+    m->length_rate = dot(f->length_rate, elapsed.power, order);
+    m->angle = dot(f->angle, elapsed.power, order);
+    m->angle_rate = dot(f->momentum, elapsed.power, order) / (m->length * m->length);
 }
 
 /* What a size that is not a number, or none left, makes of a step. */
@@ -314,23 +316,23 @@ static inline void watch_graze(lane_search *search, const standing_member *m, co
 
 static inline void stand_on(standing_member *m, const ground_series *g, int order, bool slips, bool grazes,
                             real t) {
-    moment_in_time moment;
-    set_moment(&moment, t, order);
-    m->now.work += dot(g->power, moment.integral, order - 1);
-    m->now.damper_loss += m->frame.damping * dot(g->speed_square, moment.integral, order - 1);
+    elapsed_time elapsed;
+    set_elapsed(&elapsed, t, order);
+    m->now.work += dot(g->power, elapsed.integral, order - 1);
+    m->now.damper_loss += m->frame.damping * dot(g->speed_square, elapsed.integral, order - 1);
     if (slips) {
-        m->now.friction_loss += dot(g->friction_power, moment.integral, order - 1);
+        m->now.friction_loss += dot(g->friction_power, elapsed.integral, order - 1);
     }
     if (grazes) {
-        m->angle += dot(g->angle_rate, moment.integral, order - 1);
+        m->angle += dot(g->angle_rate, elapsed.integral, order - 1);
     }
-    m->x = dot(g->x, moment.power, order);
-    m->y = dot(g->y, moment.power, order);
-    m->vx = dot(g->vx, moment.power, order);
-    m->vy = dot(g->vy, moment.power, order);
+    m->x = dot(g->x, elapsed.power, order);
+    m->y = dot(g->y, elapsed.power, order);
+    m->vx = dot(g->vx, elapsed.power, order);
+    m->vy = dot(g->vy, elapsed.power, order);
     if (slips || grazes) {
-        m->foot_x += dot(g->foot_vx, moment.integral, order);
-        m->foot_vx = dot(g->foot_vx, moment.power, order);
+        m->foot_x += dot(g->foot_vx, elapsed.integral, order);
+        m->foot_vx = dot(g->foot_vx, elapsed.power, order);
         m->vx += m->foot_vx;
     }
 }
