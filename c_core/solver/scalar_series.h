@@ -23,7 +23,7 @@ static inline real real_sqrt(real x) {
 
 /* Several products at once. Side by side, in pairs, they fill vector registers, which not every compiler
  * finds out by itself. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(TDMF_EXTENDED_PRECISION)
 typedef double pair __attribute__((vector_size(16), aligned(8)));
 #define SUM_PRODUCTS(count, sum, left, right, k)                                                             \
     do {                                                                                                     \
