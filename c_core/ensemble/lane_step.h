@@ -38,11 +38,11 @@ static inline void note_remainder(lane_remainder *remainder, const real *c, int 
     remainder->last_but_one += real_abs(c[order - 1]) * allowed;
 }
 
-static inline real trusted_size(const lane_remainder *remainder, int order, double tolerance) {
+static inline real trusted_size(const lane_remainder *remainder, real longest, int order, double tolerance) {
     const real by_last = rough_root(tolerance / remainder->last, order);
     const real by_last_but_one = rough_root(tolerance / remainder->last_but_one, order - 1);
     const choice known = finite(remainder->last + remainder->last_but_one);
-    return pick(known, smaller(by_last, by_last_but_one), real_of(NAN));
+    return pick(known, smaller(longest, smaller(by_last, by_last_but_one)), real_of(NAN));
 }
 
 /* ---- sums --------------------------------------------------------------------------------------------- */
@@ -114,7 +114,8 @@ static inline choice may_reach_ground(const lane_search *search, const flying_me
 
 /* Heights of foot and body: a parabola and a share of the leg's drop. */
 static inline void watch_heights(lane_search *search, const flying_member *m, const flight_series *f,
-                                 int order, real com_y, real com_vy) {
+                                 int order, double tolerance, real com_y, real com_vy) {
+    lane_remainder remainder = {real_of(0.0), real_of(0.0)};
     const real floor = search->due_below * m->frame.length_scale;
     real sine, cosine, drop[SERIES_TERMS], height[SERIES_TERMS];
     sine_and_cosine(f->angle[0], &sine, &cosine);
@@ -123,6 +124,9 @@ static inline void watch_heights(lane_search *search, const flying_member *m, co
         return;
     }
     expand_drop(f, sine, cosine, order, drop);
+    note_remainder(&remainder, drop, order, m->frame.length_scale);
+    note_found(search, low, trusted_size(&remainder, real_of(INFINITY), order, tolerance), bits_of(0),
+               bits_of(0));
     for (int end = 0; end < 2; ++end) {
         const real share = end == 0 ? -m->share : 1.0 - m->share;
         for (int k = 0; k <= order; ++k) {
@@ -188,13 +192,14 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     expand_flight(&m->law, start, order, f);
     note_remainder(&remainder, f->length_rate, order - 1, m->frame.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / m->frame.time_scale);
+    const real longest = longest_flight_step(&m->law, m->length, order);
     const real size =
-        smaller(trusted_size(&remainder, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
+        smaller(trusted_size(&remainder, longest, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
     search_within(&search, size, order, live, due_below(tolerance));
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
     watch_length(&search, &m->frame, f->length, order);
-    watch_heights(&search, m, f, order, com_y, com_vy);
+    watch_heights(&search, m, f, order, tolerance, com_y, com_vy);
     if (retracts) {
         watch_apex_in_flight(&search, m, com_vy);
         watch_clamp(&search, m, f, order);
@@ -346,8 +351,9 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     note_remainder(&remainder, g->press, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->pull, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);
+    const real longest = longest_ground_step(&m->law, slips || grazes, order);
     const real size =
-        smaller(trusted_size(&remainder, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
+        smaller(trusted_size(&remainder, longest, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
     search_within(&search, size, order, live, due_below(tolerance));
     watch_standing_leg(&search, m, g, order);
     if (grazes) {

@@ -146,6 +146,9 @@ static void watch_heights(search *search, double longest) {
         return;
     }
     expand_drop(f, sine, cosine, step->order, drop);
+    /* A leg that spins at a steady rate has long steps, and a drop that is not. */
+    const tdmf_root trusted = {tdmf_step_trusts(step, drop, length), false};
+    note(search, TDMF_GUARD_COUNT, trusted);
     tdmf_polynomial foot = scaled(drop, -share, step->order);
     tdmf_polynomial body = scaled(drop, 1.0 - share, step->order);
     const double curvature = -0.5 * chart->model->parameters.gravity;

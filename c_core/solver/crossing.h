@@ -12,8 +12,8 @@ typedef struct {
 } tdmf_crossing;
 
 /* The first time within the step at which the mode, the phase or the clamp has to change. Without one, the
- * time up to which the step may be used: a law has a kink there, or the search took too long; else infinity.
- */
+ * time up to which the step may be used: a law has a kink there, a guard is known no further, or the search
+ * took too long; else infinity. */
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
                                   const tdmf_input_rates *rates, const tdmf_mode *mode);
 

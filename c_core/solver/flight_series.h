@@ -74,3 +74,14 @@ static inline void expand_flight(const flight_coefficients *a, const real start[
     f->angle[order] = theta;
     f->momentum[order] = L;
 }
+
+/* How far series of an order may be trusted, whatever their coefficients. Where the leg comes to rest terms
+ * grow up to the one whose index is rate times time, however little is left to decay: in a longer step the
+ * last ones do not tell what is left out. */
+static inline real longest_flight_step(const flight_coefficients *a, real length, int order) {
+    const real inverse_length = 1.0 / length;
+    const real inverse_square = inverse_length * inverse_length;
+    const real springs_back = real_sqrt(larger(a->stiffness, a->gain * inverse_square));
+    const real comes_to_rest = larger(a->damping, a->rate_gain * inverse_square);
+    return (double)order / larger(springs_back, comes_to_rest);
+}

@@ -195,3 +195,10 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
         g->moment[k + 1] = (g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k] + lever) * divide;
     }
 }
+
+/* As longest_flight_step. */
+static inline real longest_ground_step(const ground_coefficients *c, bool free, int order) {
+    const real mobility = free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
+    const real springs_back = real_sqrt(mobility * c->stiffness);
+    return (double)order / larger(springs_back, mobility * c->damping);
+}

@@ -15,6 +15,10 @@ static inline real real_of(double x) {
     return x;
 }
 
+static inline real larger(real a, real b) {
+    return a > b ? a : b;
+}
+
 static inline real real_sqrt(real x) {
     return sqrt(x);
 }

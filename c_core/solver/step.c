@@ -1,8 +1,8 @@
 /* Expansion, step size and evaluation.
  *
  * A step is as long as the last two coefficients allow: were the series cut there, what is left out would be
- * as small as the tolerance. On the ground that is asked of the forces themselves, because events are located
- * on them. */
+ * as small as the tolerance, and no longer than coefficients can be trusted to fall from there on. On the
+ * ground that is asked of the forces themselves, because events are located on them. */
 #include "step.h"
 
 #include <float.h>
@@ -49,14 +49,16 @@ ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart) {
     return coefficients;
 }
 
-static void expand_leg_in_flight(tdmf_step *step) {
+/* These two expand, and return how far the series may be trusted, whatever their coefficients. */
+static double expand_leg_in_flight(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
     const flight_coefficients coefficients = tdmf_step_flight_coefficients(step->chart);
     const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
     expand_flight(&coefficients, start, step->order, &step->series.flight);
+    return longest_flight_step(&coefficients, at->length, step->order);
 }
 
-static void expand_standing_leg(tdmf_step *step) {
+static double expand_standing_leg(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
     const ground_coefficients coefficients = tdmf_step_ground_coefficients(step->chart);
     const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
@@ -71,6 +73,7 @@ static void expand_standing_leg(tdmf_step *step) {
     default:
         expand_ground(&coefficients, start, step->order, true, false, ground);
     }
+    return longest_ground_step(&coefficients, step->chart->contact != TDMF_CONTACT_STICK, step->order);
 }
 
 /* x^(1/n) within a few per cent, and the same on every platform. */
@@ -96,13 +99,13 @@ static void note_remainder(remainder_of_series *remainder, const double *c, doub
     remainder->last_but_one += fabs(c[remainder->order - 1]) * allowed;
 }
 
-static double trusted_size(const remainder_of_series *remainder, double tolerance) {
-    double size = INFINITY;
+static double trusted_size(const remainder_of_series *remainder, double longest, double tolerance) {
+    double size = longest;
     if (!isfinite(remainder->last + remainder->last_but_one)) {
         return NAN;
     }
     if (remainder->last > 0.0) {
-        size = rough_root(tolerance / remainder->last, remainder->order);
+        size = fmin(size, rough_root(tolerance / remainder->last, remainder->order));
     }
     if (remainder->last_but_one > 0.0) {
         size = fmin(size, rough_root(tolerance / remainder->last_but_one, remainder->order - 1));
@@ -113,20 +116,28 @@ static double trusted_size(const remainder_of_series *remainder, double toleranc
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance) {
     const tdmf_scales *scales = &chart->model->scales;
     remainder_of_series remainder = {0.0, 0.0, 0};
+    double longest;
     step->chart = chart;
     step->order = order;
+    step->tolerance = tolerance;
     remainder.order = order - 1;
     if (chart->contact == TDMF_CONTACT_FLIGHT) {
-        expand_leg_in_flight(step);
+        longest = expand_leg_in_flight(step);
         note_remainder(&remainder, step->series.flight.length_rate, scales->speed);
         note_remainder(&remainder, step->series.flight.angle_rate, 1.0 / scales->time);
     } else {
-        expand_standing_leg(step);
+        longest = expand_standing_leg(step);
         note_remainder(&remainder, step->series.ground.press, scales->force);
         note_remainder(&remainder, step->series.ground.pull, scales->force);
         note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
     }
-    step->size = trusted_size(&remainder, tolerance);
+    step->size = trusted_size(&remainder, longest, tolerance);
+}
+
+double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit) {
+    remainder_of_series remainder = {0.0, 0.0, step->order};
+    note_remainder(&remainder, c, unit);
+    return trusted_size(&remainder, INFINITY, step->tolerance);
 }
 
 static double flight_work(const tdmf_step *step, double t) {

@@ -9,7 +9,7 @@
 typedef struct {
     const tdmf_chart *chart;
     int order;
-    double size;
+    double tolerance, size;
     tdmf_reach reach;
     union {
         flight_series flight;
@@ -24,9 +24,12 @@ int tdmf_step_order(double tolerance);
 flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart);
 ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart);
 
-/* Expands the motion of a chart and finds how long the series may be trusted: step->size, infinity for a
- * motion that is a polynomial, not a number where the series is not finite. */
+/* Expands the motion of a chart and finds how long the series may be trusted: step->size, not a number
+ * where the series is not finite. */
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance);
+
+/* How far another series of the step's order may be trusted, which is near `unit` in size. */
+double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit);
 
 /* Coordinates at a time within the step. */
 tdmf_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);

@@ -67,11 +67,19 @@ static void place_anywhere(random_source *source, tdmf_model *model, tdmf_ensemb
 
 typedef void place_runner(random_source *, tdmf_model *, tdmf_ensemble_case *, double[TDMF_SECTION_COUNT]);
 
+/* Runners that graze while they retract, past the clamp's kink or past an apex: one in thousands does. */
+static const uint64_t seldom[] = {20264029, 20264524, 20265831, 20264639, 20266581, 20267947};
+
+static uint64_t seed_of(int runner) {
+    const size_t number = (size_t)runner;
+    return number < sizeof seldom / sizeof seldom[0] ? seldom[number] : 20261121 + number;
+}
+
 static crowd *make_crowd(place_runner *place, int most_strides) {
-    random_source source = {20261121};
     crowd *crowd = calloc(1, sizeof *crowd);
     assert_non_null(crowd);
     for (int i = 0; i < RUNNERS; ++i) {
+        random_source source = {seed_of(i)};
         crowd->case_of[i] = RUNNERS - 1 - i;
         tdmf_ensemble_case *its_case = &crowd->cases[crowd->case_of[i]];
         tdmf_model *model = &crowd->models[i];

@@ -142,6 +142,74 @@ static void a_touch_that_turns_back_is_found(void **state) {
     }
 }
 
+/* A leg without a servo spins for ever at the rate at which its spring holds the masses together, and long
+ * steps would do, but for the foot's height, which is a sine of it. */
+typedef struct {
+    double com_y, drop, gravity, angle, rate; /* of the foot below the center of mass, and of the spin */
+} spinning_fall;
+
+static double foot_height(const spinning_fall *fall, double t) {
+    return fall->com_y - 0.5 * fall->gravity * t * t - fall->drop * cos(fall->angle + fall->rate * t);
+}
+
+static double first_touchdown(const spinning_fall *fall) {
+    const double look = 1e-3;
+    double from = 0.0;
+    while (foot_height(fall, from + look) > 0.0) {
+        from += look;
+    }
+    double to = from + look;
+    while (to - from > 1e-14 * to) {
+        const double middle = 0.5 * (from + to);
+        *(foot_height(fall, middle) > 0.0 ? &from : &to) = middle;
+    }
+    return to;
+}
+
+static runner spinning_runner(random_source *source, spinning_fall *fall) {
+    runner runner = runner_default(0.6);
+    tdmf_parameters p = runner.model.parameters;
+    p.hip.kp = 0.0;
+    p.hip.kd = 0.0;
+    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    const double mobility = 1.0 / p.body.mass + 1.0 / p.foot.mass;
+    const double rate = random_uniform(source, 1.2, 2.0) * (random_chance(source, 0.5) ? 1.0 : -1.0);
+    const double stiffness = mobility * p.leg.stiffness;
+    const double length = stiffness * p.leg.free_length / (stiffness - rate * rate);
+    const double section[TDMF_SECTION_COUNT] = {random_uniform(source, 2.0, 6.0),  0.0, length,
+                                                random_uniform(source, -3.0, 3.0), 0.0, rate};
+    tdmf_section_state(&runner.model, section, runner.state);
+    runner_start(&runner);
+    fall->com_y = section[TDMF_SECTION_COM_HEIGHT];
+    fall->drop = length * p.body.mass / (p.body.mass + p.foot.mass);
+    fall->gravity = p.gravity;
+    fall->angle = section[TDMF_SECTION_LEG_ANGLE];
+    fall->rate = rate;
+    return runner;
+}
+
+static void a_spinning_leg_touches_down_in_time(void **state) {
+    enum { FALLS = 200 };
+    random_source source = {881};
+    (void)state;
+    for (int i = 0; i < FALLS; ++i) {
+        spinning_fall fall;
+        const runner runner = spinning_runner(&source, &fall);
+        const double touchdown = first_touchdown(&fall);
+        tdmf_event_log log = {0};
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.log = &log;
+        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, touchdown + 1e-6, &motion);
+        int first = 0;
+        while (first < log.count && log.events[first].guard != TDMF_GUARD_TOUCHDOWN) {
+            ++first;
+        }
+        assert_true(first < log.count);
+        assert_close(log.events[first].time, touchdown, 1e-9);
+    }
+}
+
 /* ---- inputs that change ------------------------------------------------------------------------------- */
 
 static void a_ramp_is_the_limit_of_small_steps(void **state) {
@@ -230,6 +298,7 @@ int main(void) {
         cmocka_unit_test(the_ledger_closes_whatever_the_communication_step),
         cmocka_unit_test(random_runs_have_the_same_events),
         cmocka_unit_test(a_touch_that_turns_back_is_found),
+        cmocka_unit_test(a_spinning_leg_touches_down_in_time),
         cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(stiff_parameters_end_in_words),

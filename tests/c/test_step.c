@@ -1,0 +1,103 @@
+/* What a step of the native solver leaves out, against the same stretch in steps that leave out nothing. */
+#include "compare.h"
+#include "scene.h"
+#include "step.h"
+
+#include <math.h>
+
+static const double tolerances[] = {1e-5, 1e-8, 1e-11};
+enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
+
+/* A leg of any sense stays within these. */
+static bool is_a_leg(const tdmf_chart *chart) {
+    const tdmf_coordinates *at = &chart->start;
+    const tdmf_parameters *p = &chart->model->parameters;
+    const bool flies = chart->contact == TDMF_CONTACT_FLIGHT;
+    const double length = flies ? at->length : hypot(at->x, at->y);
+    return length > p->leg.min_length && length < 4.0 * p->leg.free_length && (flies || at->y > 0.0);
+}
+
+/* Goes on by `time`, as exactly as can be, or until the leg makes no sense any more. */
+static bool go_on_exactly(tdmf_chart *chart, double time) {
+    double left = time;
+    while (left > 0.0 && is_a_leg(chart)) {
+        tdmf_step step;
+        tdmf_step_expand(&step, chart, SERIES_ORDER_LIMIT, 1e-15);
+        const double part = fmin(left, 0.7 * step.size);
+        const tdmf_coordinates reached = tdmf_step_at(&step, part);
+        tdmf_chart_shift(chart, part, &reached);
+        left -= part;
+    }
+    return is_a_leg(chart);
+}
+
+static double off(double actual, double expected, double start, double scale) {
+    return fabs(actual - expected) / fmax(scale, fabs(start));
+}
+
+/* The largest of the errors of the coordinates of a mode, in its scales. */
+static double error_of(const tdmf_chart *from, const tdmf_coordinates *a, const tdmf_coordinates *b) {
+    const tdmf_scales *scales = &from->model->scales;
+    const tdmf_coordinates *start = &from->start;
+    if (from->contact == TDMF_CONTACT_FLIGHT) {
+        return fmax(fmax(off(a->length, b->length, 0.0, scales->length), off(a->angle, b->angle, 0.0, 1.0)),
+                    fmax(off(a->length_rate, b->length_rate, start->length_rate, scales->speed),
+                         off(a->angle_rate, b->angle_rate, start->angle_rate, 1.0 / scales->time)));
+    }
+    return fmax(
+        fmax(off(a->x, b->x, 0.0, scales->length), off(a->y, b->y, 0.0, scales->length)),
+        fmax(off(a->vx, b->vx, start->vx, scales->speed), off(a->vy, b->vy, start->vy, scales->speed)));
+}
+
+/* Steps on for as long as the leg makes sense, through settling and beyond, whatever events there are. */
+static void assert_steps_are_exact(const runner *runner, double tolerance) {
+    enum { STEPS = 100 };
+    static const tdmf_input_rates held = {0.0, 0.0};
+    tdmf_chart chart;
+    tdmf_chart_open(&chart, &runner->model, &runner->inputs, &held, &runner->mode, runner->state);
+    for (int i = 0; i < STEPS; ++i) {
+        tdmf_step step;
+        tdmf_chart exact = chart;
+        tdmf_step_expand(&step, &chart, tdmf_step_order(tolerance), tolerance);
+        const tdmf_coordinates reached = tdmf_step_at(&step, step.size);
+        if (!go_on_exactly(&exact, step.size)) {
+            return;
+        }
+        assert_close(error_of(&chart, &reached, &exact.start), 0.0, 4.0 * tolerance);
+        chart = exact;
+    }
+}
+
+/* Nearly upright, so that it stands long enough for its spring to settle. */
+static void set_upright(random_source *source, runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double sag = p->body.mass * p->gravity / p->leg.stiffness;
+    runner->state[TDMF_LEG_LENGTH] = p->leg.free_length - random_uniform(source, 0.5, 1.5) * sag;
+    runner->state[TDMF_LEG_ANGLE] = random_uniform(source, -1e-7, 1e-7);
+    runner->state[TDMF_LEG_ANGLE_RATE] = 0.0;
+    runner->inputs.hip.external_torque = 0.0;
+    runner->mode.phase = TDMF_PHASE_COAST;
+}
+
+static void steps_leave_out_no_more_than_their_tolerance(void **state) {
+    enum { RUNNERS = 150 };
+    random_source source = {22};
+    (void)state;
+    for (int i = 0; i < TOLERANCES; ++i) {
+        for (int run = 0; run < RUNNERS; ++run) {
+            for (int contact = TDMF_CONTACT_FLIGHT; contact < TDMF_CONTACT_GRAZE; ++contact) {
+                runner runner = scene_random(&source, (tdmf_contact_mode)contact);
+                assert_steps_are_exact(&runner, tolerances[i]);
+                if (contact != TDMF_CONTACT_FLIGHT) {
+                    set_upright(&source, &runner);
+                    assert_steps_are_exact(&runner, tolerances[i]);
+                }
+            }
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(steps_leave_out_no_more_than_their_tolerance)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
