@@ -81,7 +81,8 @@ print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-
         .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
 }
 
-# The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file.
+# The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file. The ensemble
+# engine, which is not in them, is compiled as well, to see that it can be.
 PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
 build_platforms() {
     local platform units=() log=build/platforms/build.log
@@ -90,9 +91,10 @@ build_platforms() {
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
     for platform in "${PLATFORMS[@]}"; do
         { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
-            cmake --build "build/platforms/$platform" --target fmi2_unit fmi3_unit importer; } >>"$log" 2>&1 || {
+            cmake --build "build/platforms/$platform" \
+                --target fmi2_unit fmi3_unit importer tdmf_slip_ensemble; } >>"$log" 2>&1 || {
             tail -n 40 "$log" >&2
-            fail "the units could not be built for $platform"
+            fail "could not compile for $platform"
         }
         units+=("build/platforms/$platform/fmu_src")
     done

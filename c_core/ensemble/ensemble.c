@@ -3,6 +3,7 @@
 
 #include "lane_march.h"
 #include "processor.h"
+#include "request.h"
 #include "step.h"
 #include "threads.h"
 
@@ -10,11 +11,11 @@
 #include <stdlib.h>
 
 struct tdmf_starts {
-    long next, count;
+    int64_t next, count;
 };
 
-long tdmf_next_start(tdmf_starts *starts) {
-    const long number = tdmf_take_number(&starts->next);
+int64_t tdmf_next_start(tdmf_starts *starts) {
+    const int64_t number = tdmf_take_number(&starts->next);
     return number < starts->count ? number : -1;
 }
 
@@ -71,7 +72,7 @@ static bool march_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts,
     (void)order;
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
-    for (long i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
+    for (int64_t i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
         const tdmf_ensemble_case *its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[i] : 0];
         tdmf_runner runner;
         bool goes_on = tdmf_runner_begin(&runner, its_case, ensemble->starts[i], &ends[i]);
@@ -115,14 +116,27 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
 }
 
 static bool is_sound(const tdmf_ensemble *ensemble) {
-    return ensemble->threads > 0 && ensemble->relative_tolerance > 0.0 &&
-           isfinite(ensemble->relative_tolerance) && tdmf_has_instructions(ensemble->instructions);
+    if (ensemble->threads <= 0 || !tdmf_is_tolerance(ensemble->relative_tolerance) ||
+        !tdmf_has_instructions(ensemble->instructions) ||
+        (ensemble->count > 0 && ensemble->case_count <= 0)) {
+        return false;
+    }
+    for (int64_t i = 0; ensemble->case_of && i < ensemble->count; ++i) {
+        if (ensemble->case_of[i] < 0 || ensemble->case_of[i] >= ensemble->case_count) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     if (!is_sound(ensemble)) {
         return false;
     }
+    /* No more threads than runners, and one if there are none. */
+    const int threads = ensemble->threads <= ensemble->count ? ensemble->threads
+                        : ensemble->count > 0                ? (int)ensemble->count
+                                                             : 1;
     everything all = {
         .ensemble = ensemble,
         .march = marches[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
@@ -130,16 +144,16 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         .starts = {0, ensemble->count},
         .order = tdmf_step_order(ensemble->relative_tolerance),
         .ends = ends,
-        .works = calloc((size_t)ensemble->threads, sizeof *all.works),
+        .works = calloc((size_t)threads, sizeof *all.works),
     };
     if (all.works == NULL) {
         return false;
     }
-    tdmf_side_by_side(run_share, &all, ensemble->threads);
+    tdmf_side_by_side(run_share, &all, threads);
     if (work) {
         const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
         *work = none;
-        for (int i = 0; i < ensemble->threads; ++i) {
+        for (int i = 0; i < threads; ++i) {
             add_work(work, &all.works[i]);
         }
     }

@@ -54,7 +54,7 @@ static void wait_in(march *march, int index) {
 /* Puts the next start that runs in a runner's place. */
 static void begin_another(march *march, int index) {
     const tdmf_ensemble *ensemble = march->ensemble;
-    for (long next = tdmf_next_start(march->starts); next >= 0; next = tdmf_next_start(march->starts)) {
+    for (int64_t next = tdmf_next_start(march->starts); next >= 0; next = tdmf_next_start(march->starts)) {
         const int number = ensemble->case_of ? ensemble->case_of[next] : 0;
         if (tdmf_runner_begin(&march->runners[index], &ensemble->cases[number], ensemble->starts[next],
                               &march->ends[next])) {

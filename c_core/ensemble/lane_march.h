@@ -8,7 +8,7 @@
 typedef struct tdmf_starts tdmf_starts;
 
 /* The next of them, or -1. */
-long tdmf_next_start(tdmf_starts *starts);
+int64_t tdmf_next_start(tdmf_starts *starts);
 
 /* Runs starts until there are none. False, having taken none, if there is no memory. */
 typedef bool tdmf_lane_march(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,

@@ -41,7 +41,7 @@ static inline void note_remainder(lane_remainder *remainder, const real *c, int 
 static inline real trusted_size(const lane_remainder *remainder, real longest, int order, double tolerance) {
     const real by_last = rough_root(tolerance / remainder->last, order);
     const real by_last_but_one = rough_root(tolerance / remainder->last_but_one, order - 1);
-    const choice known = finite(remainder->last + remainder->last_but_one);
+    const choice known = is_finite(remainder->last + remainder->last_but_one);
     return pick(known, smaller(longest, smaller(by_last, by_last_but_one)), real_of(NAN));
 }
 
@@ -194,7 +194,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / m->frame.time_scale);
     const real longest = longest_flight_step(&m->law, m->length, order);
     const real size =
-        smaller(trusted_size(&remainder, longest, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
+        smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
     search_within(&search, size, order, live, due_below(tolerance));
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
@@ -353,7 +353,7 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
     const real size =
-        smaller(trusted_size(&remainder, longest, order - 1, tolerance), m->frame.time_left - m->now.elapsed);
+        smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
     search_within(&search, size, order, live, due_below(tolerance));
     watch_standing_leg(&search, m, g, order);
     if (grazes) {

@@ -80,7 +80,7 @@ static inline bool any(choice chosen) {
 }
 
 /* Neither infinite nor not a number. */
-static inline choice finite(real x) {
+static inline choice is_finite(real x) {
     return real_abs(x) < real_of(INFINITY);
 }
 

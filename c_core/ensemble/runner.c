@@ -221,11 +221,11 @@ static int gait_near(const tdmf_ensemble_case *its_case, const double apex[TDMF_
     double scales[TDMF_SECTION_COUNT];
     tdmf_section_scales(its_case->model, scales);
     for (int gait = 0; gait < rules->gait_count; ++gait) {
-        double farthest = 0.0;
+        bool is_near = true;
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-            farthest = fmax(farthest, fabs(apex[i] - rules->gaits[gait][i]) / scales[i]);
+            is_near = is_near && fabs(apex[i] - rules->gaits[gait][i]) <= rules->distance * scales[i];
         }
-        if (farthest <= rules->distance) {
+        if (is_near) {
             return gait;
         }
     }

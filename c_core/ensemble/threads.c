@@ -31,8 +31,8 @@ static void join(thread thread) {
     CloseHandle(thread);
 }
 
-long tdmf_take_number(long *counter) {
-    return InterlockedExchangeAdd(counter, 1);
+int64_t tdmf_take_number(int64_t *counter) {
+    return InterlockedExchangeAdd64(counter, 1);
 }
 #else
 #include <pthread.h>
@@ -53,7 +53,7 @@ static void join(thread thread) {
     pthread_join(thread, NULL);
 }
 
-long tdmf_take_number(long *counter) {
+int64_t tdmf_take_number(int64_t *counter) {
     return __atomic_fetch_add(counter, 1, __ATOMIC_RELAXED);
 }
 #endif
@@ -61,25 +61,19 @@ long tdmf_take_number(long *counter) {
 typedef struct {
     job job;
     thread thread;
-    bool started;
 } place;
 
 void tdmf_side_by_side(tdmf_work *work, void *shared, int count) {
     place *places = count > 1 ? calloc((size_t)count, sizeof *places) : NULL;
-    for (int i = 1; places && i < count; ++i) {
-        const job job = {work, shared, i};
-        places[i].job = job;
-        places[i].started = start(&places[i].thread, &places[i].job);
+    int started = 1;
+    for (bool goes_on = places != NULL; goes_on && started < count; started += goes_on) {
+        const job job = {work, shared, started};
+        places[started].job = job;
+        goes_on = start(&places[started].thread, &places[started].job);
     }
-    for (int i = 0; i < count; ++i) {
-        if (!places || !places[i].started) {
-            work(shared, i);
-        }
-    }
-    for (int i = 1; places && i < count; ++i) {
-        if (places[i].started) {
-            join(places[i].thread);
-        }
+    work(shared, 0);
+    for (int i = 1; i < started; ++i) {
+        join(places[i].thread);
     }
     free(places);
 }

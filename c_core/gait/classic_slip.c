@@ -107,8 +107,8 @@ static double trusted_size(const tdmf_classic *slip, const stance_series *s) {
     const double speed = slip->free_length * sqrt(slip->stiffness / slip->mass);
     const double last = (fabs(s->vx[ORDER]) + fabs(s->vy[ORDER])) / speed;
     const double last_but_one = (fabs(s->vx[ORDER - 1]) + fabs(s->vy[ORDER - 1])) / speed;
-    return fmin(pow(tolerance / fmax(last, DBL_MIN), 1.0 / ORDER),
-                pow(tolerance / fmax(last_but_one, DBL_MIN), 1.0 / (ORDER - 1)));
+    return fmin(pow(tolerance / fmax(last, DBL_MIN), 1.0 / (double)ORDER),
+                pow(tolerance / fmax(last_but_one, DBL_MIN), 1.0 / (double)(ORDER - 1)));
 }
 
 /* What ends a stance. */

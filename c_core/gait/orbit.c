@@ -73,7 +73,8 @@ static bool try_section(tdmf_orbit *orbit, tdmf_solver *solver, const tdmf_model
     orbit->stride = tdmf_return_map(solver, model, inputs, section, longest_stride * model->scales.time, true,
                                     change, change ? 1 : 0);
     if (!orbit->stride.began_at_apex || !orbit->stride.outcome.closed) {
-        orbit->outcome = orbit->stride.began_at_apex ? TDMF_ORBIT_FELL : TDMF_ORBIT_NO_START;
+        const bool began = orbit->stride.began_at_apex && orbit->stride.outcome.outcome != TDMF_REFUSED;
+        orbit->outcome = began ? TDMF_ORBIT_FELL : TDMF_ORBIT_NO_START;
         return false;
     }
     orbit->error = error_of(model, section, orbit->stride.apex);

@@ -166,6 +166,10 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     memset(&result, 0, sizeof result);
     motion.time = 0.0;
     tdmf_section_state(model, section, motion.state);
+    if (count > TDMF_RETURN_CHANGES) {
+        result.outcome.outcome = TDMF_REFUSED;
+        return result;
+    }
     if (tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable ||
         !motion.record.open.began_at_apex) {
         return result;

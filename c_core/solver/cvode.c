@@ -2,6 +2,7 @@
  * transition, start anew. Problem: TDMF_STATE_COUNT states, TDMF_GUARD_COUNT root functions, dense Newton. */
 #include "tdmf_slip/cvode.h"
 
+#include "request.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
 
@@ -120,8 +121,7 @@ static bool configure(workspace *space, problem *problem) {
            CVodeSVtolerances(cvode, tolerance, space->tolerances) == CV_SUCCESS &&
            CVodeSetLinearSolver(cvode, space->linear_solver, space->matrix) == CV_SUCCESS &&
            CVodeRootInit(cvode, TDMF_GUARD_COUNT, root_functions) == CV_SUCCESS &&
-           CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS &&
-           CVodeSetMaxNumSteps(cvode, problem->options->step_limit) == CV_SUCCESS;
+           CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS;
 }
 
 /* Takes the transitions due at CVODE's present time and state, and restarts it there. */
@@ -136,12 +136,17 @@ static bool take_events(workspace *space, problem *problem) {
 
 static tdmf_outcome integrate(workspace *space, problem *problem, double until) {
     tdmf_motion *motion = problem->motion;
+    long steps_left = problem->options->step_limit;
     for (long events = problem->options->event_limit; motion->time < until && !motion->mode.fallen;
          --events) {
         if (events <= 0) {
             return TDMF_TOO_MANY_EVENTS;
         }
-        if (CVodeSetStopTime(space->integrator, until) != CV_SUCCESS) {
+        if (steps_left <= 0) {
+            return TDMF_TOO_MANY_STEPS;
+        }
+        if (CVodeSetStopTime(space->integrator, until) != CV_SUCCESS ||
+            CVodeSetMaxNumSteps(space->integrator, steps_left) != CV_SUCCESS) {
             return TDMF_NO_PROGRESS;
         }
         realtype time = motion->time;
@@ -149,11 +154,13 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
         const int flag = CVode(space->integrator, until, space->state, &time, CV_NORMAL);
         CVodeGetNumSteps(space->integrator, &steps); /* since the last restart */
         problem->options->steps += steps;
+        steps_left -= steps;
+        /* Where it failed CVODE gives the last time and state that it reached. */
+        motion->time = flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? until : time;
+        memcpy(motion->state, N_VGetArrayPointer(space->state), sizeof motion->state);
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }
-        motion->time = flag == CV_ROOT_RETURN ? time : until;
-        memcpy(motion->state, N_VGetArrayPointer(space->state), sizeof motion->state);
         if (flag == CV_ROOT_RETURN && !take_events(space, problem)) {
             return TDMF_NO_PROGRESS;
         }
@@ -166,6 +173,9 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, c
     problem problem = {model, inputs, rates, motion->time, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
+    if (!tdmf_is_sound_request(options, inputs, rates, until, motion)) {
+        return TDMF_REFUSED;
+    }
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     if (allocate(&space) && configure(&space, &problem)) {

@@ -4,6 +4,7 @@
 
 #include "carried.h"
 #include "crossing.h"
+#include "request.h"
 #include "saltation.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
@@ -17,7 +18,8 @@ typedef struct {
     const tdmf_model *model;
     tdmf_inputs inputs; /* at motion->time */
     tdmf_input_rates rates;
-    tdmf_motion *motion; /* its state is that of the last event; the chart is ahead of it */
+    tdmf_motion *motion; /* its state is that of the last event; the chart may be ahead of it */
+    bool chart_is_ahead;
     double until;
     int order; /* of the series */
     tdmf_chart chart;
@@ -45,8 +47,10 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
         return "too many steps: the parameters are too stiff for the solver or its tolerance";
     case TDMF_TOO_MANY_EVENTS:
         return "too many events";
-    default:
+    case TDMF_NO_PROGRESS:
         return "no step, however short, has a finite result";
+    default:
+        return "an input, its rate, the tolerance or the time asked for is out of range";
     }
 }
 
@@ -54,6 +58,7 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
 static void open_mode(march *march) {
     const tdmf_motion *motion = march->motion;
     tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state);
+    march->chart_is_ahead = false;
     for (int i = 0; i < march->count; ++i) {
         march->carried[i] =
             tdmf_carry(&march->chart, motion->state, &march->changes[i], &march->variations[i]);
@@ -147,22 +152,31 @@ static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const 
     }
 }
 
-/* Takes what is due now, on the motion and on its variations. */
-static void resolve(march *march, tdmf_guard guard) {
+static bool take_transitions(march *march) {
+    tdmf_motion *motion = march->motion;
+    const tdmf_resolution taken = tdmf_resolve(march->model, &march->inputs, motion->time, motion->state,
+                                               &motion->mode, &motion->record);
+    return taken.state_changed || taken.mode_changed;
+}
+
+/* Takes what is due now, on the motion and on its variations. Nothing may be: series know a guard up to the
+ * tolerance, and the model finds it above its margin still. */
+static bool resolve(march *march, tdmf_guard guard) {
     tdmf_motion *motion = march->motion;
     if (march->count == 0 && !march->solver->log) {
-        tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode,
-                     &motion->record);
-        return;
+        return take_transitions(march);
     }
     const tdmf_side before = side_of(march);
-    tdmf_resolve(march->model, &march->inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    if (!take_transitions(march)) {
+        return false;
+    }
     const tdmf_side after = side_of(march);
     log_event(march->solver->log, motion->time, guard, &before, &after.mode);
     for (int i = 0; i < march->count; ++i) {
         march->variations[i] = tdmf_saltation(march->model, &march->inputs, guard, &before, &after,
                                               &march->changes[i], &march->variations[i]);
     }
+    return true;
 }
 
 /* Takes the event that is due after `elapsed`. */
@@ -171,8 +185,7 @@ static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const 
     write_state(march, elapsed, reached);
     motion->time += elapsed;
     move_inputs(march, elapsed);
-    resolve(march, guard);
-    ++march->solver->events;
+    march->solver->events += resolve(march, guard);
     --march->events_left;
     open_mode(march);
 }
@@ -181,6 +194,7 @@ static void go_on(march *march, double elapsed, const tdmf_coordinates *reached)
     tdmf_motion *motion = march->motion;
     motion->time = elapsed < march->until - motion->time ? motion->time + elapsed : march->until;
     tdmf_chart_shift(&march->chart, elapsed, reached);
+    march->chart_is_ahead = true;
     move_inputs(march, elapsed);
 }
 
@@ -222,8 +236,11 @@ static tdmf_outcome advance_once(march *march) {
     return TDMF_ARRIVED;
 }
 
-static void begin(march *march, tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                   const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+    if (!tdmf_is_sound_request(solver, inputs, rates, until, motion)) {
+        return false;
+    }
     march->solver = solver;
     march->model = model;
     march->inputs = *inputs;
@@ -237,6 +254,7 @@ static void begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     open_mode(march);
+    return true;
 }
 
 /* Until the time asked for, or until `strides` have closed. */
@@ -247,7 +265,9 @@ static tdmf_outcome advance(march *march, int strides) {
            motion->record.stride.count < strides) {
         outcome = march->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(march);
     }
-    write_state(march, 0.0, &march->chart.start);
+    if (march->chart_is_ahead) {
+        write_state(march, 0.0, &march->chart.start);
+    }
     if (outcome != TDMF_ARRIVED) {
         return outcome;
     }
@@ -259,8 +279,8 @@ static tdmf_outcome advance(march *march, int strides) {
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march;
-    begin(&march, solver, model, inputs, rates, until, motion);
-    return advance(&march, INT_MAX);
+    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, INT_MAX)
+                                                                      : TDMF_REFUSED;
 }
 
 static tdmf_stride_outcome advance_a_stride(march *march) {
@@ -272,12 +292,12 @@ static tdmf_stride_outcome advance_a_stride(march *march) {
 }
 
 static const tdmf_input_rates held = {0.0, 0.0};
+static const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
 
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
     march march;
-    begin(&march, solver, model, inputs, &held, until, motion);
-    return advance_a_stride(&march);
+    return begin(&march, solver, model, inputs, &held, until, motion) ? advance_a_stride(&march) : refused;
 }
 
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
@@ -285,8 +305,10 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_mo
                                               const tdmf_change *changes, tdmf_variation *variations,
                                               int count) {
     march march;
-    begin(&march, solver, model, inputs, &held, until, motion);
-    march.count = count < TDMF_VARIATION_LIMIT ? count : TDMF_VARIATION_LIMIT;
+    if (count > TDMF_VARIATION_LIMIT || !begin(&march, solver, model, inputs, &held, until, motion)) {
+        return refused;
+    }
+    march.count = count;
     march.changes = changes;
     march.variations = variations;
     open_mode(&march);

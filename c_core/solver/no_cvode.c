@@ -13,5 +13,5 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, c
     (void)rates;
     (void)until;
     (void)motion;
-    return TDMF_NO_PROGRESS;
+    return TDMF_REFUSED;
 }

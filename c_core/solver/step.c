@@ -79,7 +79,7 @@ static double expand_standing_leg(tdmf_step *step) {
 /* x^(1/n) within a few per cent, and the same on every platform. */
 static double rough_root(double x, int n) {
     int exponent;
-    const double mantissa = frexp(fmin(x, DBL_MAX), &exponent);
+    const double mantissa = frexp(fmin(fmax(x, DBL_MIN), DBL_MAX), &exponent);
     const double logarithm = ((double)exponent + 2.0 * (mantissa - 1.0)) / n;
     const double whole = floor(logarithm);
     return ldexp(1.0 + 0.67 * (logarithm - whole), (int)whole);

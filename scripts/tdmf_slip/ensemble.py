@@ -89,11 +89,12 @@ def run(
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
-    ensemble.relative_tolerance = _positive("tolerance", tolerance)
+    ensemble.relative_tolerance = _below_one("tolerance", tolerance)
     ensemble.threads = int(_positive("threads", threads or os.cpu_count() or 1))
     ensemble.instructions = _number(instructions)
     c_cases, kept = _c_cases(cases, int(most_strides), _positive("near", near))
     ensemble.cases = c_cases
+    ensemble.case_count = len(cases)
     if case_of is not None:
         numbers = _case_numbers(case_of, len(sections), len(cases))
         ensemble.case_of = ffi.cast("int *", ffi.from_buffer(numbers))
@@ -128,6 +129,12 @@ def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
 def _positive(name: str, value: float) -> float:
     if not 0 < value < np.inf:
         raise InputError(f"{name} {value}: allowed: a finite number above 0")
+    return value
+
+
+def _below_one(name: str, value: float) -> float:
+    if not 0 < value < 1:
+        raise InputError(f"{name} {value}: allowed: a number above 0 and below 1")
     return value
 
 

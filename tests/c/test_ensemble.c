@@ -88,6 +88,7 @@ static crowd *make_crowd(place_runner *place, int most_strides) {
         its_case->rules.most_strides = most_strides;
     }
     crowd->ensemble.cases = crowd->cases;
+    crowd->ensemble.case_count = RUNNERS;
     crowd->ensemble.case_of = crowd->case_of;
     crowd->ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts;
     crowd->ensemble.count = RUNNERS;
@@ -242,29 +243,32 @@ static void energy_is_accounted_for(void **state) {
 }
 
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
- * ground does not start. */
+ * ground does not start. What is no gait, being no number, attracts nothing. */
 static void runners_settle_fall_or_do_not_start(void **state) {
-    static const double gait[1][TDMF_SECTION_COUNT] = {{1.406106854441984, 1.062891224817656,
-                                                        1.004282245348082, 1.242779537928858,
-                                                        9.84952562003722e-07, 0.2165916273954818}};
-    double starts[4][TDMF_SECTION_COUNT];
+    double gaits[2][TDMF_SECTION_COUNT], starts[4][TDMF_SECTION_COUNT];
     const tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model;
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     for (int i = 0; i < 4; ++i) {
-        memcpy(starts[i], gait[0], sizeof starts[i]);
+        memcpy(starts[i], &reference_gaits[2].apex, sizeof starts[i]);
     }
+    for (int i = 0; i < 2; ++i) {
+        memcpy(gaits[i], &reference_gaits[2].apex, sizeof gaits[i]);
+    }
+    gaits[0][TDMF_SECTION_LEG_ANGLE_RATE] = NAN;
     starts[1][TDMF_SECTION_COM_HEIGHT] += 0.05;
     starts[2][TDMF_SECTION_LEG_ANGLE] = -1.2;
     starts[2][TDMF_SECTION_COM_HEIGHT] = 0.6;
     starts[3][TDMF_SECTION_COM_HEIGHT] = 0.1;
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {gait, 1, 1e-3, 400}};
+    const tdmf_ensemble_case its_case = {
+        &model, tdmf_default_inputs(), {(const double(*)[TDMF_SECTION_COUNT])gaits, 2, 1e-3, 400}};
     tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
                               .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
                               .count = 4,
                               .relative_tolerance = 1e-9,
-                              .threads = 1};
+                              .threads = 7};
     for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         ensemble.instructions = (tdmf_instructions)set;
         if (!tdmf_has_instructions(ensemble.instructions)) {
@@ -273,7 +277,7 @@ static void runners_settle_fall_or_do_not_start(void **state) {
         tdmf_ensemble_end *ends = run(&ensemble, NULL);
         assert_int_equal(ends[0].fate, TDMF_FATE_SETTLED);
         assert_int_equal(ends[0].strides, 1);
-        assert_int_equal(ends[0].gait, 0);
+        assert_int_equal(ends[0].gait, 1);
         assert_int_equal(ends[1].fate, TDMF_FATE_SETTLED);
         assert_true(ends[1].strides > 1);
         assert_int_equal(ends[2].fate, TDMF_FATE_FELL);
@@ -300,6 +304,7 @@ static void reference_gaits_are_kept(void **state) {
         memcpy(starts[i], &reference_gaits[i].apex, sizeof starts[i]);
     }
     const tdmf_ensemble ensemble = {.cases = cases,
+                                    .case_count = REFERENCE_GAITS,
                                     .case_of = case_of,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
                                     .count = REFERENCE_GAITS,
@@ -327,8 +332,12 @@ static void a_runner_that_comes_to_rest_is_given_up(void **state) {
     assert_null(tdmf_model_create(&model, &parameters).variable);
     const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 10}};
-    tdmf_ensemble ensemble = {
-        .cases = &its_case, .starts = start, .count = 1, .relative_tolerance = 1e-9, .threads = 1};
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
+                              .starts = start,
+                              .count = 1,
+                              .relative_tolerance = 1e-9,
+                              .threads = 7};
     for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         ensemble.instructions = (tdmf_instructions)set;
         if (tdmf_has_instructions(ensemble.instructions)) {
@@ -364,7 +373,7 @@ static void unsound_ensembles_are_refused(void **state) {
     crowd *crowd = make_crowd(place_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
     (void)state;
-    const double tolerances[] = {0.0, -1.0, NAN, INFINITY};
+    const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
         tdmf_ensemble bad = crowd->ensemble;
         bad.relative_tolerance = tolerances[i];
@@ -373,6 +382,11 @@ static void unsound_ensembles_are_refused(void **state) {
     tdmf_ensemble bad = crowd->ensemble;
     bad.threads = 0;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    static const int no_cases[] = {-1, RUNNERS};
+    for (size_t i = 0; i < sizeof no_cases / sizeof no_cases[0]; ++i) {
+        crowd->case_of[RUNNERS - 1] = no_cases[i];
+        assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+    }
     bad = crowd->ensemble;
     bad.instructions = TDMF_INSTRUCTIONS_COUNT;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));

@@ -292,6 +292,63 @@ static void a_fall_is_where_the_run_stays(void **state) {
     assert_true(motion.time == time);
 }
 
+/* ---- calls that do nothing ---------------------------------------------------------------------------- */
+
+static void assert_refused(const runner *runner, double tolerance, tdmf_inputs inputs, tdmf_input_rates rates,
+                           double until) {
+    tdmf_motion motion = motion_of(runner);
+    const tdmf_motion before = motion;
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = tolerance;
+    assert_int_equal(tdmf_native_advance(&solver, &runner->model, &inputs, &rates, until, &motion),
+                     TDMF_REFUSED);
+    assert_memory_equal(&motion, &before, sizeof motion);
+    assert_int_equal(solver.steps, 0);
+}
+
+static void requests_without_sense_are_refused(void **state) {
+    static const double no_tolerances[] = {0.0, -1e-11, 1.0, INFINITY, NAN};
+    static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+    runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    (void)state;
+    runner.time = 1.0;
+    for (size_t i = 0; i < sizeof no_tolerances / sizeof no_tolerances[0]; ++i) {
+        assert_refused(&runner, no_tolerances[i], runner.inputs, held, 30.0);
+    }
+    for (size_t i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; ++i) {
+        tdmf_inputs inputs = runner.inputs;
+        tdmf_input_rates rates = held;
+        inputs.ground.friction = no_numbers[i];
+        assert_refused(&runner, 1e-9, inputs, held, 30.0);
+        inputs = runner.inputs;
+        inputs.hip.external_torque = no_numbers[i];
+        assert_refused(&runner, 1e-9, inputs, held, 30.0);
+        rates.friction = no_numbers[i];
+        assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
+        rates = held;
+        rates.external_torque = no_numbers[i];
+        assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
+    }
+    assert_refused(&runner, 1e-9, runner.inputs, held, NAN);
+    assert_refused(&runner, 1e-9, runner.inputs, held, 0.5);
+    assert_non_null(strstr(tdmf_outcome_text(TDMF_REFUSED), "out of range"));
+}
+
+static void a_call_for_no_time_changes_nothing(void **state) {
+    random_source source = {64};
+    (void)state;
+    for (int i = 0; i < 200; ++i) {
+        const runner runner = random_runner_near_the_gait(&source);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        const double until = random_uniform(&source, 0.0, 30.0);
+        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &motion);
+        const tdmf_motion before = motion;
+        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, motion.time, &motion);
+        assert_memory_equal(motion.state, before.state, sizeof motion.state);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stride_of_every_gait),
@@ -303,6 +360,8 @@ int main(void) {
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(stiff_parameters_end_in_words),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
+        cmocka_unit_test(requests_without_sense_are_refused),
+        cmocka_unit_test(a_call_for_no_time_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

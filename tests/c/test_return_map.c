@@ -97,6 +97,60 @@ static void parameters_and_inputs_are_differentiated(void **state) {
     }
 }
 
+/* With a coarse solver the series find a touchdown where the model still sees the foot above the ground: it
+ * is differentiated when it is taken. */
+static void derivatives_are_as_good_as_the_strides(void **state) {
+    enum { STRIDES = 1000 };
+    random_source source = {23};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    tdmf_change friction;
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    memset(&friction, 0, sizeof friction);
+    friction.inputs.ground.friction = 1.0;
+    for (int i = 0; i < STRIDES; ++i) {
+        scene_at_apex scene = at_gait(&reference_gaits[2]);
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            scene.section[k] += random_uniform(&source, -0.1, 0.1);
+        }
+        tdmf_solver coarse = tdmf_solver_default(), fine = coarse;
+        coarse.relative_tolerance = 1e-7;
+        fine.relative_tolerance = tight;
+        const tdmf_return rough =
+            tdmf_return_map(&coarse, &model, &scene.inputs, scene.section, longest, true, &friction, 1);
+        const tdmf_return exact =
+            tdmf_return_map(&fine, &model, &scene.inputs, scene.section, longest, true, &friction, 1);
+        if (!exact.outcome.closed || rough.stride.word_code != exact.stride.word_code) {
+            continue;
+        }
+        double size = 1.0;
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            size = fmax(size, fabs(exact.by_parameter[0].apex[k]));
+        }
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_close(rough.by_parameter[0].apex[k], exact.by_parameter[0].apex[k], 1e-4 * size);
+        }
+    }
+}
+
+static void what_is_too_much_is_refused(void **state) {
+    const scene_at_apex scene = at_gait(&reference_gaits[2]);
+    tdmf_change changes[TDMF_RETURN_CHANGES + 1];
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    memset(changes, 0, sizeof changes);
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_return stride = tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true,
+                                               changes, TDMF_RETURN_CHANGES + 1);
+    assert_int_equal(stride.outcome.outcome, TDMF_REFUSED);
+    assert_false(stride.outcome.closed);
+    solver.relative_tolerance = 0.0;
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
+                     TDMF_ORBIT_NO_START);
+}
+
 static void gaits_are_found_to_rounding(void **state) {
     (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
@@ -158,6 +212,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_jacobian_is_that_of_the_map),
         cmocka_unit_test(parameters_and_inputs_are_differentiated),
+        cmocka_unit_test(derivatives_are_as_good_as_the_strides),
+        cmocka_unit_test(what_is_too_much_is_refused),
         cmocka_unit_test(gaits_are_found_to_rounding),
         cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
         cmocka_unit_test(linear_systems_are_solved),

@@ -23,6 +23,7 @@ int main(void) {
     }
     const tdmf_ensemble_case runner = {&model, tdmf_default_inputs(), {gait, 1, 1e-2, 400}};
     const tdmf_ensemble ensemble = {.cases = &runner,
+                                    .case_count = 1,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-8,

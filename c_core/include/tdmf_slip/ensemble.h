@@ -39,9 +39,10 @@ typedef struct {
 
 typedef struct {
     const tdmf_ensemble_case *cases;
+    int case_count;
     const int *case_of;                         /* each runner's case; NULL: all the first */
     const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
-    long count;
+    int64_t count;
     double relative_tolerance; /* as in tdmf_solver */
     int threads;
     tdmf_instructions instructions;
@@ -51,7 +52,7 @@ typedef enum {
     TDMF_FATE_SETTLED,   /* on a gait */
     TDMF_FATE_FELL,      /* or closed no more stride */
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed */
-    TDMF_FATE_NO_START   /* the start is no apex above the ground */
+    TDMF_FATE_NO_START   /* the start is no apex above the ground, or the inputs are out of range */
 } tdmf_fate;
 
 /* What became of a runner. */
@@ -67,15 +68,16 @@ typedef struct {
 
 /* Work done in a run, for whoever wants to know. */
 typedef struct {
-    long strides, events;
-    long steps;       /* of runners */
-    long places;      /* lanes stepped; the steps in them over their number is how full they were */
-    long evaluations; /* coefficients of series, as in tdmf_solver */
+    int64_t strides, events;
+    int64_t steps;       /* of runners */
+    int64_t places;      /* lanes stepped; the steps in them over their number is how full they were */
+    int64_t evaluations; /* coefficients of series, as in tdmf_solver */
 } tdmf_ensemble_work;
 
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
- * had, the tolerance or the number of threads is not positive, or there is no memory. */
+ * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
+ * none of those given, or there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
 
 /* Whether this processor and this build have them. */

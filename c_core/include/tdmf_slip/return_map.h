@@ -31,6 +31,9 @@ typedef struct {
     double period, length, work;
 } tdmf_stride_change;
 
+/* Directions of parameters and inputs along which a stride is differentiated, at the most. */
+enum { TDMF_RETURN_CHANGES = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
+
 /* What became of a stride. The derivatives are there if it closed and they were asked for. */
 typedef struct {
     tdmf_stride_outcome outcome;
@@ -40,11 +43,12 @@ typedef struct {
     double liftoff_angle;                           /* theta_LO of the stride, rad */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     tdmf_stride_change by_section[TDMF_SECTION_COUNT];
-    tdmf_stride_change by_parameter[2];
+    tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES];
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
- * coordinates and along `count` directions of parameters and inputs, two at the most. */
+ * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES are
+ * refused. */
 tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                             const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                             const tdmf_change *changes, int count);

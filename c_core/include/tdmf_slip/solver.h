@@ -12,6 +12,8 @@
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,13 +42,13 @@ typedef struct {
 } tdmf_event_log;
 
 typedef struct {
-    double relative_tolerance; /* of a step, in the runner's scales */
+    double relative_tolerance; /* of a step, in the runner's scales; above 0 and below 1 */
     long step_limit;           /* steps in one call */
     long event_limit;          /* events in one call */
     tdmf_event_log *log;       /* or NULL */
     /* Work done so far, for whoever wants to know. */
-    long steps, evaluations,
-        events; /* evaluations: of the right-hand side, or of a coefficient of its series */
+    int64_t steps, events;
+    int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
 } tdmf_solver;
 
 typedef enum {
@@ -54,21 +56,23 @@ typedef enum {
     TDMF_FELL,            /* at the fall; the motion stays there */
     TDMF_TOO_MANY_STEPS,  /* the step limit was reached: stiff parameters, or a tolerance out of reach */
     TDMF_TOO_MANY_EVENTS, /* the event limit was reached */
-    TDMF_NO_PROGRESS      /* no step, however short, has a finite result */
+    TDMF_NO_PROGRESS,     /* no step, however short, has a finite result */
+    TDMF_REFUSED          /* not begun: see tdmf_native_advance */
 } tdmf_outcome;
 
 /* Default tolerance 1e-11, and limits that no call over a thousand strides reaches. */
 tdmf_solver tdmf_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time. On
- * every outcome the motion is valid and stands where the solver got to. A fallen run stays as it is. */
+ * every outcome the motion is valid and stands where the solver got to. A fallen run stays as it is. Refused,
+ * with nothing touched, are a tolerance out of range, inputs or rates that are not finite, negative friction,
+ * and a time before the present one or not a number. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion);
 
-/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. TDMF_ARRIVED
- * means that the stride did not close before. */
+/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
 typedef struct {
-    tdmf_outcome outcome;
+    tdmf_outcome outcome; /* TDMF_ARRIVED: at `until`, or where the stride closed */
     bool closed;
 } tdmf_stride_outcome;
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
