@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -126,8 +126,11 @@ def volume(
     runner = Runner(gait.runner.values)
     drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
     settled = 0
-    with progress.bar("volume", samples, "starts", show_progress) as bar:
-        for number, found in blocks.run(count_settled, drawings, scheduler=scheduler, workers=workers):
+    with (
+        progress.bar("volume", samples, "starts", show_progress) as bar,
+        blocks.run(count_settled, drawings, scheduler=scheduler, workers=workers) as results,
+    ):
+        for number, found in results:
             settled += found
             bar.update(counts[number])
     low, high = np.array(list(BOX.values())).T
@@ -206,6 +209,7 @@ def measure(gait: Orbit) -> Attraction:
 
 def measure_all(
     gaits: Sequence[Orbit], *, scheduler: str | None = None, workers: int | None = None
-) -> Iterator[tuple[int, Attraction]]:
-    """`measure` for many gaits, with their numbers, as they come; see `blocks.run`."""
-    return blocks.run(measure, gaits, scheduler=scheduler, workers=workers)
+) -> list[Attraction]:
+    """`measure` for many gaits, side by side; see `blocks.run`."""
+    with blocks.run(measure, gaits, scheduler=scheduler, workers=workers) as results:
+        return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]

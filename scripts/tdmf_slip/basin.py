@@ -1,6 +1,6 @@
 """The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from . import blocks, ensemble, progress
 from .errors import InputError
 from .files import whole
 from .orbit import Orbit, Runner
+from .resume import resumed
 from .section import COORDINATES
 from .sweep import first_orbit
 from .unit import Unit, load
@@ -20,6 +21,8 @@ TOLERANCE = 1e-5
 than the distance of neighbouring starts."""
 MOST_STRIDES = 400
 NOT_YET = -1
+LEG_LENGTH = COORDINATES.index("leg_length")
+"""It and the coordinates before are positive, and measured by what they are."""
 STARTS_AT_ONCE = 4096
 """In a block."""
 
@@ -69,6 +72,24 @@ def stable_gait(runner: Runner, unit: Unit) -> Orbit:
     return gait
 
 
+def range_around(gait: Orbit, axis: str) -> str:
+    """A range A:B of a coordinate of the section that has the gait in it, and most of what it attracts.
+
+    Raises:
+        InputError: an unknown axis.
+    """
+    _check_axes((axis,))
+    index = COORDINATES.index(axis)
+    here, scale = gait.apex[index], gait.runner.scales[index]
+    low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
+    return f"{low:.6g}:{high:.6g}"
+
+
+def _check_axes(axes: Sequence[str]) -> None:
+    if any(axis not in COORDINATES for axis in axes):
+        raise InputError(f"axes {', '.join(axes)}: allowed: two of {', '.join(COORDINATES)}")
+
+
 def basin(
     runner: Runner,
     axes: tuple[str, str],
@@ -105,12 +126,15 @@ def basin(
         RunError: there is no gait.
     """
     unit = load() if unit is None else unit
-    if len(set(axes)) != 2 or any(axis not in COORDINATES for axis in axes):
-        raise InputError(f"axes {', '.join(axes)}: allowed: two of {', '.join(COORDINATES)}")
+    _check_axes(axes)
+    if len(set(axes)) != 2:
+        raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
     gait = stable_gait(runner, unit)
     data = _blank(gait, axes, ranges, unit)
-    if path is not None and path.exists():
-        data = _resumed(path, data)
+    if path is not None:
+        data = resumed(path, data, "slice")
+        if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
+            raise InputError(f"{path}: holds fates that are none; allowed: another file name")
     missing = [row for row in range(len(ranges[0])) if (data["fate"].values[row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(ranges[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
@@ -118,9 +142,12 @@ def basin(
         Slice(runner, tuple(gait.apex), axes, tuple(np.asarray(ranges[0])[block]), tuple(ranges[1]))
         for block in rows
     ]
-    with progress.bar("basin", len(ranges[0]), "rows", show_progress) as bar:
+    with (
+        progress.bar("basin", len(ranges[0]), "rows", show_progress) as bar,
+        blocks.run(fates_of_slice, parts, scheduler=scheduler, workers=workers) as results,
+    ):
         bar.update(len(ranges[0]) - len(missing))
-        for number, ends in blocks.run(fates_of_slice, parts, scheduler=scheduler, workers=workers):
+        for number, ends in results:
             for name in ("fate", "strides"):
                 data[name].values[rows[number]] = ends[name]
             bar.update(len(rows[number]))
@@ -158,25 +185,3 @@ def _blank(
         data[axis].attrs = {"units": variable.unit or "1", "long_name": variable.description}
     data.attrs |= {"word": gait.word, **gait.runner.values}
     return data
-
-
-def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
-    try:
-        data = xarray.load_dataset(path)
-    except (OSError, ValueError) as problem:
-        raise InputError(f"{path}: no basin to go on with ({problem}); allowed: another file name") from None
-    same = set(blank.coords) == set(data.coords) and all(
-        np.array_equal(data[axis].values, blank[axis].values) for axis in blank.coords
-    )
-    if not same or not _same_attributes(data.attrs, blank.attrs):
-        raise InputError(f"{path}: holds another slice; allowed: another file name")
-    return data
-
-
-def _same_attributes(found: Mapping, wanted: Mapping) -> bool:
-    return all(
-        np.allclose(found.get(name, np.nan), value, rtol=1e-9, atol=1e-12)
-        if isinstance(value, float)
-        else found.get(name) == value
-        for name, value in wanted.items()
-    )

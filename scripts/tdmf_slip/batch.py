@@ -86,8 +86,11 @@ def run(
         for number, row in enumerate(table)
     ]
     results: list[Result | None] = [None] * len(jobs)
-    with progress.bar("batch", len(jobs), "runs", show_progress) as bar:
-        for number, result in blocks.run(run_one, jobs, scheduler=scheduler, workers=workers):
+    with (
+        progress.bar("batch", len(jobs), "runs", show_progress) as bar,
+        blocks.run(run_one, jobs, scheduler=scheduler, workers=workers) as finished,
+    ):
+        for number, result in finished:
             results[number] = result
             bar.update()
     return _dataset(jobs, results, names, unit)

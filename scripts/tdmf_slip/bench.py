@@ -16,6 +16,7 @@ from .instance import opened
 from .library import c, ffi
 from .orbit import Runner
 from .section import COORDINATES, scales, start_values
+from .simulation import checked
 from .text import table
 from .unit import Unit, load
 
@@ -353,9 +354,10 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         unit: the unit to measure; by default that of `fmu_path`.
 
     Raises:
-        InputError: the unit was built without CVODE.
+        InputError: the unit was built without CVODE, or the effort is out of range.
         RunError: a solver does not reach the wanted error.
     """
+    checked("effort", effort, 1e-3, 1e3)
     unit = load() if unit is None else unit
     many = crowd(unit)
     sets = ensemble.instruction_sets()

@@ -5,6 +5,7 @@ status 0: done; 1: a run failed, or a gait drifted from its reference; 2: someth
 """
 
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -136,7 +137,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
     if pictures is not None:
         files.check_folder(pictures, "--pictures")
     validation = validate(relative_tolerance=tolerance, show_progress=True)
-    print(json_text(validation.asjson_text()) if as_json_object else validation.as_text())
+    print(json_text(validation.as_json()) if as_json_object else validation.as_text())
     if pictures is not None:
         from .pictures import gallery
 
@@ -148,7 +149,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
 @commands.command("bench")
 @click.option(
     "--effort",
-    type=click.FloatRange(min=0.0, min_open=True),
+    type=float,
     default=1.0,
     show_default=True,
     help="Scales how long is measured.",
@@ -201,11 +202,14 @@ for command in (gait_command, sweep_command, basin_command, figures_command):
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; the exit status, after one message on stderr where something is wrong."""
+    if sys.stdout is None:
+        return _complain("stdout is closed, the results cannot be printed", 1)
     try:
         status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
         sys.stdout.flush()
         return status
     except click.exceptions.Abort:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # what Python does at its end is not interrupted again
         return _complain("interrupted", 130)
     except click.exceptions.NoArgsIsHelpError as problem:
         print(problem.format_message(), file=sys.stderr)
@@ -218,8 +222,16 @@ def main(arguments: list[str] | None = None) -> int:
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else 1
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more at its end
+        _forget_stdout()
         return 1
+    except OSError as problem:  # files are dealt with where they are written
+        _forget_stdout()
+        return _complain(f"the results cannot be printed: {problem.strerror}", 1)
+
+
+def _forget_stdout() -> None:
+    """Python flushes once more at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _complain(message: str, status: int) -> int:

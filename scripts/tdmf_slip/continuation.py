@@ -13,7 +13,7 @@ from .errors import InputError, RunError
 from .orbit import Orbit, Runner, find_orbit, stride_from
 
 ROOT_ACCURACY = 1e-11
-"""Of the parameter where a test function of the gait is zero, over its larger value around."""
+"""Of the parameter where a test function of the gait is zero, over the larger of the values around."""
 CLOSE_TO_BORDER = 1e-7
 """Distance at which a straight line through two durations is exact, likewise."""
 BEYOND = 1e-8
@@ -146,10 +146,11 @@ def _border(family: _Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
     """
     name = family.name
     outside = last
-    size = max(abs(inside.runner.values[name]), abs(last.runner.values[name]))
+    smallest = 1e-9 * max(abs(inside.runner.values[name]), abs(last.runner.values[name]))
     sides: dict[str, list[Orbit]] = {inside.word: [inside], last.word: [last]}
     for looks in range(MOST_LOOKS):
         low, high = inside.runner.values[name], outside.runner.values[name]
+        size = max(abs(low), abs(high), smallest)
         if abs(high - low) <= ROOT_ACCURACY * size:
             return 0.5 * (low + high), outside
         vanishing = _vanishing_point(name, sides[inside.word], sides[outside.word], low, high)

@@ -7,6 +7,7 @@ ends["fate"] == ensemble.FATES.index("settled")
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from numbers import Real
 
 import numpy as np
 
@@ -83,16 +84,16 @@ def run(
     Raises:
         InputError: an array of another shape, or a value that is not allowed.
     """
-    sections = np.ascontiguousarray(starts, dtype=float)
-    if sections.ndim != 2 or sections.shape[1] != len(COORDINATES):
-        raise InputError(f"starts of shape {sections.shape}: allowed: (runners, {len(COORDINATES)})")
+    sections = _apices("starts", starts)
+    if not len(cases):
+        raise InputError("cases: none; allowed: one or more")
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
-    ensemble.relative_tolerance = _below_one("tolerance", tolerance)
-    ensemble.threads = int(_positive("threads", threads or os.cpu_count() or 1))
+    ensemble.relative_tolerance = _within("tolerance", tolerance, 1.0)
+    ensemble.threads = _whole("threads", (os.cpu_count() or 1) if threads is None else threads)
     ensemble.instructions = _number(instructions)
-    c_cases, kept = _c_cases(cases, int(most_strides), _positive("near", near))
+    c_cases, kept = _c_cases(cases, _whole("most_strides", most_strides), _within("near", near, np.inf))
     ensemble.cases = c_cases
     ensemble.case_count = len(cases)
     if case_of is not None:
@@ -111,7 +112,10 @@ def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[obj
     made = ffi.new("tdmf_ensemble_case[]", len(cases))
     kept: list[object] = []
     for case, its in zip(cases, made, strict=True):
-        gaits = ffi.new("double[][6]", [list(gait) for gait in case.gaits])
+        apices = _apices("gaits", case.gaits if len(case.gaits) else np.empty((0, len(COORDINATES))))
+        if not np.isfinite(apices).all():
+            raise InputError(f"gaits: {apices.tolist()}: allowed: finite numbers")
+        gaits = ffi.new("double[][6]", apices.tolist())
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
         its.rules.gaits, its.rules.gait_count = gaits, len(case.gaits)
         its.rules.distance, its.rules.most_strides = near, most_strides
@@ -126,16 +130,26 @@ def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
     return numbers
 
 
-def _positive(name: str, value: float) -> float:
-    if not 0 < value < np.inf:
-        raise InputError(f"{name} {value}: allowed: a finite number above 0")
-    return value
+def _apices(name: str, given: object) -> np.ndarray:
+    try:
+        apices = np.ascontiguousarray(given, dtype=float)
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(COORDINATES)}") from None
+    if apices.ndim != 2 or apices.shape[1] != len(COORDINATES):
+        raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(COORDINATES)}")
+    return apices
 
 
-def _below_one(name: str, value: float) -> float:
-    if not 0 < value < 1:
-        raise InputError(f"{name} {value}: allowed: a number above 0 and below 1")
-    return value
+def _within(name: str, value: float, limit: float) -> float:
+    if not isinstance(value, Real) or not 0 < value < limit:
+        raise InputError(f"{name} = {value!r}: allowed: a number above 0 and below {limit:g}")
+    return float(value)
+
+
+def _whole(name: str, value: int) -> int:
+    if not isinstance(value, Real) or not 1 <= value < 2**31 or value % 1:
+        raise InputError(f"{name} = {value!r}: allowed: a whole number from 1 to {2**31 - 1}")
+    return int(value)
 
 
 def _name(number: int) -> str:

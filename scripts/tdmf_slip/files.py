@@ -2,6 +2,7 @@
 
 import csv
 import os
+import stat
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from . import interrupts
 from .errors import InputError
 from .simulation import Run
 from .unit import Unit
@@ -18,9 +20,16 @@ from .unit import Unit
 def whole(path: Path) -> Iterator[Path]:
     """A path to write to, beside `path` and with its suffix; moved to `path` at the end, gone after an error.
 
+    An interrupt from the keyboard waits until the file is there.
+
     Raises:
         InputError: nothing can be written there.
     """
+    with interrupts.held():
+        yield from _whole(path)
+
+
+def _whole(path: Path) -> Iterator[Path]:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
@@ -52,21 +61,33 @@ def check_place(path: Path, allowed: Iterable[str], what: str) -> None:
     if path.suffix.lower() not in allowed:
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
     check_folder(path.parent, what)
-    if path.is_dir():
+    try:
+        is_folder = stat.S_ISDIR(path.stat().st_mode)
+    except FileNotFoundError:
+        return
+    except OSError as problem:
+        raise InputError(f"{what}: {path}: {problem.strerror}") from None
+    if is_folder:
         raise InputError(f"{what}: {path} is a folder")
 
 
 def check_folder(folder: Path, what: str) -> None:
-    """Refuse, before any work, a folder that nothing can be written to; make it where it is missing.
+    """Refuse, before any work, a folder that nothing can be written to.
+
+    One that is missing is made, and goes again: if the work fails, nothing is left.
 
     Raises:
         InputError: it cannot be made or written to.
     """
     try:
+        missing = [place for place in (folder, *folder.parents) if not place.exists()]
         folder.mkdir(parents=True, exist_ok=True)
+        writable = os.access(folder, os.W_OK)
+        for place in missing:
+            place.rmdir()
     except OSError as problem:
         raise InputError(f"{what}: {folder}: cannot be made: {problem.strerror}") from problem
-    if not os.access(folder, os.W_OK):
+    if not writable:
         raise InputError(f"{what}: {folder}: cannot be written to")
 
 

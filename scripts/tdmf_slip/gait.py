@@ -9,7 +9,7 @@ from . import progress
 from .errors import InputError, RunError
 from .instance import Experiment, Instance, opened
 from .section import COORDINATES, scales, start_values
-from .simulation import longest_time, time_unit
+from .simulation import TOLERANCES, checked, longest_time, time_unit
 from .unit import Unit, load
 
 DEFAULT_TOLERANCE = 1e-10
@@ -83,7 +83,7 @@ def periodic_gait(
     search = _Search(unit, starts, 1000.0 * relative_tolerance)
     experiment = Experiment(
         stop_time=longest_time(unit, starts, most_strides),
-        relative_tolerance=relative_tolerance,
+        relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
         output_interval=time_unit(unit, starts),
         start_values=starts,
     )

@@ -90,10 +90,17 @@ def sweep_command(
     unit = load()
     values = sweeps.values_of(frictions, spacing, "--friction")
     runner = Runner.of(start_values(unit, parameters, None, settings), unit)
+    if over is None and (scheduler is not None or workers is not None):
+        raise InputError(
+            "--scheduler, --workers: without --over each gait is found from the one before; "
+            "allowed: with --over"
+        )
     if over is not None:
         where = {"scheduler": scheduler, "workers": workers}
         _grid(runner, values, over, spacing, output, where, as_json_object)
         return
+    if output is not None:
+        sweeps.refuse_grid(output)
     found = sweeps.sweep(runner, values, show_progress=True)
     if output is not None:
         coordinates = {sweeps.FRICTION: values[: len(found.orbits)]}
@@ -131,6 +138,9 @@ def _grid(
     result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
     text = f"{output}: {gaits} gaits at {data['period'].size} points, words {', '.join(words)}"
     print(json_text(result) if as_json_object else text)
+    problems = [problem for problem in data["problem"].values if problem]
+    if problems:
+        raise RunError(f"{problems[0]}; {gaits} of {data['period'].size} gaits were found")
 
 
 @click.command("basin")
@@ -149,12 +159,17 @@ def _grid(
     "--range",
     "spans",
     nargs=2,
-    default=("1:2", "0.5:1.5"),
-    show_default=True,
     metavar="A:B C:D",
-    help="Their ranges.",
+    help="Their ranges.  [default: around the gait]",
 )
-@click.option("--n", "count", type=int, default=128, show_default=True, help="Starts along each axis.")
+@click.option(
+    "--n",
+    "count",
+    type=click.IntRange(1, 16384),
+    default=128,
+    show_default=True,
+    help="Starts along each axis.",
+)
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
@@ -179,7 +194,7 @@ def _grid(
 def basin_command(
     friction: float | None,
     axes: tuple[str, str],
-    spans: tuple[str, str],
+    spans: tuple[str, str] | None,
     count: int,
     output: Path | None,
     plot: Path | None,
@@ -196,7 +211,7 @@ def basin_command(
     recovers from.
     """
     from . import attraction  # the C library is loaded when it is needed
-    from .basin import basin, stable_gait
+    from .basin import basin, range_around, stable_gait
     from .orbit import Runner
     from .sweep import values_of
 
@@ -207,13 +222,14 @@ def basin_command(
 
         files.check_place(plot, overview.FORMATS, "--plot")
     unit = load()
-    ranges = tuple(values_of(f"{span}:{count}", "linear", "--range") for span in spans)
     runner = Runner.of(start_values(unit, parameters, friction, settings), unit)
+    gait = stable_gait(runner, unit)
+    spans = spans or tuple(range_around(gait, axis) for axis in axes)
+    ranges = tuple(values_of(f"{span}:{count}", "linear", "--range") for span in spans)
     where = {"scheduler": scheduler, "workers": workers, "show_progress": True}
     data = basin(runner, axes, ranges, path=output, unit=unit, **where)
     if plot is not None:
         basin_map.draw(plot, data)
-    gait = stable_gait(runner, unit)
     fates = {
         name: int((data["fate"] == flag).sum())
         for flag, name in enumerate(data["fate"].attrs["flag_meanings"].split())

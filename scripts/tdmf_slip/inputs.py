@@ -26,7 +26,7 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     """
     if not tables:
         return None
-    checked = {name: _checked(unit, name, *table) for name, table in tables.items()}
+    checked = {name: _checked(unit, name, table) for name, table in tables.items()}
     grid = _grid([times for times, _ in checked.values()])
     inputs = unit.names("input")
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
@@ -40,29 +40,45 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
 
 
 def read_tables(path: Path) -> InputTables:
-    """Input tables from a CSV file: a header `time,<input>,...`, then a row per time.
+    """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
     Raises:
         InputError: unreadable, or not such a file.
     """
     try:
-        with path.open(newline="", encoding="utf-8") as file:
-            header, *rows = list(csv.reader(file))
-        columns = np.array(rows, dtype=float).T
-    except (OSError, ValueError) as problem:
+        with path.open(newline="", encoding="utf-8-sig") as file:  # Excel writes a mark at the beginning
+            reader = csv.reader(file)
+            lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
+    except (OSError, ValueError, csv.Error) as problem:
         raise InputError(f"{path}: not a table of inputs: {problem}") from problem
-    if header[0] != "time" or len(header) < 2 or columns.shape[:1] != (len(header),):
+    header = lines[0][1] if lines else []
+    if header[:1] != ["time"] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
         raise InputError(
-            f"{path}: the header has to be time,<input>,..., with rows below; found {','.join(header)}"
+            f"{path}: the header has to be time,<input>,..., each once, with rows below; "
+            f"found {','.join(header) or 'nothing'}"
         )
+    columns = np.array([_numbers(path, line, row, len(header)) for line, row in lines[1:]]).T
     return {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
 
 
-def _checked(unit: Unit, name: str, times: ArrayLike, values: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+def _numbers(path: Path, line: int, row: list[str], columns: int) -> list[float]:
+    try:
+        numbers = [float(cell) for cell in row]
+    except ValueError as problem:
+        raise InputError(f"{path}, line {line}: {problem}; allowed: numbers") from None
+    if len(numbers) != columns:
+        raise InputError(f"{path}, line {line}: {len(numbers)} numbers; allowed: {columns}, as in the header")
+    return numbers
+
+
+def _checked(unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike]) -> tuple[np.ndarray, np.ndarray]:
     variable = unit.find(name, "inputs")
     if variable.causality != "input":
         raise InputError(f"inputs: {name} is no input; inputs: {', '.join(unit.names('input'))}")
-    times, values = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
+    try:
+        times, values = (np.asarray(column, dtype=float) for column in table)
+    except (TypeError, ValueError):
+        raise InputError(f"inputs: {name} = {table!r}: allowed: a pair of times and values") from None
     if times.ndim != 1 or times.shape != values.shape or not len(times):
         raise InputError(
             f"inputs: {name}: times {times.shape} and values {values.shape} have to be equally long"

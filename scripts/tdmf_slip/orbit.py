@@ -69,7 +69,13 @@ class Runner:
         return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
 
     def but(self, name: str, value: float) -> "Runner":
-        """The same runner with another value."""
+        """The same runner with another value.
+
+        Raises:
+            InputError: the runner has no such value.
+        """
+        if name not in self.values:
+            raise InputError(f"{name!r}: allowed: a name in the runner's values")
         return replace(self, values={**self.values, name: float(value)})
 
     def __reduce__(self) -> tuple:
@@ -111,6 +117,10 @@ class Runner:
     def solver(self, log: object = ffi.NULL) -> object:
         """A native solver, noting its events in `log`."""
         solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
+        if not 0 < self.relative_tolerance < 1:
+            raise InputError(
+                f"relative_tolerance = {self.relative_tolerance} is not allowed; allowed: above 0, below 1"
+            )
         solver.relative_tolerance = self.relative_tolerance
         solver.log = log
         return solver
@@ -224,6 +234,25 @@ class Orbit:
         }
 
 
+def check_has_gaits(friction: float) -> None:
+    """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
+
+    Raises:
+        InputError: it is 0.
+    """
+    if friction == 0.0:
+        raise InputError(
+            "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
+            "allowed for gaits: above 0"
+        )
+
+
+def _section(apex: Sequence[float]) -> object:
+    if np.shape(apex) != (len(COORDINATES),):
+        raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")
+    return ffi.new("double[6]", [float(value) for value in apex])
+
+
 def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: str | None = None) -> Orbit:
     """The periodic gait near a guess, by Newton's method.
 
@@ -233,12 +262,13 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
         along: a parameter or input by which the next apex is differentiated, too.
 
     Raises:
-        InputError: the guess or the start values are no apex.
+        InputError: the guess or the start values are no apex, `along` is unknown, or the friction is 0.
         RunError: the runner falls, or no gait is near.
     """
+    check_has_gaits(runner.values["ground.friction"])
     log = ffi.new("tdmf_event_log *")
     solver = runner.solver(log)
-    section = ffi.new("double[6]", list(runner.start_apex() if guess is None else guess))
+    section = _section(runner.start_apex() if guess is None else guess)
     ran = SETTLING_STRIDES
     if guess is None:
         ran = c.tdmf_settle(solver, runner.model, runner.inputs, SETTLING_STRIDES, section)
@@ -258,7 +288,7 @@ def stride_from(
     Raises:
         RunError: no stride closes from there.
     """
-    section = ffi.new("double[6]", list(apex))
+    section = _section(apex)
     stride = c.tdmf_return_map(
         runner.solver(), runner.model, runner.inputs, section, np.inf, True, _change(along), 1
     )
@@ -276,8 +306,8 @@ def _change(along: str | None) -> object:
     if along is None:
         return ffi.NULL
     change = ffi.new("tdmf_change *")
-    _assign(change.parameters, {along: 1.0})
-    _assign(change.inputs, {along: 1.0})
+    if not _assign(change.parameters, {along: 1.0}) + _assign(change.inputs, {along: 1.0}):
+        raise InputError(f"along {along!r}: allowed: a parameter or input of the unit")
     return change
 
 
@@ -316,14 +346,20 @@ def _orbit(runner: Runner, found: object, log: object) -> Orbit:
     )
 
 
-def _assign(struct: object, values: Mapping[str, float]) -> None:
-    """Write values into the members of a struct whose paths are their names; others are left out."""
+def _assign(struct: object, values: Mapping[str, float]) -> int:
+    """Write values into the members of a struct whose paths are their names; others are left out.
+
+    Returns how many were written.
+    """
+    written = 0
     for name, value in values.items():
         owner, (*path, member) = struct, name.split(".")
         for step in path:
             owner = getattr(owner, step, None)
         if hasattr(owner, member):
             setattr(owner, member, value)
+            written += 1
+    return written
 
 
 def _check(refusal: object) -> None:

@@ -36,6 +36,8 @@ def read_parameters(name: str | Path) -> dict[str, object]:
         )
     try:
         content = readers[path.suffix](path.read_text(encoding="utf-8"))
+    except RecursionError:
+        raise InputError(f"parameters {path}: nested too deeply; allowed: groups of variables") from None
     except (OSError, ValueError) as problem:  # TOMLDecodeError and JSONDecodeError are ValueErrors
         raise InputError(f"parameters {path}: {problem}") from problem
     if not isinstance(content, dict):

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from .unit import Unit, load
 
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
+TOLERANCES = 1e-14, 0.1
+"""From and to."""
 POINTS_PER_TIME_UNIT = 10
 """Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
 between two points: 500 steps."""
@@ -96,13 +99,13 @@ def simulate(
     recorded = _recorded(unit, variables)
     experiment = Experiment(
         stop_time=_stop_time(unit, starts, stop_time, strides),
-        relative_tolerance=_checked("relative_tolerance", relative_tolerance, 1e-14, 0.1),
+        relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
         output_interval=_interval(unit, starts, output_interval),
         start_values=starts,
         inputs=signals(unit, inputs or {}, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
-    _check_rows(experiment)
+    _check_rows(experiment, stop_time)
     with opened(unit, interface) as instance:
         table = _run(instance, experiment, stop_time, strides, show_progress)
         run = _result(instance, table, recorded, None if record_events else experiment.output_interval)
@@ -138,17 +141,22 @@ def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
     return [variable.name for variable in found if variable.causality != "independent"]
 
 
-def _checked(name: str, value: float, low: float, high: float) -> float:
-    if not low <= value <= high:
-        raise InputError(f"{name} = {value} is not allowed; allowed: {low:g} to {high:g}")
+def checked(name: str, value: float, low: float, high: float) -> float:
+    """A number within its range.
+
+    Raises:
+        InputError: it is none, or beyond.
+    """
+    if not isinstance(value, Real) or not low <= value <= high:
+        raise InputError(f"{name} = {value!r} is not allowed; allowed: {low:g} to {high:g}")
     return float(value)
 
 
 def _stop_time(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
-    if strides is not None and (strides != int(strides) or strides < 1):
+    if strides is not None and checked("strides", strides, 1, 1e9) % 1:
         raise InputError(f"strides = {strides} is not allowed; allowed: a whole number from 1 on")
     if stop_time is not None:
-        return _checked("stop_time", stop_time, 1e-9, 1e9)
+        return checked("stop_time", stop_time, 1e-9, 1e9)
     return longest_time(unit, starts, strides)
 
 
@@ -156,12 +164,13 @@ def _interval(unit: Unit, starts: Mapping, interval: float | None) -> float:
     return time_unit(unit, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
 
 
-def _check_rows(experiment: Experiment) -> None:
-    interval = _checked("output_interval", experiment.output_interval, 1e-12, 1e9)
-    if experiment.stop_time / interval > MOST_ROWS:
+def _check_rows(experiment: Experiment, stop_time: float | None) -> None:
+    """Refuse, before any work, more rows than there is room for. Strides end long before they may take."""
+    interval = checked("output_interval", experiment.output_interval, 1e-12, 1e9)
+    if stop_time is not None and stop_time / interval > MOST_ROWS:
         raise InputError(
-            f"output_interval = {interval:g}: {experiment.stop_time / interval:.1g} rows up to "
-            f"{experiment.stop_time:g} s; allowed: {MOST_ROWS} rows"
+            f"output_interval = {interval:g}: {stop_time / interval:,.0f} rows up to {stop_time:g} s; "
+            f"allowed: {MOST_ROWS:,} rows, which an interval of {stop_time / MOST_ROWS:.3g} gives"
         )
 
 
@@ -174,6 +183,10 @@ def _run(
         def step_finished(time: float, recorder: object) -> bool:
             closed = instance.value("stride.count") if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
+            if time > MOST_ROWS * experiment.output_interval:
+                raise RunError(
+                    f"{MOST_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
+                )
             if strides is None or closed < strides:
                 return True
             recorder.sample(time)  # FMPy would stop before the row after the apex

@@ -1,7 +1,6 @@
 """Gaits over a range of friction, and the borders between gait words; over two parameters, a grid on file."""
 
 import contextlib
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,11 +12,14 @@ from . import blocks, progress
 from .continuation import Border, borders_between, gaits_over
 from .errors import InputError, RunError
 from .files import whole
-from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, find_orbit
+from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, check_has_gaits, find_orbit
+from .resume import resumed
 from .section import COORDINATES
 from .unit import Unit, load
 
 FRICTION = "ground.friction"
+MOST_VALUES = 1_000_000
+"""In a range."""
 SPACINGS = {"linear": np.linspace, "log": np.geomspace}
 UNITS: Mapping[str, str] = {
     "lambda_max": "1",
@@ -58,8 +60,8 @@ def values_of(text: str, spacing: str, where: str) -> np.ndarray:
         number = int(count)
     except ValueError:
         raise InputError(f"{where} {text}: allowed: A:B:N, two numbers and how many values") from None
-    if number < 1 or not np.all(np.isfinite(ends)):
-        raise InputError(f"{where} {text}: allowed: finite A and B, and N of 1 or more")
+    if not 1 <= number <= MOST_VALUES or not np.all(np.abs(ends) < 1e100):
+        raise InputError(f"{where} {text}: allowed: finite A and B, and N from 1 to {MOST_VALUES}")
     if spacing == "log" and min(ends) <= 0.0:
         raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
     return SPACINGS[spacing](*ends, number)
@@ -99,8 +101,7 @@ def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = F
         InputError: a value is refused.
         RunError: there is no gait at the first friction.
     """
-    for friction in frictions:
-        _ = runner.but(FRICTION, friction).inputs
+    _check_frictions(runner, frictions)
     orbits: list[Orbit] = []
     borders: list[Border] = []
     problem = None
@@ -115,6 +116,13 @@ def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = F
         except RunError as found:
             problem = str(found)
     return Sweep(tuple(orbits), tuple(borders), problem)
+
+
+def _check_frictions(runner: Runner, frictions: Sequence[float]) -> None:
+    """Refuse, before any work, frictions at which there is no gait to follow."""
+    for friction in frictions:
+        _ = runner.but(FRICTION, friction).inputs
+        check_has_gaits(friction)
 
 
 def as_dataset(
@@ -168,7 +176,8 @@ def grid(
     """Gaits over the friction and a second parameter, row by row, into a NetCDF file.
 
     The file is whole after each row. Called again with the same file, the sweep goes on with the rows that
-    are missing; a file of another sweep is refused.
+    are missing; a file of another sweep is refused. What kept a row from its end is in
+    the file's `problem`.
 
     Args:
         runner: the other parameters and the start.
@@ -186,29 +195,48 @@ def grid(
     """
     unit = load() if unit is None else unit
     coordinates = {name: np.asarray(values, dtype=float), FRICTION: np.asarray(frictions, dtype=float)}
+    if name == FRICTION:
+        raise InputError(f"a grid over {FRICTION} and {name}: allowed: another parameter or input")
+    _check_frictions(runner, frictions)
     for value in values:
-        _ = runner.but(name, value).model
+        row = runner.but(name, value)
+        _ = row.model, row.inputs
     attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {unit.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
-    data = _resumed(path, coordinates, attributes)
-    if data is None:
-        data = as_dataset([None] * (len(values) * len(frictions)), coordinates, unit)
-        data["done"] = (name,), np.zeros(len(values), dtype="i1")
-        data.attrs = attributes
+    blank = as_dataset([None] * (len(values) * len(frictions)), coordinates, unit)
+    blank["done"] = (name,), np.zeros(len(values), dtype="i1")
+    blank["problem"] = (name,), np.full(len(values), "", dtype=object)
+    blank.attrs = attributes
+    data = resumed(path, blank, "sweep")
     missing = np.flatnonzero(data["done"].values == 0)
     rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
-    with progress.bar("sweep", len(values), "rows", show_progress) as bar:
+    with (
+        progress.bar("sweep", len(values), "rows", show_progress) as bar,
+        blocks.run(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
+    ):
         bar.update(len(values) - len(missing))
-        for number, orbits in blocks.run(gaits_of_row, rows, scheduler=scheduler, workers=workers):
+        for number, (orbits, problem) in results:
             found = as_dataset(orbits, {FRICTION: coordinates[FRICTION]}, unit)
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
+            data["problem"][missing[number]] = problem
             data["done"][missing[number]] = 1
             with whole(path) as beside:
                 data.to_netcdf(beside)
             bar.update()
     return data
+
+
+def refuse_grid(path: Path) -> None:
+    """Refuse, before any work, to write over a grid, which has taken long.
+
+    Raises:
+        InputError: the file is one.
+    """
+    with contextlib.suppress(OSError, ValueError), xarray.open_dataset(path) as data:
+        if "done" in data:
+            raise InputError(f"{path}: holds a grid of gaits; allowed: another file name")
 
 
 @dataclass(frozen=True)
@@ -219,31 +247,11 @@ class Row:
     frictions: tuple[float, ...]
 
 
-def gaits_of_row(row: Row) -> list[Orbit | None]:
-    """The gait at each friction; None from where the branch cannot be followed."""
-    found: tuple[Orbit, ...] = ()
-    with contextlib.suppress(RunError):  # no gait at the first friction: none in this row
-        found = sweep(row.runner, row.frictions).orbits
-    return [*found, *[None] * (len(row.frictions) - len(found))]
-
-
-def _resumed(
-    path: Path, coordinates: Mapping[str, np.ndarray], attributes: Mapping[str, object]
-) -> xarray.Dataset | None:
-    if not path.exists():
-        return None
+def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
+    """The gait at each friction, None from where the branch cannot be followed; and why it cannot, or ""."""
     try:
-        data = xarray.load_dataset(path)
-    except (OSError, ValueError) as problem:
-        raise InputError(
-            f"{path}: not a sweep to go on with ({problem}); allowed: another file name"
-        ) from None
-    same = "done" in data and all(
-        n in data.coords and np.array_equal(data.coords[n].values, values)
-        for n, values in coordinates.items()
-    )
-    differing = [n for n, v in attributes.items() if same and data.attrs.get(n) != v]
-    if not same or differing:
-        what = f"other values of {json.dumps(differing[:3])}" if differing else "other ranges"
-        raise InputError(f"{path}: holds another sweep, with {what}; allowed: another file name")
-    return data
+        found = sweep(row.runner, row.frictions)
+    except RunError as problem:
+        return [None] * len(row.frictions), str(problem)
+    rest = [None] * (len(row.frictions) - len(found.orbits))
+    return [*found.orbits, *rest], found.problem or ""

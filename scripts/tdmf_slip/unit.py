@@ -78,6 +78,8 @@ class Variable:
         """What a start value may be, in words."""
         if self.type == "Boolean":
             return "true or false"
+        if self.items:
+            return ", ".join(f"{name} ({value})" for value, name in self.items.items())
         unit = f" {self.unit}" if self.unit not in ("", "1") else ""
         return f"{self.minimum:g} to {self.maximum:g}{unit}"
 
@@ -85,7 +87,8 @@ class Variable:
         """A start value for this variable from a number or a text like `40 deg`, checked against its range.
 
         Args:
-            given: number, bool, or text: a number, alone or followed by the unit or a display unit.
+            given: number, bool, or text: a number, alone or followed by the unit or a display unit; of an
+                enumeration also a name.
             where: where the value was given, for the message.
 
         Raises:
@@ -109,6 +112,8 @@ class Variable:
             raise self._refusal(given, where) from None
 
     def _number(self, given: object, where: str) -> float:
+        if isinstance(given, str) and given in self.items.values():
+            given = next(value for value, name in self.items.items() if name == given)
         number, _, unit = given.strip().partition(" ") if isinstance(given, str) else (given, "", "")
         factors = {"": 1.0, self.unit: 1.0, **self.display_units}
         if unit.strip() not in factors:
@@ -116,7 +121,7 @@ class Variable:
             raise InputError(f"{where}: {self.name} = {given}: unknown unit {unit.strip()!r}; known: {known}")
         try:
             value = float(number) / factors[unit.strip()]
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise self._refusal(given, where) from None
         if isinstance(given, bool) or not math.isfinite(value):
             raise self._refusal(given, where)

@@ -81,3 +81,28 @@ def test_basin_command(command):
     status, out, _ = command("basin", *options)
     assert status == 0 and "95 % confidence" in out
     assert command("basin", "--axes", "com_height", "height", *options)[0] == 2
+    assert command("basin", "--n", 0)[0] == 2
+
+
+def test_the_map_is_around_the_gait_of_any_runner(command):
+    status, out, _ = command("basin", "--parameters", "human", "--n", 8, "--samples", 0, "--json")
+    found = json.loads(out)
+    assert status == 0 and found["settled"] > 8
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda data: data.drop_vars("fate"),
+        lambda data: data.assign(fate=data["fate"] * 0 + 77),
+        lambda data: data.assign(fate=data["fate"] * float("nan")),
+        lambda data: data.assign_attrs(gait_leg_length="long"),
+        lambda data: data.assign_attrs(gait_leg_length=[1.0, 2.0]),
+        lambda data: data.transpose(),
+    ],
+)
+def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, unit, tmp_path, spoil):
+    path = tmp_path / "map.nc"
+    spoil(slice_).to_netcdf(path)
+    with pytest.raises(InputError, match=r"map\.nc: holds"):
+        basin.basin(runner, AXES, RANGES, path=path, workers=1, unit=unit)

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -66,23 +67,27 @@ def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
     folder = tmp_path / "done"
     folder.mkdir()
     results = {}
-    for number, result in blocks.run(functools.partial(note, folder), list(range(BLOCKS)), scheduler=address):
-        results[number] = result
-        if len(results) == 3:
-            workers[0].kill()
+    work = functools.partial(note, folder)
+    with blocks.run(work, list(range(BLOCKS)), scheduler=address) as found:
+        for number, result in found:
+            results[number] = result
+            if len(results) == 3:
+                workers[0].kill()
     assert results == {number: number * number for number in range(BLOCKS)}
     # What the dead worker had begun, and what it had done but not handed over, is all that is done again.
     assert BLOCKS <= len(list(folder.iterdir())) <= BLOCKS + 2
 
 
 def test_a_block_that_kills_its_workers_is_said(monkeypatch):
-    with pytest.raises(RunError, match="killed every worker"):
-        list(blocks.run(die, [0, 1], workers=2))
+    with pytest.raises(RunError, match="killed every worker"), blocks.run(die, [0, 1], workers=2) as found:
+        list(found)
 
 
 def test_a_script_without_a_guard_is_told(tmp_path):
     script = tmp_path / "script.py"
-    script.write_text("from tdmf_slip import blocks\nprint(list(blocks.run(abs, [1, 2], workers=2)))\n")
+    script.write_text(
+        "from tdmf_slip import blocks\nwith blocks.run(abs, [1, 2], workers=2) as found: print(list(found))\n"
+    )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=100)
     assert done.returncode != 0 and '__name__ == "__main__"' in done.stderr.splitlines()[-1]
 
@@ -125,11 +130,46 @@ def test_a_run_that_fails_leaves_the_others(unit):
     assert runs["fallen"].values[1] or runs["problem"].values[1]
 
 
+def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr(blocks, "CONNECTING", 1.0)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        began = time.monotonic()
+        with pytest.raises(InputError, match="no answer within 1 s"), blocks.run(abs, [1], scheduler=address):
+            pass
+        assert time.monotonic() - began < 30.0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
+@pytest.mark.parametrize("after", [1.3, 2.0, 3.0])
+def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(after, tmp_path):
+    """Sent to all processes, as a terminal does, and twice: while workers start, compute, or write."""
+    grid = tmp_path / "grid.nc"
+    command = ["sweep", "--friction", "0.3:1:20", "--over", "leg.damping=0.1:0.3:2000", "--output", grid]
+    with subprocess.Popen(
+        [sys.executable, "-m", "tdmf_slip", *command],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    ) as running:
+        for pause in (after, 0.2):
+            time.sleep(pause)
+            os.killpg(running.pid, signal.SIGINT)
+        said = running.communicate(timeout=60)[1]
+    assert running.returncode == 130 and "Traceback" not in said
+    assert said.splitlines()[-1].endswith("tdmf-slip: interrupted")
+    assert [path.name for path in tmp_path.iterdir()] in ([], ["grid.nc"])
+
+
 def test_wrong_arguments_are_said(unit):
-    with pytest.raises(InputError, match="no Dask scheduler answers"):
-        list(blocks.run(abs, [1, 2], scheduler="nonsense://here"))
-    with pytest.raises(InputError, match="workers 0"):
-        list(blocks.run(abs, [1, 2], workers=0))
+    with (
+        pytest.raises(InputError, match="no Dask scheduler answers"),
+        blocks.run(abs, [1, 2], scheduler="nonsense://here"),
+    ):
+        pass
+    with pytest.raises(InputError, match="workers 0"), blocks.run(abs, [1, 2], workers=0):
+        pass
     with pytest.raises(InputError, match="table: allowed"):
         batch.run([], strides=1, unit=unit)
     with pytest.raises(InputError, match="row 1"):

@@ -87,6 +87,9 @@ BAD = [
     (["--stop-time", "-3"], ["stop_time", "-3"]),
     (["--strides", "0"], ["strides", "0"]),
     (["--tolerance", "0"], ["tolerance", "0"]),
+    (["--stop-time", "1e8", "--output-interval", "0.1"], ["1,000,000,000", "10,000,000", "10 gives"]),
+    (["--set", "solver.method=euler"], ["euler", "native (1)", "cvode (2)"]),
+    (["--output", "x" * 300 + ".csv"], ["too long"]),
     (["--output", "run.xyz"], [".xyz", ".csv", ".nc"]),
     (["--plot", "run.txt"], [".txt", ".png"]),
     (["--inputs", "none.csv"], ["none.csv"]),
@@ -125,6 +128,85 @@ def test_validation_sees_a_drift(gait, name):
     (expected,) = (known for known in reference.gaits() if known["friction"] == 0.6)
     drifted = dict(expected) | {name: expected[name] * (1 + 1e-5)}
     assert not all(drift.passed for drift in reference.drifts(gait, drifted, tdmf_slip.load()))
+
+
+def test_a_table_of_inputs_may_come_from_anywhere(command, tmp_path):
+    """A mark at the beginning, spaces, empty lines: as spreadsheets and editors leave them."""
+    rows = "0, 10\n12.1,10\n12.1,0.05\n300,0.05\n\n"
+    text = f"\ufefftime, ground.friction\n\n{rows}"
+    (tmp_path / "ice.csv").write_text(text, encoding="utf-8")
+    _, out, _ = command("simulate", "--inputs", "ice.csv", "--stop-time", 30, "--json")
+    word = json.loads(out)["stride"]["word"]
+    assert word.startswith("0") and "-" in word
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", ["header", "nothing"]),
+        ("time,ground.friction\n", ["header", "rows"]),
+        ("time,ground.friction,ground.friction\n0,1,2\n", ["each once"]),
+        ("time,ground.friction\n0,1\n5\n", ["line 3", "1 numbers", "2"]),
+        ("time,ground.friction\n0,high\n", ["line 2", "high"]),
+        ("time,ground.friction\n5,1\n0,1\n", ["ascending"]),
+        ("time,ground.friction\n0," + "1" * 200_000, ["field"]),
+    ],
+)
+def test_a_table_that_is_none_is_told(command, tmp_path, text, words):
+    (tmp_path / "in.csv").write_text(text)
+    status, out, message = command("simulate", "--inputs", "in.csv", "--stop-time", 1)
+    assert (status, out) == (2, "")
+    assert len(message.strip().splitlines()) == 1 and all(word in message for word in words), message
+
+
+@pytest.mark.parametrize(
+    "content", ['{"ground.friction": 1' + "0" * 400 + "}", '{"a":' * 5000 + "1" + "}" * 5000]
+)
+def test_a_file_of_parameters_that_is_none_is_told(command, tmp_path, content):
+    (tmp_path / "in.json").write_text(content)
+    status, out, message = command("simulate", "--parameters", "in.json", "--stop-time", 1)
+    assert (status, out, len(message.strip().splitlines())) == (2, "", 1)
+
+
+def test_values_of_an_enumeration_have_names(command):
+    options = ("--interface", "cs", "--stop-time", 1, "--json")
+    by_name = command("simulate", "--set", "solver.method=cvode", *options)
+    assert by_name[0] == 0
+    assert by_name[1] == command("simulate", "--set", "solver.method=2", *options)[1]
+
+
+def test_a_run_of_many_strides_is_not_refused(command):
+    """It ends long before the time that so many strides might take."""
+    options = ("--strides", 3000, "--set", "hip.stance_torque=0", "--json")
+    status, out, _ = command("simulate", *options)
+    assert status == 0 and json.loads(out)["fallen"]
+
+
+def test_what_is_asked_of_a_run_has_to_be_numbers():
+    for wrong in ({"strides": float("nan")}, {"stop_time": "5"}, {"relative_tolerance": None}):
+        with pytest.raises(tdmf_slip.InputError, match="allowed"):
+            tdmf_slip.simulate(**wrong)
+    with pytest.raises(tdmf_slip.InputError, match="a pair of times and values"):
+        tdmf_slip.simulate(inputs={"ground.friction": 0.3}, stop_time=1)
+    with pytest.raises(tdmf_slip.InputError, match="relative_tolerance"):
+        tdmf_slip.periodic_gait(0.6, relative_tolerance=float("nan"))
+
+
+def test_validate_as_json(command):
+    status, out, _ = command("validate", "--json")
+    found = json.loads(out)
+    assert status == 0 and found["passed"]
+    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 14
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a full device is one of Linux")
+def test_results_that_cannot_be_printed_are_told():
+    command = [sys.executable, "-m", "tdmf_slip", "gait", "--friction", "0.6"]
+    full = subprocess.run(f"{' '.join(command)} > /dev/full", shell=True, capture_output=True, text=True)
+    closed = subprocess.run(f"{' '.join(command)} >&-", shell=True, capture_output=True, text=True)
+    for done in (full, closed):
+        assert done.returncode == 1 and len(done.stderr.strip().splitlines()) == 1
+        assert "cannot be printed" in done.stderr
 
 
 def test_no_gait_is_an_error_with_a_reason(command):

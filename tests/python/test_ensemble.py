@@ -55,6 +55,12 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
         {"tolerance": float("nan")},
         {"threads": -1},
         {"instructions": "mmx"},
+        {"tolerance": 1e300},
+        {"threads": 0.5},
+        {"most_strides": 0},
+        {"most_strides": 2.9},
+        {"most_strides": 10**12},
+        {"most_strides": float("nan")},
         {"near": -1.0},
         {"case_of": np.array([0, 7])},
         {"starts": np.zeros((2, 5))},
@@ -64,3 +70,14 @@ def test_what_is_not_allowed_is_said(gaits, starts, wrong):
     arguments = {"starts": starts[:2], "most_strides": 1} | wrong
     with pytest.raises(InputError, match="allowed"):
         ensemble.run([ensemble.Case(gaits[0].runner)], arguments.pop("starts"), **arguments)
+
+
+@pytest.mark.parametrize("wrong", [[[1.0] * 5], [[1.0] * 7], [[float("nan")] * 6], [3.0]])
+def test_what_is_no_gait_is_said(gaits, starts, wrong):
+    with pytest.raises(InputError, match="gaits"):
+        ensemble.run([ensemble.Case(gaits[0].runner, wrong)], starts[:2], most_strides=1)
+
+
+def test_no_case_is_none(starts):
+    with pytest.raises(InputError, match="cases"):
+        ensemble.run([], starts[:2], most_strides=1)

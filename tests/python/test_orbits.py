@@ -170,6 +170,66 @@ def test_what_cannot_be_found_is_said(runner):
         find_orbit(runner.but(FRICTION, -1.0))
     with pytest.raises(InputError, match="begin at an apex"):
         find_orbit(runner.but("foot.vy", 0.3))
+    with pytest.raises(InputError, match="speed"):
+        find_orbit(runner.but(FRICTION, 0.0))
+    with pytest.raises(InputError, match="shape"):
+        find_orbit(runner, [1.0, 2.0])
+    with pytest.raises(InputError, match="nosuch"):
+        find_orbit(runner, along="nosuch")
+    with pytest.raises(InputError, match="nosuch"):
+        runner.but("nosuch", 1.0)
+    with pytest.raises(InputError, match="relative_tolerance"):
+        find_orbit(Runner(runner.values, float("nan")))
+
+
+@pytest.mark.parametrize("ends", [(1.0, 1000.0), (0.1, 10.0)])
+def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
+    """Of the values in the README only digits beyond those printed may differ."""
+    known = [0.265851556, 0.499106647, 0.499109883, 1.144140497, 8.454847622]
+    borders = [border.value for border in sweep(runner, ends).borders]
+    expected = [value for value in known if ends[0] < value < ends[1]]
+    assert borders == pytest.approx(expected, rel=0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--over", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "another"]),
+        (("--friction", "-1:0.4:2", "--over", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
+        (("--friction", "0.3:0.4:1000000000"), ["1000000"]),
+        (("--friction", "0.3:0:2"), ["ground.friction = 0", "above 0"]),
+        (("--scheduler", "tcp://nowhere:1"), ["--scheduler", "--over"]),
+        (("--output", "grid.nc"), ["holds a grid"]),
+        (("--over", "leg.damping=0.1:0.2:2", "--output", "text.nc"), ["text.nc"]),
+        (("--over", "leg.damping=0.1:0.3:2", "--output", "grid.nc"), ["leg.damping"]),
+    ],
+)
+def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
+    (tmp_path / "text.nc").write_text("nothing")
+    grid = (
+        "--friction",
+        "0.3:0.4:2",
+        "--over",
+        "leg.damping=0.1:0.2:2",
+        "--output",
+        "grid.nc",
+        "--workers",
+        1,
+    )
+    assert command("sweep", *grid)[0] == 0
+    friction = () if "--friction" in options else ("--friction", "0.3:0.4:2")
+    status, out, said = command("sweep", *friction, *options)
+    assert (status, out) == (2, "")
+    assert len(said.strip().splitlines()) == 1 and all(word in said for word in words), said
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["grid.nc", "text.nc"]
+
+
+def test_a_grid_without_gaits_says_why(command):
+    over = ("--over", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--workers", 1)
+    status, out, said = command("sweep", "--friction", "0.3:1:3", *over, "--json")
+    assert status == 1 and json.loads(out)["gaits"] == 0
+    assert "the runner fell" in said and "0 of 6" in said
+    assert all(xarray.load_dataset("none.nc")["problem"].values)
 
 
 @pytest.mark.parametrize("text", ["1:2", "a:b:3", "1:2:0", "nan:1:3", "1:inf:4"])

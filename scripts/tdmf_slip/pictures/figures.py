@@ -113,7 +113,7 @@ def _figures(unit: Unit) -> dict[str, Figure]:
     def measured() -> list[Attraction]:
         orbits = gaits().orbits
         chosen = [orbits[i] for i in np.linspace(0, len(orbits) - 1, MEASURED).round().astype(int)]
-        return [found for _, found in sorted(measure_all(chosen), key=lambda numbered: numbered[0])]
+        return measure_all(chosen)
 
     first, second = figure_8.FRICTIONS
     return {

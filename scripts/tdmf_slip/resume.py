@@ -1,0 +1,58 @@
+"""Results on file that are gone on with: only a file of the very same work will do."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+from .errors import InputError
+
+
+def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
+    """What a file holds already of the work that would fill `blank`, or `blank` where there is no file.
+
+    Args:
+        path: of the NetCDF file.
+        blank: the result before any of it is done, with all variables, coordinates and attributes.
+        what: the work, as in `sweep`, for messages.
+
+    Raises:
+        InputError: the file holds something else; the message says what differs.
+    """
+    if not path.exists():
+        return blank
+    try:
+        data = xarray.load_dataset(path)
+    except (OSError, ValueError) as problem:
+        reason = str(problem).splitlines()[0]
+        raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
+    difference = _difference(data, blank)
+    if difference is not None:
+        raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")
+    return data
+
+
+def _difference(data: xarray.Dataset, blank: xarray.Dataset) -> str | None:
+    for name, wanted in blank.coords.items():
+        if name not in data.coords or not np.array_equal(data[name].values, wanted.values):
+            return f"with other values of {name}"
+    for name, wanted in blank.data_vars.items():
+        if name not in data or data[name].dims != wanted.dims or _kind(data[name]) != _kind(wanted):
+            return f"without such a variable {name}"
+    return next(
+        (f"with another {name}" for name in blank.attrs if not _same(data.attrs, blank.attrs, name)), None
+    )
+
+
+def _kind(variable: xarray.DataArray) -> str:
+    """Of its values; texts come back from a file in another type."""
+    return "text" if variable.dtype.kind in "OSTU" else variable.dtype.kind
+
+
+def _same(found: Mapping, wanted: Mapping, name: str) -> bool:
+    """Numbers up to rounding, as in a gait that another machine has found."""
+    value, there = wanted[name], found.get(name)
+    if isinstance(value, float) and isinstance(there, float):
+        return bool(np.isclose(there, value, rtol=1e-9, atol=1e-12))
+    return isinstance(there, str) and there == value
