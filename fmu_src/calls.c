@@ -48,30 +48,29 @@ void forget_view(instance *instance) {
     instance->view_is_current = false;
 }
 
-/* Until initialization is over, outputs are those of a run that would start from the values set so far. */
-static bool look_ahead(instance *instance, const char *call, call_status *status) {
-    unit preview = instance->unit;
-    const tdmf_refusal refusal = unit_start(&preview);
+const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status) {
+    if ((instance->state & BEFORE_START) == 0) {
+        return &instance->unit;
+    }
+    *preview = instance->unit;
+    const tdmf_refusal refusal = unit_start(preview);
     if (refusal.variable != NULL) {
         char text[256];
         *status =
             discard(instance, call, "no outputs yet: %s", tdmf_refusal_text(&refusal, text, sizeof text));
-        return false;
+        return NULL;
     }
-    unit_look(&preview, &instance->view);
-    return true;
+    return preview;
 }
 
 const unit_view *current_view(instance *instance, const char *call, call_status *status) {
-    const bool before_start = (instance->state & BEFORE_START) != 0;
     if (!instance->view_is_current) {
-        if (before_start) {
-            if (!look_ahead(instance, call, status)) {
-                return NULL;
-            }
-        } else {
-            unit_look(&instance->unit, &instance->view);
+        unit preview;
+        const unit *present = present_unit(instance, call, &preview, status);
+        if (present == NULL) {
+            return NULL;
         }
+        unit_look(present, &instance->view);
         instance->view_is_current = true;
     }
     return &instance->view;

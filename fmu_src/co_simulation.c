@@ -2,14 +2,12 @@
  * it is located and taken, and the step ends exactly where the importer wants it. */
 #include "instance.h"
 
+#include <float.h>
 #include <math.h>
 
-/* Communication points that importers add up may be off by so much, over the larger of time and step. */
-static const double clock_rounding = 1e-9;
-
-static bool is_communication_point(const unit *unit, double time, double step) {
-    const double own = unit->motion.time;
-    return fabs(time - own) <= clock_rounding * fmax(fabs(own), step);
+/* What importers that add up or scale their times may be off by: rounding, and a share of the step. */
+static double clock_rounding(double time, double step) {
+    return 16.0 * DBL_EPSILON * fabs(time) + 1e-6 * step;
 }
 
 call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
@@ -21,8 +19,12 @@ call_status step_on(instance *instance, const char *call, double time, double st
     if (!(step > 0.0 && isfinite(step) && isfinite(time + step))) {
         return fail(instance, call, "the step is not a positive number");
     }
-    if (!is_communication_point(unit, time, step)) {
+    const double allowed = clock_rounding(time, step);
+    if (!(fabs(time - unit->motion.time) <= allowed)) {
         return fail(instance, call, "the communication point is not where the last step ended");
+    }
+    if (time + step > unit->stop_time + allowed) {
+        return fail(instance, call, "the step goes beyond the stop time, %g s", unit->stop_time);
     }
     const tdmf_mode before = unit->motion.mode;
     const char *obstacle =

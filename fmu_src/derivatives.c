@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const unsigned differentiable = RUNNING | TERMINATED | FAILED;
+static const unsigned differentiable = READABLE;
 
 static bool is_known(const unit_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_INPUT;
@@ -68,8 +68,13 @@ call_status directional_derivative(instance *instance, const char *call, const u
         !array_is_given(instance, call, values, unknown_count, unknown_count)) {
         return CALL_ERROR;
     }
-    unit direction;
+    unit direction, preview;
     unit_view change;
+    call_status status = CALL_OK;
+    const unit *present = present_unit(instance, call, &preview, &status);
+    if (present == NULL) {
+        return status;
+    }
     memset(&direction, 0, sizeof direction);
     for (size_t i = 0; i < known_count; ++i) {
         const unit_variable *known = &unit_variables[knowns[i]];
@@ -78,7 +83,7 @@ call_status directional_derivative(instance *instance, const char *call, const u
         }
         unit_set_number(&direction, known, unit_get_number(&direction, NULL, known) + seeds[i]);
     }
-    unit_look_along(&instance->unit, &direction, &change);
+    unit_look_along(present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         values[i] = unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -86,14 +91,14 @@ call_status directional_derivative(instance *instance, const char *call, const u
 }
 
 /* How the unknowns together, weighted by the seeds, change with one known. */
-static double sensitivity(const instance *instance, const uint32_t unknowns[], size_t unknown_count,
+static double sensitivity(const unit *present, const uint32_t unknowns[], size_t unknown_count,
                           uint32_t known, const double seeds[]) {
     unit direction;
     unit_view change;
     double sum = 0.0;
     memset(&direction, 0, sizeof direction);
     unit_set_number(&direction, &unit_variables[known], 1.0);
-    unit_look_along(&instance->unit, &direction, &change);
+    unit_look_along(present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         sum += seeds[i] * unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -113,10 +118,13 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
             return CALL_DISCARD;
         }
     }
-    for (size_t i = 0; i < known_count; ++i) {
-        values[i] = sensitivity(instance, unknowns, unknown_count, knowns[i], seeds);
+    unit preview;
+    call_status status = CALL_OK;
+    const unit *present = present_unit(instance, call, &preview, &status);
+    for (size_t i = 0; present != NULL && i < known_count; ++i) {
+        values[i] = sensitivity(present, unknowns, unknown_count, knowns[i], seeds);
     }
-    return CALL_OK;
+    return status;
 }
 
 call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],

@@ -45,7 +45,8 @@ fmi3Status fmi3GetOutputDerivatives(fmi3Instance component, const fmi3ValueRefer
                                     size_t count, const fmi3Int32 orders[], fmi3Float64 values[],
                                     size_t value_count) {
     static const char call[] = "fmi3GetOutputDerivatives";
-    if (!array_is_given(component, call, values, value_count, count)) {
+    if (!call_is_allowed(component, call, ANYWHERE) ||
+        !array_is_given(component, call, values, value_count, count)) {
         return fmi3Error;
     }
     return (fmi3Status)output_derivatives(component, call, references, count, (const int *)orders, values);

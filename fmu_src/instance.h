@@ -80,6 +80,10 @@ bool call_is_allowed(instance *instance, const char *call, unsigned allowed_stat
 /* Whether an array of the right length was given; if not, says so and fails. */
 bool array_is_given(instance *instance, const char *call, const void *array, size_t count, size_t wanted);
 
+/* The unit or, until initialization is over, what it would be if it started from the values set so far, in
+ * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
+const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status);
+
 /* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
  * the start values contradict each other. */
 const unit_view *current_view(instance *instance, const char *call, call_status *status);

@@ -62,6 +62,7 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     }
     instance->unit.motion.time = start_time;
     instance->unit.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
+    instance->unit.stop_time = stop_time_defined ? stop_time : INFINITY;
     forget_view(instance);
     return CALL_OK;
 }

@@ -117,6 +117,10 @@ call_status get_nominals(instance *instance, const char *call, unsigned allowed_
         !array_is_given(instance, call, nominals, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    unit_nominals(&instance->unit, nominals);
+    unit preview = instance->unit;
+    if ((instance->state & BEFORE_START) != 0) {
+        tdmf_model_create(&preview.model, &preview.parameters); /* stays that of the defaults where refused */
+    }
+    unit_nominals(&preview, nominals);
     return CALL_OK;
 }

@@ -27,6 +27,7 @@ void unit_reset(unit *unit) {
     }
     tdmf_model_create(&unit->model, &unit->parameters);
     unit->importer_tolerance = INFINITY;
+    unit->stop_time = INFINITY;
     unit->solver = tdmf_solver_default();
 }
 
@@ -43,7 +44,7 @@ tdmf_refusal unit_start(unit *unit) {
                       &unit->motion.record);
 }
 
-static int as_integer(long count) {
+static int as_integer(int64_t count) {
     return count < INT_MAX ? (int)count : INT_MAX;
 }
 
@@ -122,25 +123,6 @@ void unit_observe(unit *unit) {
     tdmf_observe(&unit->model, &unit->inputs, unit->motion.state, &unit->motion.mode, &unit->motion.record);
 }
 
-/* True if there was one. */
-static bool take_pending_event(unit *unit) {
-    const bool was_pending = unit->event_is_pending;
-    if (was_pending) {
-        unit->motion = unit->after_event;
-        unit->event_is_pending = false;
-    }
-    return was_pending;
-}
-
-tdmf_resolution unit_update(unit *unit) {
-    const bool was_pending = take_pending_event(unit);
-    tdmf_resolution resolution = tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time,
-                                              unit->motion.state, &unit->motion.mode, &unit->motion.record);
-    resolution.state_changed |= was_pending;
-    resolution.mode_changed |= was_pending;
-    return resolution;
-}
-
 const char *unit_settings_obstacle(const unit *unit) {
     if (unit->settings.solver.method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
         return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
@@ -166,11 +148,6 @@ static const char *conclude(unit *unit, tdmf_outcome outcome, double until) {
     return outcome == TDMF_ARRIVED || outcome == TDMF_FELL ? NULL : tdmf_outcome_text(outcome);
 }
 
-const char *unit_advance(unit *unit, double until) {
-    take_pending_event(unit);
-    return conclude(unit, advance(unit, until), until);
-}
-
 /* ---- up to the first event ---------------------------------------------------------------------------- */
 
 static bool event_has_happened(const unit *unit, const unit_mark *since) {
@@ -190,6 +167,48 @@ static tdmf_outcome advance_through_event(unit *unit, double until, const unit_m
     return outcome;
 }
 
+/* The event, under inputs that were set since it was found: it may be another one by now, or none. */
+static bool take_event_anew(unit *unit) {
+    const double time = unit->motion.time;
+    const tdmf_inputs inputs = unit->inputs;
+    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    tdmf_record *record = &unit->motion.record;
+    advance_through_event(unit, time + 2.0 * unit->event_lead, &mark);
+    unit->motion.time = time;
+    record->last_event_time = fmin(record->last_event_time, time);
+    record->apex.time = fmin(record->apex.time, time);
+    unit->inputs = inputs;
+    return event_has_happened(unit, &mark);
+}
+
+/* True if there was one. */
+static bool take_pending_event(unit *unit) {
+    if (!unit->event_is_pending) {
+        return false;
+    }
+    unit->event_is_pending = false;
+    if (unit->inputs.ground.friction != unit->event_inputs.ground.friction ||
+        unit->inputs.hip.external_torque != unit->event_inputs.hip.external_torque) {
+        return take_event_anew(unit);
+    }
+    unit->motion = unit->after_event;
+    return true;
+}
+
+tdmf_resolution unit_update(unit *unit) {
+    const bool was_pending = take_pending_event(unit);
+    tdmf_resolution resolution = tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time,
+                                              unit->motion.state, &unit->motion.mode, &unit->motion.record);
+    resolution.state_changed |= was_pending;
+    resolution.mode_changed |= was_pending;
+    return resolution;
+}
+
+const char *unit_advance(unit *unit, double until) {
+    take_pending_event(unit);
+    return conclude(unit, advance(unit, until), until);
+}
+
 /* Leaves `unit`, which is at the start, where an event is about to happen. Integrating up to the event's very
  * time might take it, so the last bit before it is left out: some rounding errors, or what it takes. */
 static void stand_before_event(unit *unit, double event_time, const unit_mark *since) {
@@ -204,6 +223,7 @@ static void stand_before_event(unit *unit, double event_time, const unit_mark *s
         unit->inputs = start.inputs;
         gap *= 8.0;
     }
+    unit->event_lead = fmax(gap, event_time - unit->motion.time);
     unit->motion.time = event_time;
 }
 
@@ -219,6 +239,7 @@ const char *unit_advance_to_event(unit *unit, double until) {
     unit->solver = ahead.solver;
     stand_before_event(unit, ahead.motion.time, &mark);
     unit->inputs = ahead.inputs;
+    unit->event_inputs = ahead.inputs;
     unit->after_event = ahead.motion;
     unit->event_is_pending = true;
     return NULL;

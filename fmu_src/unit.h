@@ -27,7 +27,12 @@ typedef struct unit {
     tdmf_model model;
     tdmf_motion motion;
     tdmf_solver solver;
-    bool event_is_pending; /* Co-Simulation with event mode: the motion stands at an event, not yet taken */
+    double stop_time; /* Co-Simulation goes no farther; infinite where the importer has none */
+    /* Co-Simulation with event mode: the motion stands at an event, not yet taken, its state that of
+     * `event_lead` before. What comes of it under these inputs. */
+    bool event_is_pending;
+    double event_lead;
+    tdmf_inputs event_inputs;
     tdmf_motion after_event;
 } unit;
 

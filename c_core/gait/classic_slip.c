@@ -112,7 +112,7 @@ static double trusted_size(const tdmf_classic *slip, const stance_series *s) {
 }
 
 /* What ends a stance. */
-typedef enum { GOES_ON, TAKES_OFF, LEAVES_CONE, HITS_GROUND } stance_end;
+typedef enum { GOES_ON, TAKES_OFF, LEAVES_CONE, SLIDES_OUT, HITS_GROUND } stance_end;
 
 static double first_time(const tdmf_polynomial *p, const tdmf_reach *reach, double scale, double size) {
     const tdmf_root root = tdmf_first_root(p, reach, 1.0, beyond * scale, 0.0, size);
@@ -121,17 +121,20 @@ static double first_time(const tdmf_polynomial *p, const tdmf_reach *reach, doub
 
 static stance_end find_end(const tdmf_classic *slip, const stance_series *s, double *size) {
     const double length = slip->free_length;
-    tdmf_polynomial compressed = {{0}, ORDER}, inside_cone = {{0}, ORDER}, above_ground = {{0}, ORDER};
+    tdmf_polynomial compressed = {{0}, ORDER}, above_ground = {{0}, ORDER};
+    tdmf_polynomial inside_cone[2] = {{{0}, ORDER}, {{0}, ORDER}}; /* the mass before the foot, and behind */
     tdmf_reach reach;
     stance_end end = GOES_ON;
     tdmf_reach_to(&reach, *size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
         compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k];
-        inside_cone.c[k] = isinf(slip->friction) ? (k == 0 ? 1.0 : 0.0) : slip->friction * s->y[k] - s->x[k];
+        inside_cone[0].c[k] = isinf(slip->friction) ? s->y[k] : slip->friction * s->y[k] - s->x[k];
+        inside_cone[1].c[k] = isinf(slip->friction) ? s->y[k] : slip->friction * s->y[k] + s->x[k];
         above_ground.c[k] = s->y[k];
     }
     const double take_off = first_time(&compressed, &reach, length * length, *size);
-    const double cone = first_time(&inside_cone, &reach, length, *size);
+    const double cone = first_time(&inside_cone[0], &reach, length, *size);
+    const double slide = first_time(&inside_cone[1], &reach, length, *size);
     const double ground = first_time(&above_ground, &reach, length, *size);
     if (take_off <= *size) {
         *size = take_off;
@@ -140,6 +143,10 @@ static stance_end find_end(const tdmf_classic *slip, const stance_series *s, dou
     if (cone < *size) {
         *size = cone;
         end = LEAVES_CONE;
+    }
+    if (slide < *size) {
+        *size = slide;
+        end = SLIDES_OUT;
     }
     if (ground < *size) {
         *size = ground;
@@ -152,7 +159,28 @@ typedef struct {
     tdmf_classic_point at;
     tdmf_classic_point varied[VARIATIONS];
     double time;
+    double steepest; /* the largest |tan| of the leg's angle so far */
 } stance;
+
+static double steepness(tdmf_classic_point at) {
+    return fabs(at.x / at.y);
+}
+
+/* The largest |tan| of the leg's angle in a step: at its end, or where the leg turns back. */
+static double steepest_in(const tdmf_classic *slip, const stance_series *s, double size) {
+    const double moment = slip->free_length * slip->free_length * sqrt(slip->stiffness / slip->mass);
+    tdmf_polynomial turning = {{0}, ORDER};
+    tdmf_reach reach;
+    for (int k = 0; k <= ORDER; ++k) {
+        for (int i = 0; i <= k; ++i) {
+            turning.c[k] += s->x[i] * s->vy[k - i] - s->y[i] * s->vx[k - i];
+        }
+    }
+    tdmf_reach_to(&reach, size, ORDER);
+    const tdmf_root turn = tdmf_first_sign_change(&turning, &reach, 1e-14 * moment, 0.0, size);
+    const double at_end = steepness(point_at(s, size));
+    return turn.is_root ? fmax(at_end, steepness(point_at(s, turn.time))) : at_end;
+}
 
 /* Runs a stance to its end or up to a time; steps that do not end, or are not finite, count as a fall. */
 static stance_end run_stance(const tdmf_classic *slip, double until, stance *run) {
@@ -170,6 +198,7 @@ static stance_end run_stance(const tdmf_classic *slip, double until, stance *run
         }
         run->at = point_at(&series, size);
         run->time += size;
+        run->steepest = fmax(run->steepest, steepest_in(slip, &series, size));
         if (end != GOES_ON) {
             return end;
         }
@@ -202,6 +231,7 @@ static bool touch_down(const tdmf_classic *slip, double energy, double height, s
         .varied = {{0.0, 0.0, -g / vx, g / vy},
                    {-length * cosine, -length * sine, 0.0, g * length * sine / vy}},
         .time = 0.0,
+        .steepest = tan(slip->touchdown_angle),
     };
     *run = start;
     return true;
@@ -226,7 +256,7 @@ tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energ
     }
     step.touchdown = run.at;
     step.impact_friction = fabs(run.at.vx / run.at.vy);
-    step.stance_friction = tan(slip->touchdown_angle);
+    step.stance_friction = run.steepest;
     if (step.stance_friction > slip->friction) {
         step.outcome = TDMF_CLASSIC_SLIDES;
         return step;
@@ -235,8 +265,10 @@ tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energ
     step.take_off = run.at;
     step.stance_time = run.time;
     step.early_take_off = end == LEAVES_CONE;
-    step.stance_friction = fmax(step.stance_friction, run.at.x / run.at.y);
-    if ((end == TAKES_OFF || end == LEAVES_CONE) && run.at.vy > 0.0) {
+    step.stance_friction = run.steepest;
+    if (end == SLIDES_OUT) {
+        step.outcome = TDMF_CLASSIC_SLIDES;
+    } else if ((end == TAKES_OFF || end == LEAVES_CONE) && run.at.vy > 0.0) {
         fly(slip, &run, &step);
     } else {
         step.outcome = TDMF_CLASSIC_FALLS;
@@ -247,7 +279,7 @@ tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energ
 tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, double height, double time) {
     tdmf_classic_point nothing = {NAN, NAN, NAN, NAN};
     stance run;
-    if (!touch_down(slip, energy, height, &run)) {
+    if (!touch_down(slip, energy, height, &run) || !(time >= 0.0)) {
         return nothing;
     }
     run_stance(slip, time, &run);

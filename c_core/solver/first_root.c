@@ -95,7 +95,7 @@ static double safe_distance(const expansion *at, double bound, double left) {
         return INFINITY;
     }
     double safe = first_root_of_parabola(at->value, at->slope, lowest);
-    for (double near = look_ahead * safe; near < left; near *= look_ahead) {
+    for (double near = look_ahead * safe; near > 0.0 && near < left; near *= look_ahead) {
         const double nearby = at->curvature - bound * near / 3.0;
         if (!stays_positive(at->value, at->slope, nearby, near)) {
             return fmax(safe, first_root_of_parabola(at->value, at->slope, nearby));

@@ -11,13 +11,23 @@ static inline bool tdmf_is_tolerance(double relative_tolerance) {
     return relative_tolerance > 0.0 && relative_tolerance < 1.0;
 }
 
+/* Inputs, those at the end included, are within their ranges: beyond, numbers overflow. */
+static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+                                         double duration) {
+    if (tdmf_check_inputs(inputs).variable != NULL || !isfinite(rates->friction) ||
+        !isfinite(rates->external_torque)) {
+        return false;
+    }
+    const bool held = rates->friction == 0.0 && rates->external_torque == 0.0;
+    const tdmf_inputs last = held ? *inputs : tdmf_inputs_after(inputs, rates, duration);
+    return tdmf_check_inputs(&last).variable == NULL;
+}
+
 static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_inputs *inputs,
                                          const tdmf_input_rates *rates, double until,
                                          const tdmf_motion *motion) {
     return tdmf_is_tolerance(solver->relative_tolerance) && until >= motion->time &&
-           inputs->ground.friction >= 0.0 && isfinite(inputs->ground.friction) &&
-           isfinite(inputs->hip.external_torque) && isfinite(rates->friction) &&
-           isfinite(rates->external_torque);
+           tdmf_are_sound_inputs(inputs, rates, until - motion->time);
 }
 
 #endif

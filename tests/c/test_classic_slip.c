@@ -128,12 +128,35 @@ static void friction_ends_a_stance_in_two_ways(void **state) {
                             1e-12);
 }
 
+/* A slow runner with a leg put far forward: the mass does not get over the foot, and falls back behind it. */
+static void friction_is_needed_where_the_leg_turns_back(void **state) {
+    enum { LOOKS = 2000 };
+    (void)state;
+    tdmf_classic slip = tdmf_classic_default();
+    slip.touchdown_angle = 0.2;
+    const double slow = slip.mass * (0.5 * 0.2 * 0.2 + slip.gravity * 1.35);
+    const tdmf_classic_step holding = tdmf_classic_return_map(&slip, slow, 1.35);
+    double steepest = 0.0;
+    for (int i = 0; i <= LOOKS; ++i) {
+        const tdmf_classic_point at = tdmf_classic_stance(&slip, slow, 1.35, holding.stance_time * i / LOOKS);
+        steepest = fmax(steepest, fabs(at.x / at.y));
+    }
+    assert_int_equal(holding.outcome, TDMF_CLASSIC_TURNS_BACK);
+    assert_true(holding.take_off.x < 0.0 && steepest > 1.5 * tan(0.2));
+    assert_close(holding.stance_friction, steepest, 1e-9);
+    slip.friction = 0.99 * steepest;
+    assert_int_equal(tdmf_classic_return_map(&slip, slow, 1.35).outcome, TDMF_CLASSIC_SLIDES);
+    slip.friction = 1.01 * steepest;
+    assert_int_equal(tdmf_classic_return_map(&slip, slow, 1.35).outcome, TDMF_CLASSIC_TURNS_BACK);
+}
+
 static void what_cannot_start_is_refused(void **state) {
     (void)state;
     tdmf_classic slip = at_angle(40.0);
     assert_int_equal(tdmf_classic_return_map(&slip, energy, 0.5).outcome, TDMF_CLASSIC_NO_START);
     assert_int_equal(tdmf_classic_return_map(&slip, energy, 100.0).outcome, TDMF_CLASSIC_NO_START);
     assert_int_equal(tdmf_classic_return_map(&slip, NAN, 1.0).outcome, TDMF_CLASSIC_NO_START);
+    assert_true(isnan(tdmf_classic_stance(&slip, energy, 1.2, NAN).x));
     slip.mass = NAN;
     assert_int_equal(tdmf_classic_return_map(&slip, energy, 1.0).outcome, TDMF_CLASSIC_NO_START);
     slip = at_angle(40.0);
@@ -148,6 +171,7 @@ int main(void) {
         cmocka_unit_test(energy_is_kept_and_time_can_be_turned),
         cmocka_unit_test(derivatives_are_those_of_the_map),
         cmocka_unit_test(friction_ends_a_stance_in_two_ways),
+        cmocka_unit_test(friction_is_needed_where_the_leg_turns_back),
         cmocka_unit_test(what_cannot_start_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -64,6 +64,32 @@ static void rounded_communication_points_are_tolerated_and_wrong_ones_refused(vo
     assert_non_null(strstr(last_message, "communication point"));
 }
 
+static void initialize_between(fmi2Component component, double start, double stop) {
+    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, start, fmi2True, stop), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+}
+
+/* A step that is repeated, long after 1970 as well. */
+static void a_step_taken_before_is_refused(void **state) {
+    static const double starts[] = {0.0, 1e6, 1.7e9};
+    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
+        const double step = i == 2 ? 0.1 : 1e-4;
+        initialize_between(*state, starts[i], starts[i] + 1.0);
+        assert_int_equal(fmi2DoStep(*state, starts[i], step, fmi2True), fmi2OK);
+        assert_int_equal(fmi2DoStep(*state, starts[i] + step, step, fmi2True), fmi2OK);
+        assert_int_equal(fmi2DoStep(*state, starts[i] + step, step, fmi2True), fmi2Error);
+        assert_int_equal(fmi2Reset(*state), fmi2OK);
+    }
+}
+
+static void no_step_goes_beyond_the_stop_time(void **state) {
+    initialize_between(*state, 0.0, 1.0);
+    run(*state, 0.0, 1.0, 0.1);
+    assert_int_equal(fmi2DoStep(*state, 1.0, 0.1, fmi2True), fmi2Error);
+    assert_non_null(strstr(last_message, "stop time, 1 s"));
+}
+
 static void steps_that_are_none_are_refused(void **state) {
     static const double steps[] = {0.0, -1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
@@ -147,6 +173,18 @@ static void bad_rates_are_refused(void **state) {
     assert_int_equal(set_rate(*state, "ground.friction", 2, 0.0), fmi2Error);
     assert_int_equal(fmi2Reset(*state), fmi2OK);
     assert_int_equal(set_rate(*state, "body.mass", 1, 0.0), fmi2Error);
+}
+
+/* So steep that the input leaves its range in the step, and would overflow. */
+static void rates_beyond_reason_end_in_a_message(void **state) {
+    static const double rates[] = {1e7, 1e150, 1e200, 1e300};
+    for (size_t i = 0; i < sizeof rates / sizeof rates[0]; ++i) {
+        initialize(*state);
+        assert_int_equal(set_rate(*state, "ground.friction", 1, rates[i]), fmi2OK);
+        assert_int_equal(fmi2DoStep(*state, 0.0, 11.0, fmi2True), fmi2Error);
+        assert_non_null(strstr(last_message, "out of range"));
+        assert_int_equal(fmi2Reset(*state), fmi2OK);
+    }
 }
 
 static void bad_inputs_in_mid_run_are_discarded(void **state) {
@@ -251,6 +289,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_arrive_and_the_grid_does_not_matter),
         ON_FRESH_INSTANCE(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
+        ON_FRESH_INSTANCE(a_step_taken_before_is_refused),
+        ON_FRESH_INSTANCE(no_step_goes_beyond_the_stop_time),
+        ON_FRESH_INSTANCE(rates_beyond_reason_end_in_a_message),
         ON_FRESH_INSTANCE(steps_that_are_none_are_refused),
         ON_FRESH_INSTANCE(a_run_may_start_at_any_time),
         ON_FRESH_INSTANCE(a_fall_freezes_and_stays_readable),

@@ -46,6 +46,7 @@ static void refuses_interfaces_and_variables_it_does_not_have(void **state) {
 static void refuses_null_instances(void **state) {
     double value = 0.0;
     const fmi3ValueReference reference = 0;
+    const fmi3Int32 order = 1;
     step_answer answer;
     (void)state;
     assert_int_equal(fmi3GetFloat64(NULL, &reference, 1, &value, 1), fmi3Error);
@@ -57,6 +58,8 @@ static void refuses_null_instances(void **state) {
     assert_int_equal(do_step(NULL, 0.0, 1.0, &answer), fmi3Error);
     assert_int_equal(fmi3GetClock(NULL, &reference, 1, NULL), fmi3Error);
     assert_int_equal(fmi3Reset(NULL), fmi3Error);
+    assert_int_equal(fmi3GetOutputDerivatives(NULL, &reference, 1, &order, &value, 1), fmi3Error);
+    assert_int_equal(fmi3GetOutputDerivatives(NULL, &reference, 1, &order, &value, 2), fmi3Error);
     fmi3FreeInstance(NULL);
 }
 
@@ -195,7 +198,7 @@ static const struct {
     {"fmi3GetFloat64", call_get, EVERYWHERE & ~ME_BEFORE},
     {"fmi3SetFloat64", call_set_input, EVERYWHERE & ~ENDED},
     {"fmi3GetNumberOf", call_counts, EVERYWHERE},
-    {"fmi3GetDirectionalDerivative", call_derivative, RUN | ENDED},
+    {"fmi3GetDirectionalDerivative", call_derivative, ME_INITIALIZING | RUN | ENDED},
     {"fmi3GetOutputDerivatives", call_output_derivative, STEP | ENDED},
     {"fmi3Terminate", fmi3Terminate, RUN},
     {"fmi3Reset", fmi3Reset, EVERYWHERE},
@@ -557,6 +560,35 @@ static void directional_and_adjoint_derivatives_are_one_matrix(void **state) {
     fmi3FreeInstance(instance);
 }
 
+/* In initialization mode they are those of the run that would start. */
+static void derivatives_are_there_before_the_run(void **state) {
+    const fmi3ValueReference unknown = reference_of("der(foot.vy)"), known = reference_of("leg.length");
+    const double seed = 1.0;
+    double before, after;
+    fmi3Instance instance = new_exchange();
+    (void)state;
+    assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
+    assert_int_equal(set_float(instance, "leg.stiffness", 3.0), fmi3OK);
+    assert_int_equal(fmi3GetDirectionalDerivative(instance, &unknown, 1, &known, 1, &seed, 1, &before, 1),
+                     fmi3OK);
+    assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
+    assert_int_equal(fmi3GetDirectionalDerivative(instance, &unknown, 1, &known, 1, &seed, 1, &after, 1),
+                     fmi3OK);
+    assert_true(before == after && before != 0.0);
+    fmi3FreeInstance(instance);
+}
+
+static void nominals_are_those_of_the_parameters_set(void **state) {
+    double nominals[TDMF_STATE_COUNT];
+    fmi3Instance instance = new_exchange();
+    (void)state;
+    assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
+    assert_int_equal(set_float(instance, "leg.free_length", 2.0), fmi3OK);
+    assert_int_equal(fmi3GetNominalsOfContinuousStates(instance, nominals, TDMF_STATE_COUNT), fmi3OK);
+    assert_true(nominals[TDMF_LEG_LENGTH] == 2.0);
+    fmi3FreeInstance(instance);
+}
+
 static void derivatives_by_what_is_fixed_are_refused(void **state) {
     const fmi3ValueReference unknown = reference_of("body.x"), mass = reference_of("body.mass"),
                              known = reference_of("leg.angle");
@@ -594,6 +626,8 @@ int main(void) {
         cmocka_unit_test(trial_states_are_cut_or_discarded),
         cmocka_unit_test(log_categories_are_honoured),
         cmocka_unit_test(directional_and_adjoint_derivatives_are_one_matrix),
+        cmocka_unit_test(derivatives_are_there_before_the_run),
+        cmocka_unit_test(nominals_are_those_of_the_parameters_set),
         cmocka_unit_test(derivatives_by_what_is_fixed_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

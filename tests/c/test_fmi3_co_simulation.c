@@ -198,6 +198,63 @@ static void inputs_jump_in_event_mode(void **state) {
     fmi3FreeInstance(instance);
 }
 
+/* Friction is another when the event is handled: the foot lands as the impact map has it for that friction,
+ * from the velocity that it has before. */
+static void inputs_set_at_an_event_act_on_it(void **state) {
+    static const double frictions[] = {0.0, 0.3, 0.6, 1.0, 10.0};
+    (void)state;
+    for (size_t i = 0; i < sizeof frictions / sizeof frictions[0]; ++i) {
+        step_answer step;
+        update_answer after;
+        fmi3Instance instance = stepper_in_step_mode(true, true);
+        assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
+        assert_close(step.time, touchdown, 0.01);
+        const double time = step.time;
+        const double vx = get_float(instance, "foot.vx"), vy = get_float(instance, "foot.vy");
+        assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+        assert_int_equal(set_float(instance, "ground.friction", frictions[i]), fmi3OK);
+        assert_int_equal(update(instance, &after), fmi3OK);
+        const double braked = fmax(0.0, vx - frictions[i] * fabs(vy));
+        assert_true(after.states_changed);
+        assert_close(get_float(instance, "foot.vx"), braked, 1e-9);
+        assert_true(get_float(instance, "foot.vy") == 0.0);
+        assert_int_equal(get_enumeration(instance, "contact.mode"),
+                         braked > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_STICK);
+        assert_int_equal(get_int(instance, "event.count"), 1);
+        assert_true(get_float(instance, "time") == time && get_float(instance, "event.last_time") == time);
+        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+        assert_int_equal(do_step(instance, time, 1e-3, &step), fmi3OK);
+        fmi3FreeInstance(instance);
+    }
+}
+
+/* The foot would slip now, but the ground turns rough: it does not. */
+static void an_event_may_be_averted(void **state) {
+    step_answer step;
+    update_answer after;
+    fmi3Instance instance = stepper_in_step_mode(true, true);
+    double time = 0.0;
+    (void)state;
+    while (get_enumeration(instance, "contact.mode") != TDMF_CONTACT_STICK) {
+        assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
+        time = step.time;
+        take_event(instance, &after);
+    }
+    assert_int_equal(do_step(instance, time, 20.0, &step), fmi3OK);
+    const int events = get_int(instance, "event.count");
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
+    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+    assert_int_equal(set_float(instance, "ground.friction", 10.0), fmi3OK);
+    assert_int_equal(update(instance, &after), fmi3OK);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
+    assert_int_equal(get_int(instance, "event.count"), events);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    time = step.time;
+    assert_int_equal(do_step(instance, time, 0.05, &step), fmi3OK);
+    assert_false(step.event);
+    fmi3FreeInstance(instance);
+}
+
 static void a_fall_is_an_event_and_then_there_are_none(void **state) {
     step_answer step;
     fmi3Boolean fallen = false;
@@ -395,6 +452,8 @@ int main(void) {
         cmocka_unit_test(states_before_an_event_are_its_left_limit),
         cmocka_unit_test(an_event_left_unhandled_is_taken_by_the_next_step),
         cmocka_unit_test(inputs_jump_in_event_mode),
+        cmocka_unit_test(inputs_set_at_an_event_act_on_it),
+        cmocka_unit_test(an_event_may_be_averted),
         cmocka_unit_test(a_fall_is_an_event_and_then_there_are_none),
         cmocka_unit_test(cvode_stops_at_events_too),
         cmocka_unit_test(steps_that_are_none_are_refused),

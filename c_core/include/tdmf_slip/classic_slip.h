@@ -26,12 +26,12 @@ typedef struct {
 tdmf_classic tdmf_classic_default(void);
 
 typedef enum {
-    TDMF_CLASSIC_FLIES,    /* to the next apex */
-    TDMF_CLASSIC_NO_START, /* parameters out of range, the apex below touchdown, or the energy too small for
-                              it */
-    TDMF_CLASSIC_SLIDES,   /* touchdown outside the friction cone: the foot slides out at once, the mass falls
-                            */
-    TDMF_CLASSIC_FALLS,    /* the mass reaches the ground in stance, or leaves it moving downwards */
+    TDMF_CLASSIC_FLIES,     /* to the next apex */
+    TDMF_CLASSIC_NO_START,  /* parameters out of range, the apex below touchdown, or the energy too small for
+                               it */
+    TDMF_CLASSIC_SLIDES,    /* the leg is outside the friction cone at touchdown, or leaves it where it turns
+                               back: the foot slides out forwards, the mass falls */
+    TDMF_CLASSIC_FALLS,     /* the mass reaches the ground in stance, or leaves it moving downwards */
     TDMF_CLASSIC_TURNS_BACK /* it flies, but backwards, and falls at the next step */
 } tdmf_classic_outcome;
 

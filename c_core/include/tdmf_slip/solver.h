@@ -65,7 +65,7 @@ tdmf_solver tdmf_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time. On
  * every outcome the motion is valid and stands where the solver got to. A fallen run stays as it is. Refused,
- * with nothing touched, are a tolerance out of range, inputs or rates that are not finite, negative friction,
+ * with nothing touched, are a tolerance out of range, inputs that are or will be, rates that are not finite,
  * and a time before the present one or not a number. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion);
