@@ -2,9 +2,11 @@
 
 import asyncio
 import contextlib
+import logging
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from queue import Empty, SimpleQueue
 from typing import Any
 
 from . import interrupts
@@ -12,6 +14,10 @@ from .errors import InputError, RunError
 
 CONNECTING = 10.0
 """Seconds within which a scheduler has to answer."""
+SILENCE = logging.CRITICAL + 1
+"""Level of Dask's log: what is wrong comes as an exception, the rest is its closing down."""
+LOOKING_UP = 0.1
+"""Seconds after which a wait for results looks whether an interrupt came."""
 
 
 @contextlib.contextmanager
@@ -37,8 +43,8 @@ def run(
 
     Raises:
         InputError: no scheduler answers, or there are less than one worker.
-        RunError: a block killed every worker that tried it, the cluster cannot run the work, or no process
-            can be started.
+        RunError: a block killed every worker that tried it, the cluster cannot run the work, the scheduler
+            is gone, or no process can be started.
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers {workers}: allowed: 1 or more")
@@ -46,27 +52,40 @@ def run(
     if scheduler is None and here == 1:
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return
-    with _client(scheduler, here) as client:
-        futures = {
-            client.submit(work, block, pure=False, retries=0): number for number, block in enumerate(blocks)
-        }
-        try:
-            yield _as_they_come(futures)
-        finally:
-            with interrupts.held(), contextlib.suppress(OSError, RuntimeError):
-                client.cancel(list(futures), force=True)
+    with interrupts.held() as interrupt, _client(scheduler, here) as client:
+        futures = [client.submit(work, block, pure=False, retries=0) for block in blocks]
+        yield _as_they_come(futures, interrupt)
 
 
-def _as_they_come(futures: dict[object, int]) -> Iterator[tuple[int, Any]]:
-    """Results with their numbers; futures that have one are taken out."""
-    from distributed import KilledWorker, as_completed  # slow to load, and not always needed
+def _as_they_come(futures: Sequence[object], interrupt: interrupts.Interrupt) -> Iterator[tuple[int, Any]]:
+    """Results with the numbers of their blocks."""
+    numbers = {future: number for number, future in enumerate(futures)}
+    done: SimpleQueue = SimpleQueue()
+    for future in futures:
+        future.add_done_callback(done.put)
+    while numbers:
+        future = _next_done(done, interrupt)
+        result = _result(future)
+        future.release()
+        yield numbers.pop(future), result
+
+
+def _next_done(done: SimpleQueue, interrupt: interrupts.Interrupt) -> object:
+    """The wait is where an interrupt does no harm."""
+    while True:
+        interrupt.deliver()
+        with contextlib.suppress(Empty):
+            return done.get(timeout=LOOKING_UP)
+
+
+def _result(future: object) -> object:
+    from distributed.client import FutureCancelledError  # slow to load, and not always needed
+    from distributed.scheduler import KilledWorker
 
     try:
-        for future in as_completed(list(futures)):
-            result = future.result()
-            number = futures.pop(future)
-            future.release()
-            yield number, result
+        return future.result()
+    except FutureCancelledError as problem:
+        raise RunError("the scheduler is gone, and what it had not done yet with it") from problem
     except KilledWorker as problem:
         raise RunError(f"a block killed every worker that tried it: {problem}") from problem
     except RuntimeError as problem:
@@ -75,27 +94,31 @@ def _as_they_come(futures: dict[object, int]) -> Iterator[tuple[int, Any]]:
 
 @contextlib.contextmanager
 def _client(scheduler: str | None, workers: int) -> Iterator[object]:
+    """A client whose end makes the scheduler forget what it has not done yet."""
+    from distributed import Client
+    from distributed.utils import silence_logging_cmgr
+
+    with silence_logging_cmgr(SILENCE), contextlib.ExitStack() as parts:
+        if scheduler is not None:
+            yield parts.enter_context(_client_of(scheduler))
+        else:
+            with interrupts.kept_from_children():
+                cluster = parts.enter_context(_local_cluster(workers))
+                client = parts.enter_context(Client(cluster, set_as_default=False))
+            yield client
+
+
+def _client_of(scheduler: str) -> object:
     from distributed import Client
 
-    if scheduler is not None:
-        try:
-            _require_handshake(scheduler)
-            client = Client(scheduler, timeout=CONNECTING)
-        except (OSError, ValueError, TypeError) as problem:
-            raise InputError(
-                f"--scheduler {scheduler}: no Dask scheduler answers ({problem}); "
-                "allowed: an address such as tcp://host:8786"
-            ) from problem
-        with client:
-            yield client
-        return
-    with contextlib.ExitStack() as stack:
-        with interrupts.held(), interrupts.kept_from_children():
-            cluster = _local_cluster(workers)
-            stack.callback(_close, cluster)
-            client = Client(cluster)
-            stack.callback(_close, client)
-        yield client
+    try:
+        _require_handshake(scheduler)
+        return Client(scheduler, timeout=CONNECTING, set_as_default=False)
+    except (OSError, ValueError, TypeError) as problem:
+        raise InputError(
+            f"--scheduler {scheduler}: no Dask scheduler answers ({problem}); "
+            "allowed: an address such as tcp://host:8786"
+        ) from problem
 
 
 def _require_handshake(scheduler: str) -> None:
@@ -114,24 +137,21 @@ def _require_handshake(scheduler: str) -> None:
 
 
 def _local_cluster(workers: int) -> object:
+    import dask
     from distributed import LocalCluster
 
     try:
-        return LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address=None,
-            silence_logs="ERROR",
-        )
+        with dask.config.set({"distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"}):
+            return LocalCluster(
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=None,
+                scheduler_kwargs={"dashboard_address": "127.0.0.1:0"},  # any port: another cluster may run
+                silence_logs=SILENCE,
+            )
     except RuntimeError as problem:
         raise RunError(
             f"no processes could be started for the work ({problem}); a script has to keep what it runs "
             'under if __name__ == "__main__":, or ask for one worker'
         ) from problem
-
-
-def _close(part: object) -> None:
-    """Without a second interrupt, which would leave the cluster's own threads to complain."""
-    with interrupts.held():
-        part.close()

@@ -1,27 +1,45 @@
 """Interrupts from the keyboard, held back where they would leave something half done."""
 
 import contextlib
+import dataclasses
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from multiprocessing import resource_tracker
 
 
+@dataclasses.dataclass
+class Interrupt:
+    """One that may come while it is held back."""
+
+    handler: Callable[[int, None], object]
+    came: threading.Event = dataclasses.field(default_factory=threading.Event)
+
+    def note(self, _number: int, _frame: object) -> None:
+        """Handle the signal. An exception raised here could be lost: Python ignores those of finalizers."""
+        self.came.set()
+
+    def deliver(self) -> None:
+        """Do what would have been done without this, if one came: by default, raise KeyboardInterrupt."""
+        if self.came.is_set():
+            self.came.clear()
+            self.handler(signal.SIGINT, None)
+
+
 @contextlib.contextmanager
-def held() -> Iterator[None]:
-    """An interrupt that comes inside is delivered at the end."""
+def held() -> Iterator[Interrupt]:
+    """An interrupt that comes inside is delivered where it is asked for, and at the end."""
     handler = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or handler is None:
-        yield
+    interrupt = Interrupt(handler)
+    if threading.current_thread() is not threading.main_thread() or not callable(handler):
+        yield interrupt
         return
-    came = threading.Event()
-    signal.signal(signal.SIGINT, lambda _number, _frame: came.set())
+    signal.signal(signal.SIGINT, interrupt.note)
     try:
-        yield
+        yield interrupt
     finally:
         signal.signal(signal.SIGINT, handler)
-        if came.is_set():
-            signal.raise_signal(signal.SIGINT)
+        interrupt.deliver()
 
 
 @contextlib.contextmanager

@@ -13,7 +13,7 @@ import time
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, basin, batch, blocks, sweep
+from tdmf_slip import InputError, RunError, basin, batch, blocks, interrupts, sweep
 from tdmf_slip.orbit import Runner
 
 BLOCKS = 12
@@ -32,7 +32,7 @@ def die(_):
 
 @pytest.fixture
 def cluster(tmp_path):
-    """A scheduler and two workers, processes of their own; yields its address and the workers."""
+    """A scheduler and two workers, processes of their own; yields its address and all three."""
     file = tmp_path / "scheduler.json"
     run = functools.partial(
         subprocess.Popen,
@@ -46,7 +46,7 @@ def cluster(tmp_path):
     command = [*dask, "worker", *options, "--nthreads", "1", "--no-dashboard", "--no-nanny"]
     workers = [run(command) for _ in range(2)]
     try:
-        yield _address(file), workers
+        yield _address(file), scheduler, workers
     finally:
         for process in (*workers, scheduler):
             process.kill()
@@ -63,7 +63,7 @@ def _address(file):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="workers are killed by a POSIX signal")
 def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
-    address, workers = cluster
+    address, _, workers = cluster
     folder = tmp_path / "done"
     folder.mkdir()
     results = {}
@@ -76,6 +76,18 @@ def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
     assert results == {number: number * number for number in range(BLOCKS)}
     # What the dead worker had begun, and what it had done but not handed over, is all that is done again.
     assert BLOCKS <= len(list(folder.iterdir())) <= BLOCKS + 2
+
+
+def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
+    address, scheduler, _ = cluster
+    work = functools.partial(note, tmp_path)
+    with (
+        pytest.raises(RunError, match="scheduler is gone"),
+        blocks.run(work, list(range(BLOCKS)), scheduler=address) as found,
+    ):
+        assert next(found)[1] >= 0
+        scheduler.kill()
+        list(found)
 
 
 def test_a_block_that_kills_its_workers_is_said(monkeypatch):
@@ -93,7 +105,7 @@ def test_a_script_without_a_guard_is_told(tmp_path):
 
 
 def test_a_cluster_gives_the_same_map(cluster, unit):
-    address, _ = cluster
+    address, *_ = cluster
     runner = Runner.of({}, unit)
     ranges = np.linspace(1.2, 2.9, 6), np.linspace(0.9, 1.6, 5)
     here = basin.basin(runner, ("com_height", "com_speed"), ranges, workers=1, unit=unit)
@@ -141,25 +153,43 @@ def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("after", [1.3, 2.0, 3.0])
-def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(after, tmp_path):
+@pytest.mark.parametrize("pauses", [[0.1], [0.7, 0.2], [1.2, 0.05], [2.0, 0.2]])
+def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(pauses, tmp_path):
     """Sent to all processes, as a terminal does, and twice: while workers start, compute, or write."""
-    grid = tmp_path / "grid.nc"
+    grid = str(tmp_path / "grid.nc")
     command = ["sweep", "--friction", "0.3:1:20", "--over", "leg.damping=0.1:0.3:2000", "--output", grid]
+    program = (
+        "import sys; from tdmf_slip import command; print('begins', file=sys.stderr, flush=True);"
+        f"sys.exit(command.main({command}))"
+    )
     with subprocess.Popen(
-        [sys.executable, "-m", "tdmf_slip", *command],
+        [sys.executable, "-c", program],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
     ) as running:
-        for pause in (after, 0.2):
+        assert running.stderr.readline() == "begins\n"
+        for pause in pauses:
             time.sleep(pause)
             os.killpg(running.pid, signal.SIGINT)
-        said = running.communicate(timeout=60)[1]
-    assert running.returncode == 130 and "Traceback" not in said
-    assert said.splitlines()[-1].endswith("tdmf-slip: interrupted")
+        said = running.communicate(timeout=60)[1].strip()
+    assert running.returncode == 130
+    assert said.splitlines()[-1].endswith("tdmf-slip: interrupted") and len(said.splitlines()) <= 2, said
     assert [path.name for path in tmp_path.iterdir()] in ([], ["grid.nc"])
+
+
+def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
+    with interrupts.held() as interrupt:
+        signal.raise_signal(signal.SIGINT)
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.deliver()
+        interrupt.deliver()
+    with pytest.raises(KeyboardInterrupt), interrupts.held():
+        with interrupts.held():
+            signal.raise_signal(signal.SIGINT)
+        held_by_the_outer = True
+    assert held_by_the_outer
 
 
 def test_wrong_arguments_are_said(unit):
