@@ -5,36 +5,10 @@
     >>> run.stride["word"], run.fallen
 
 `simulate` runs the FMI unit once, `periodic_gait` runs it until its strides repeat, `validate` compares the
-five gaits that the paper publishes; `fmu_path` is the unit itself, for any other importer.
+five gaits that the paper publishes; `fmu_path` is the unit itself, for any other importer. What is loaded is
+what is used: the names and their modules are in `__init__.pyi`.
 """
 
-from importlib.metadata import PackageNotFoundError, version
+import lazy_loader
 
-from .errors import InputError, RunError, TdmfSlipError
-from .gait import Gait, periodic_gait
-from .parameters import read_parameters
-from .simulation import Run, simulate
-from .unit import Unit, fmu_path, load
-from .validation import Validation, validate
-
-try:
-    __version__ = version("tdmf-slip")
-except PackageNotFoundError:  # used from a source tree that is not installed
-    __version__ = "0+unknown"
-
-__all__ = [
-    "Gait",
-    "InputError",
-    "Run",
-    "RunError",
-    "TdmfSlipError",
-    "Unit",
-    "Validation",
-    "__version__",
-    "fmu_path",
-    "load",
-    "periodic_gait",
-    "read_parameters",
-    "simulate",
-    "validate",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

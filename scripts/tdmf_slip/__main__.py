@@ -1,7 +1,23 @@
-"""`python -m tdmf_slip` is the command `tdmf-slip`."""
+"""The command `tdmf-slip`, also `python -m tdmf_slip`."""
 
+import signal
 import sys
 
-from .command import main
+from . import interrupts
 
-sys.exit(main())
+
+def main() -> int:
+    """Run the command line; the exit status. An interrupt waits until modules are loaded, half a second."""
+    try:
+        with interrupts.held():
+            from . import command
+    except KeyboardInterrupt:
+        print("tdmf-slip: interrupted", file=sys.stderr)
+        return 130
+    status = command.main()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is done, but for Python's own end
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

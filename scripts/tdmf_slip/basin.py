@@ -95,7 +95,7 @@ def basin(
     axes: tuple[str, str],
     ranges: tuple[Sequence[float], Sequence[float]],
     *,
-    path: Path | None = None,
+    path: Path | str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
     show_progress: bool = False,
@@ -129,9 +129,13 @@ def basin(
     _check_axes(axes)
     if len(set(axes)) != 2:
         raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
+    for axis, values in zip(axes, ranges, strict=True):
+        if not np.size(values) or not np.isfinite(values).all():
+            raise InputError(f"range of {axis}: {values!r}: allowed: finite numbers, one or more")
     gait = stable_gait(runner, unit)
     data = _blank(gait, axes, ranges, unit)
     if path is not None:
+        path = Path(path)
         data = resumed(path, data, "slice")
         if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
             raise InputError(f"{path}: holds fates that are none; allowed: another file name")
@@ -159,6 +163,9 @@ def basin(
         "settled_share": share,
         "settled_area": share * float(np.prod([np.ptp(r) for r in ranges])),
     }
+    if path is not None:
+        with whole(path) as beside:
+            data.to_netcdf(beside)
     return data
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import xarray
 
 from . import blocks, progress
-from .errors import InputError, RunError
+from .errors import InputError, TdmfSlipError
 from .simulation import DEFAULT_TOLERANCE, simulate
 from .unit import Unit, load
 
@@ -42,7 +42,7 @@ def run_one(job: Job) -> Result:
             relative_tolerance=job.relative_tolerance,
             interface=job.interface,
         )
-    except RunError as problem:
+    except TdmfSlipError as problem:  # the unit may refuse how several values go together
         return Result({}, False, str(problem))
     return Result(run.stride, run.fallen, "")
 
@@ -75,7 +75,7 @@ def run(
         units, `fallen`, and `problem`, empty where there was none.
 
     Raises:
-        InputError: an empty table, rows with different names, or a value that the unit refuses.
+        InputError: an empty table, rows with different names, or a value that is not allowed.
     """
     unit = load() if unit is None else unit
     names = list(table[0]) if table else []

@@ -42,12 +42,14 @@ def run(
         workers: processes of that cluster, by default one for each processor. One needs no cluster.
 
     Raises:
-        InputError: no scheduler answers, or there are less than one worker.
+        InputError: no scheduler answers, there are less than one worker, or both of them are given.
         RunError: a block killed every worker that tried it, the cluster cannot run the work, the scheduler
             is gone, or no process can be started.
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers {workers}: allowed: 1 or more")
+    if workers is not None and scheduler is not None:
+        raise InputError("workers and scheduler: allowed: one of them, a scheduler has workers of its own")
     here = min(workers or os.cpu_count() or 1, max(1, len(blocks)))
     if scheduler is None and here == 1:
         yield ((number, work(block)) for number, block in enumerate(blocks))
@@ -80,11 +82,12 @@ def _next_done(done: SimpleQueue, interrupt: interrupts.Interrupt) -> object:
 
 def _result(future: object) -> object:
     from distributed.client import FutureCancelledError  # slow to load, and not always needed
+    from distributed.comm import CommClosedError
     from distributed.scheduler import KilledWorker
 
     try:
         return future.result()
-    except FutureCancelledError as problem:
+    except (FutureCancelledError, CommClosedError) as problem:
         raise RunError("the scheduler is gone, and what it had not done yet with it") from problem
     except KilledWorker as problem:
         raise RunError(f"a block killed every worker that tried it: {problem}") from problem

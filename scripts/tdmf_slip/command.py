@@ -4,6 +4,7 @@ Results go to stdout (with --json one JSON object and nothing else), progress an
 status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
 """
 
+import contextlib
 import os
 import signal
 import sys
@@ -11,8 +12,8 @@ from pathlib import Path
 
 import click
 
-from . import __version__, files
-from .errors import TdmfSlipError
+from . import files
+from .errors import InputError, TdmfSlipError
 from .events import as_json
 from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
 from .gait_commands import basin_command, figures_command, gait_command, sweep_command
@@ -20,7 +21,7 @@ from .inputs import read_tables
 from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, Run, simulate
 from .unit import INTERFACES, load
-from .validation import validate
+from .version import __version__
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -95,6 +96,12 @@ def simulate_command(
     """
     if output is not None:
         files.check_place(output, files.WRITERS, "--output")
+        if inputs is not None and output.resolve() == inputs.resolve():
+            raise InputError(f"--output {output}: holds the inputs; allowed: another file name")
+        if output.exists():
+            from .resume import refuse_resumable  # xarray is slow to load
+
+            refuse_resumable(output)
     if plot is not None:
         from .pictures import overview  # matplotlib is slow to load
 
@@ -106,7 +113,7 @@ def simulate_command(
         strides=strides,
         relative_tolerance=tolerance,
         output_interval=output_interval,
-        inputs=read_tables(inputs) if inputs is not None else None,
+        inputs=read_tables(inputs, unit) if inputs is not None else None,
         interface=interface,
         show_progress=True,
         unit=unit,
@@ -136,6 +143,8 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
     """
     if pictures is not None:
         files.check_folder(pictures, "--pictures")
+    from .validation import validate  # xarray is slow to load
+
     validation = validate(relative_tolerance=tolerance, show_progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text())
     if pictures is not None:
@@ -235,9 +244,7 @@ def _forget_stdout() -> None:
 
 
 def _complain(message: str, status: int) -> int:
-    print(f"tdmf-slip: {message}", file=sys.stderr)
+    with contextlib.suppress(OSError):
+        if sys.stderr is not None:  # else it would be printed among the results
+            print(f"tdmf-slip: {message}", file=sys.stderr)
     return status
-
-
-if __name__ == "__main__":
-    sys.exit(main())

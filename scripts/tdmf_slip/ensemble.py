@@ -18,6 +18,8 @@ from .section import COORDINATES
 
 TOLERANCE = 2e-7
 """Relative tolerance of a step: a stride then errs by less than 1e-8."""
+LEAST_TOLERANCE = 1e-30
+"""Steps for less are so many that no stride closes, and rounding has long decided."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
 FATES = ("settled", "fell", "undecided", "no_start")
@@ -90,10 +92,10 @@ def run(
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
-    ensemble.relative_tolerance = _within("tolerance", tolerance, 1.0)
+    ensemble.relative_tolerance = _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0)
     ensemble.threads = _whole("threads", (os.cpu_count() or 1) if threads is None else threads)
     ensemble.instructions = _number(instructions)
-    c_cases, kept = _c_cases(cases, _whole("most_strides", most_strides), _within("near", near, np.inf))
+    c_cases, kept = _c_cases(cases, _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf))
     ensemble.cases = c_cases
     ensemble.case_count = len(cases)
     if case_of is not None:
@@ -124,15 +126,16 @@ def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[obj
 
 
 def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
-    numbers = np.ascontiguousarray(case_of, dtype=np.intc)
-    if numbers.shape != (runners,) or (runners and not 0 <= numbers.min() <= numbers.max() < cases):
+    given = np.asarray(case_of)
+    numbers = given.astype(np.intc) if given.dtype.kind in "iu" else None
+    if numbers is None or given.shape != (runners,) or not np.all((given >= 0) & (given < cases)):
         raise InputError(f"case_of: allowed: {runners} numbers from 0 to {cases - 1}, one for each runner")
-    return numbers
+    return np.ascontiguousarray(numbers)
 
 
 def _apices(name: str, given: object) -> np.ndarray:
     try:
-        apices = np.ascontiguousarray(given, dtype=float)
+        apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
     except (TypeError, ValueError) as problem:
         raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(COORDINATES)}") from None
     if apices.ndim != 2 or apices.shape[1] != len(COORDINATES):
@@ -140,9 +143,9 @@ def _apices(name: str, given: object) -> np.ndarray:
     return apices
 
 
-def _within(name: str, value: float, limit: float) -> float:
-    if not isinstance(value, Real) or not 0 < value < limit:
-        raise InputError(f"{name} = {value!r}: allowed: a number above 0 and below {limit:g}")
+def _within(name: str, value: float, low: float, high: float) -> float:
+    if not isinstance(value, Real) or not low < value < high:
+        raise InputError(f"{name} = {value!r}: allowed: a number above {low:g} and below {high:g}")
     return float(value)
 
 

@@ -13,6 +13,7 @@ from .options import (
     SET_OPTION,
     WORKERS_OPTION,
     json_text,
+    refuse_set,
     start_values,
 )
 from .text import table
@@ -84,10 +85,12 @@ def sweep_command(
     """
     from . import sweep as sweeps  # the C library is loaded when it is needed
     from .orbit import Runner
+    from .resume import refuse_resumable
 
     if output is not None:
         files.check_place(output, (".nc",), "--output")
     unit = load()
+    refuse_set(settings, sweeps.FRICTION, "--friction")
     values = sweeps.values_of(frictions, spacing, "--friction")
     runner = Runner.of(start_values(unit, parameters, None, settings), unit)
     if over is None and (scheduler is not None or workers is not None):
@@ -97,10 +100,11 @@ def sweep_command(
         )
     if over is not None:
         where = {"scheduler": scheduler, "workers": workers}
+        refuse_set(settings, over.partition("=")[0], "--over")
         _grid(runner, values, over, spacing, output, where, as_json_object)
         return
     if output is not None:
-        sweeps.refuse_grid(output)
+        refuse_resumable(output)
     found = sweeps.sweep(runner, values, show_progress=True)
     if output is not None:
         coordinates = {sweeps.FRICTION: values[: len(found.orbits)]}
@@ -181,7 +185,7 @@ def _grid(
 )
 @click.option(
     "--samples",
-    type=click.IntRange(min=0),
+    type=click.IntRange(0, 100_000_000),
     default=20000,
     show_default=True,
     help="Random starts in all six coordinates, for the region's volume; 0 for none.",

@@ -26,7 +26,7 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     """
     if not tables:
         return None
-    checked = {name: _checked(unit, name, table) for name, table in tables.items()}
+    checked = {name: _checked(unit, name, table, "inputs") for name, table in tables.items()}
     grid = _grid([times for times, _ in checked.values()])
     inputs = unit.names("input")
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
@@ -39,15 +39,15 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     return array
 
 
-def read_tables(path: Path) -> InputTables:
+def read_tables(path: Path, unit: Unit) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
     Raises:
-        InputError: unreadable, or not such a file.
+        InputError: unreadable, not such a file, or not inputs of the unit.
     """
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:  # Excel writes a mark at the beginning
-            reader = csv.reader(file)
+            reader = csv.reader(file, strict=True)
             lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
     except (OSError, ValueError, csv.Error) as problem:
         raise InputError(f"{path}: not a table of inputs: {problem}") from problem
@@ -58,7 +58,8 @@ def read_tables(path: Path) -> InputTables:
             f"found {','.join(header) or 'nothing'}"
         )
     columns = np.array([_numbers(path, line, row, len(header)) for line, row in lines[1:]]).T
-    return {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
+    tables = {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
+    return {name: _checked(unit, name, table, str(path)) for name, table in tables.items()}
 
 
 def _numbers(path: Path, line: int, row: list[str], columns: int) -> list[float]:
@@ -71,22 +72,24 @@ def _numbers(path: Path, line: int, row: list[str], columns: int) -> list[float]
     return numbers
 
 
-def _checked(unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike]) -> tuple[np.ndarray, np.ndarray]:
-    variable = unit.find(name, "inputs")
+def _checked(
+    unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike], where: str
+) -> tuple[np.ndarray, np.ndarray]:
+    variable = unit.find(name, where)
     if variable.causality != "input":
-        raise InputError(f"inputs: {name} is no input; inputs: {', '.join(unit.names('input'))}")
+        raise InputError(f"{where}: {name} is no input; inputs: {', '.join(unit.names('input'))}")
     try:
         times, values = (np.asarray(column, dtype=float) for column in table)
     except (TypeError, ValueError):
-        raise InputError(f"inputs: {name} = {table!r}: allowed: a pair of times and values") from None
+        raise InputError(f"{where}: {name} = {table!r}: allowed: a pair of times and values") from None
     if times.ndim != 1 or times.shape != values.shape or not len(times):
         raise InputError(
-            f"inputs: {name}: times {times.shape} and values {values.shape} have to be equally long"
+            f"{where}: {name}: times {times.shape} and values {values.shape} have to be equally long"
         )
     if not np.all(np.isfinite(times)) or np.any(np.diff(times) < 0):
-        raise InputError(f"inputs: {name}: times have to be finite and ascending")
-    for value in values:
-        variable.value_of(float(value), f"inputs at {name}")
+        raise InputError(f"{where}: {name}: times have to be finite and ascending")
+    for time, value in zip(times, values, strict=True):
+        variable.value_of(float(value), f"{where}, time {time:g}")
     return times, values
 
 

@@ -10,11 +10,13 @@ import fmpy.simulation
 import numpy as np
 from fmpy.fmi1 import FMICallException
 
+from . import interrupts
 from .errors import InputError, RunError, TdmfSlipError
 from .unit import Unit
 
-# FMPy's CVODE says its warnings on stdout, unless SUNDIALS is told otherwise before its first use.
-os.environ.setdefault("SUNLOGGER_WARNING_FILENAME", "stderr")
+# FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.
+for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
+    os.environ.setdefault(log, os.devnull)
 
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
@@ -83,10 +85,22 @@ class Instance:
         Returns:
             Structured array of what was recorded: `time` and the experiment's variables.
 
+        An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
+        with the numbers that they were about to give.
+
         Raises:
             InputError: the unit refused a start value, or how several go together.
             RunError: FMPy or the unit failed; the message has what both said.
         """
+        with interrupts.held() as interrupt:
+
+            def step(time: float, recorder: object) -> bool:
+                interrupt.deliver()
+                return step_finished(time, recorder)
+
+            return self._simulate(experiment, step)
+
+    def _simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
         try:
             return fmpy.simulate_fmu(
                 self.unit.folder,

@@ -54,6 +54,16 @@ def start_values(
     return values
 
 
+def refuse_set(settings: tuple[str, ...], name: str, by: str) -> None:
+    """Refuse a start value for what another option varies.
+
+    Raises:
+        InputError: there is one.
+    """
+    if any(setting.partition("=")[0].strip() == name.strip() for setting in settings):
+        raise InputError(f"--set {name}: {by} says what it is; allowed: one of the two")
+
+
 def json_text(value: object) -> str:
     """One line of JSON, in which a number that is not finite is null."""
     return json.dumps(_finite(value), allow_nan=False)

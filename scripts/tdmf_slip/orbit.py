@@ -11,7 +11,7 @@ import numpy as np
 
 from .errors import InputError, RunError
 from .library import c, ffi
-from .section import COORDINATES
+from .section import COORDINATES, apex_of
 from .unit import Unit, load
 
 TOLERANCE = 1e-13
@@ -126,21 +126,22 @@ class Runner:
         return solver
 
     def start_apex(self) -> np.ndarray:
-        """The section at the start values, which have to be an apex.
+        """The section at the start values; a vertical velocity is left out, which other masses make.
 
         Raises:
-            InputError: they are refused, or no apex.
+            InputError: they are refused, or the foot is not above the ground.
         """
+        section = apex_of(self.values)
         motion = ffi.new("tdmf_motion *")
-        for index, name in enumerate(STATES):
-            motion.state[index] = self.values[name]
+        c.tdmf_section_state(self.model, ffi.new("double[6]", section), motion.state)
         mode, record = ffi.addressof(motion.mode), ffi.addressof(motion.record)
         _check(c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record))
         if not motion.record.open.began_at_apex:
             raise InputError(
-                "start values: the search for a gait has to begin at an apex, in flight with vy_c = 0"
+                f"start values: foot.y = {self.values['foot.y']:g}: the search for a gait begins in flight; "
+                "allowed: above 0"
             )
-        return np.array([getattr(motion.record.apex, name) for name in COORDINATES])
+        return np.array(section)
 
 
 @dataclass(frozen=True)
@@ -262,7 +263,8 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
         along: a parameter or input by which the next apex is differentiated, too.
 
     Raises:
-        InputError: the guess or the start values are no apex, `along` is unknown, or the friction is 0.
+        InputError: the guess is no apex, the start values are not in flight, `along` is unknown, or the
+            friction is 0.
         RunError: the runner falls, or no gait is near.
     """
     check_has_gaits(runner.values["ground.friction"])

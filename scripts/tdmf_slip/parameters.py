@@ -29,7 +29,7 @@ def read_parameters(name: str | Path) -> dict[str, object]:
         InputError: neither, unreadable, or not such a file.
     """
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
-    readers = {".toml": tomllib.loads, ".json": json.loads}
+    readers = {".toml": tomllib.loads, ".json": _loads_json}
     if path.suffix not in readers:
         raise InputError(
             f"parameters {name}: neither a preset ({', '.join(preset_names())}) nor a .toml or .json file"
@@ -42,7 +42,23 @@ def read_parameters(name: str | Path) -> dict[str, object]:
         raise InputError(f"parameters {path}: {problem}") from problem
     if not isinstance(content, dict):
         raise InputError(f"parameters {path}: found {type(content).__name__}; allowed: names with values")
-    return dict(_flat(content))
+    try:
+        return _keys_once(list(_flat(content)))  # a name may be given whole and nested
+    except ValueError as problem:
+        raise InputError(f"parameters {path}: {problem}") from None
+
+
+def _loads_json(text: str) -> object:
+    """As TOML, without leave to give a key twice."""
+    return json.loads(text, object_pairs_hook=_keys_once)
+
+
+def _keys_once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    names = [name for name, _ in pairs]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise ValueError(f"{twice} is given twice; allowed: once")
+    return dict(pairs)
 
 
 def _flat(content: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:

@@ -14,12 +14,12 @@ def bar(what: str, total: float | None, unit: str, show: bool = True) -> tqdm:
         unit: what is counted.
         show: False for a bar that prints nothing.
     """
-    on_screen = sys.stderr.isatty()
+    on_screen = sys.stderr is not None and sys.stderr.isatty()
     return tqdm(
         desc=what,
         total=total,
         unit=f" {unit}",
-        disable=not show,
+        disable=not show or sys.stderr is None,
         leave=total is None,  # what took how many is worth keeping where nobody knew
         file=sys.stderr,
         mininterval=0.2 if on_screen else 10.0,

@@ -1,5 +1,6 @@
 """Results on file that are gone on with: only a file of the very same work will do."""
 
+import contextlib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -25,12 +26,24 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
     try:
         data = xarray.load_dataset(path)
     except (OSError, ValueError) as problem:
-        reason = str(problem).splitlines()[0]
+        reason = getattr(problem, "strerror", None) or "no NetCDF file"
         raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
     difference = _difference(data, blank)
     if difference is not None:
         raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")
     return data
+
+
+def refuse_resumable(path: Path) -> None:
+    """Refuse, before any work, to write something else over results on file, which have taken long.
+
+    Raises:
+        InputError: the file is a grid of gaits or a map.
+    """
+    with contextlib.suppress(OSError, ValueError), xarray.open_dataset(path) as data:
+        if "done" in data or "fate" in data:
+            what = "grid of gaits" if "done" in data else "map"
+            raise InputError(f"{path}: holds a {what}; allowed: another file name")
 
 
 def _difference(data: xarray.Dataset, blank: xarray.Dataset) -> str | None:

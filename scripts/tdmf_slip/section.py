@@ -24,6 +24,21 @@ def scales(unit: Unit, starts: Mapping[str, float | bool] = NOTHING) -> tuple[fl
     return length, length * rate, length, 1.0, length * rate, rate
 
 
+def apex_of(values: Mapping[str, float]) -> tuple[float, ...]:
+    """The section at which a motion's vertical velocity would be left out: the way back from `start_values`.
+
+    Args:
+        values: states and masses, by the unit's names.
+    """
+    length, angle = values["leg.length"], values["leg.angle"]
+    length_rate, angle_rate = values["leg.length_rate"], values["leg.angle_rate"]
+    rho = values["body.mass"] / (values["body.mass"] + values["foot.mass"])
+    sine, cosine = math.sin(angle), math.cos(angle)
+    height = values["foot.y"] + rho * length * cosine
+    speed = values["foot.vx"] - rho * (length_rate * sine + length * angle_rate * cosine)
+    return height, speed, length, angle, length_rate, angle_rate
+
+
 def start_values(
     unit: Unit, apex: Sequence[float], starts: Mapping[str, float | bool] = NOTHING
 ) -> dict[str, float]:

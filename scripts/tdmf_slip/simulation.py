@@ -77,8 +77,8 @@ def simulate(
     Args:
         start_values: by variable name, a number in the variable's unit or a text like `40 deg`.
         stop_time: s; the run begins at 0.
-        strides: end at the apex that closes this many strides. With `stop_time`, whichever comes first; with
-            neither, ten strides.
+        strides: end at the apex that closes this many strides, in Co-Simulation at the next recorded row.
+            With `stop_time`, whichever comes first; with neither, ten strides.
         relative_tolerance: of CVODE; absolute tolerances follow from the unit's nominal values.
         output_interval: s between recorded rows; by default a tenth of sqrt(m/k).
         inputs: tables by input name, see `inputs.InputTables`.
@@ -105,7 +105,7 @@ def simulate(
         inputs=signals(unit, inputs or {}, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
-    _check_rows(experiment, stop_time)
+    _check_rows(experiment, _least_duration(unit, starts, stop_time, strides))
     with opened(unit, interface) as instance:
         table = _run(instance, experiment, stop_time, strides, show_progress)
         run = _result(instance, table, recorded, None if record_events else experiment.output_interval)
@@ -164,13 +164,19 @@ def _interval(unit: Unit, starts: Mapping, interval: float | None) -> float:
     return time_unit(unit, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
 
 
-def _check_rows(experiment: Experiment, stop_time: float | None) -> None:
-    """Refuse, before any work, more rows than there is room for. Strides end long before they may take."""
+def _least_duration(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
+    """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
+    by_strides = math.inf if strides is None else strides * time_unit(unit, starts)
+    return min(by_strides, math.inf if stop_time is None else stop_time)
+
+
+def _check_rows(experiment: Experiment, duration: float) -> None:
+    """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
     interval = checked("output_interval", experiment.output_interval, 1e-12, 1e9)
-    if stop_time is not None and stop_time / interval > MOST_ROWS:
+    if duration / interval > MOST_ROWS:
         raise InputError(
-            f"output_interval = {interval:g}: {stop_time / interval:,.0f} rows up to {stop_time:g} s; "
-            f"allowed: {MOST_ROWS:,} rows, which an interval of {stop_time / MOST_ROWS:.3g} gives"
+            f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
+            f"allowed: {MOST_ROWS:,} rows, which an interval of {duration / MOST_ROWS:.3g} gives"
         )
 
 

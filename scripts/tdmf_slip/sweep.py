@@ -1,6 +1,5 @@
 """Gaits over a range of friction, and the borders between gait words; over two parameters, a grid on file."""
 
-import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +9,7 @@ import xarray
 
 from . import blocks, progress
 from .continuation import Border, borders_between, gaits_over
-from .errors import InputError, RunError
+from .errors import InputError, RunError, TdmfSlipError
 from .files import whole
 from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, check_has_gaits, find_orbit
 from .resume import resumed
@@ -19,7 +18,7 @@ from .unit import Unit, load
 
 FRICTION = "ground.friction"
 MOST_VALUES = 1_000_000
-"""In a range."""
+"""In a range, and in a grid."""
 SPACINGS = {"linear": np.linspace, "log": np.geomspace}
 UNITS: Mapping[str, str] = {
     "lambda_max": "1",
@@ -120,6 +119,8 @@ def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = F
 
 def _check_frictions(runner: Runner, frictions: Sequence[float]) -> None:
     """Refuse, before any work, frictions at which there is no gait to follow."""
+    if not len(frictions):
+        raise InputError("frictions: none; allowed: one or more")
     for friction in frictions:
         _ = runner.but(FRICTION, friction).inputs
         check_has_gaits(friction)
@@ -166,7 +167,7 @@ def grid(
     frictions: Sequence[float],
     name: str,
     values: Sequence[float],
-    path: Path,
+    path: Path | str,
     *,
     scheduler: str | None = None,
     workers: int | None = None,
@@ -197,6 +198,10 @@ def grid(
     coordinates = {name: np.asarray(values, dtype=float), FRICTION: np.asarray(frictions, dtype=float)}
     if name == FRICTION:
         raise InputError(f"a grid over {FRICTION} and {name}: allowed: another parameter or input")
+    if len(frictions) * len(values) > MOST_VALUES:
+        raise InputError(
+            f"a grid of {len(frictions)} by {len(values)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
+        )
     _check_frictions(runner, frictions)
     for value in values:
         row = runner.but(name, value)
@@ -208,6 +213,7 @@ def grid(
     blank["done"] = (name,), np.zeros(len(values), dtype="i1")
     blank["problem"] = (name,), np.full(len(values), "", dtype=object)
     blank.attrs = attributes
+    path = Path(path)
     data = resumed(path, blank, "sweep")
     missing = np.flatnonzero(data["done"].values == 0)
     rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
@@ -228,17 +234,6 @@ def grid(
     return data
 
 
-def refuse_grid(path: Path) -> None:
-    """Refuse, before any work, to write over a grid, which has taken long.
-
-    Raises:
-        InputError: the file is one.
-    """
-    with contextlib.suppress(OSError, ValueError), xarray.open_dataset(path) as data:
-        if "done" in data:
-            raise InputError(f"{path}: holds a grid of gaits; allowed: another file name")
-
-
 @dataclass(frozen=True)
 class Row:
     """A row of a grid: a block of work."""
@@ -251,7 +246,7 @@ def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
     """The gait at each friction, None from where the branch cannot be followed; and why it cannot, or ""."""
     try:
         found = sweep(row.runner, row.frictions)
-    except RunError as problem:
+    except TdmfSlipError as problem:  # also start values that go with other rows only
         return [None] * len(row.frictions), str(problem)
     rest = [None] * (len(row.frictions) - len(found.orbits))
     return [*found.orbits, *rest], found.problem or ""

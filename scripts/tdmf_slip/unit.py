@@ -10,11 +10,13 @@ import functools
 import math
 import os
 import shutil
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import fmpy
+import numpy as np
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from .errors import InputError, RunError
@@ -35,7 +37,7 @@ def fmu_path(fmi: int = 2) -> Path:
         InputError: there is no such file, or no unit for that version.
     """
     if fmi not in FILES:
-        raise InputError(f"fmi = {fmi} is not allowed; allowed: {', '.join(map(str, FILES))}")
+        raise InputError(f"fmi = {fmi!r} is not allowed; allowed: {', '.join(map(str, FILES))}")
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else Path(__file__).parent / FILES[2]
     path = path if fmi == 2 else path.with_name(FILES[fmi])
@@ -97,12 +99,13 @@ class Variable:
         if self.type == "Boolean":
             return self._boolean(given, where)
         value = self._number(given, where)
-        if not self.minimum <= value <= self.maximum:
+        if not self.minimum <= value <= self.maximum or (self.items and value not in self.items):
             raise self._refusal(given, where)
         return value
 
-    def _refusal(self, given: object, where: str) -> InputError:
-        return InputError(f"{where}: {self.name} = {given} is not allowed; allowed: {self.allowed}")
+    def _refusal(self, given: object, where: str, hint: str = "") -> InputError:
+        shown = given if str(given).isprintable() else repr(given)
+        return InputError(f"{where}: {self.name} = {shown} is not allowed; allowed: {self.allowed}{hint}")
 
     def _boolean(self, given: object, where: str) -> bool:
         values = {"true": True, "false": False, "1": True, "0": False}
@@ -122,8 +125,9 @@ class Variable:
         try:
             value = float(number) / factors[unit.strip()]
         except (TypeError, ValueError, OverflowError):
-            raise self._refusal(given, where) from None
-        if isinstance(given, bool) or not math.isfinite(value):
+            hint = ", a unit after a space" if isinstance(given, str) and not self.items else ""
+            raise self._refusal(given, where, hint) from None
+        if isinstance(given, bool | np.bool_ | bytes) or not math.isfinite(value):
             raise self._refusal(given, where)
         return value
 
@@ -136,7 +140,9 @@ class Unit:
         self.path = path
         try:
             self.description: ModelDescription = fmpy.read_model_description(str(path))
-            self.folder: str = fmpy.extract(str(path))
+            self.folder: str = self._unpacked()
+        except RunError:
+            raise
         except Exception as problem:  # FMPy raises bare Exceptions, and zipfile's, for a bad file
             raise RunError(f"{path}: not a usable FMU: {problem}") from problem
         atexit.register(shutil.rmtree, self.folder, ignore_errors=True)
@@ -147,6 +153,14 @@ class Unit:
         self.variables: dict[str, Variable] = {
             v.name: _variable(v, factors) for v in self.description.modelVariables
         }
+
+    def _unpacked(self) -> str:
+        try:
+            return fmpy.extract(str(self.path))
+        except OSError as problem:
+            raise RunError(
+                f"{self.path}: cannot be unpacked into {tempfile.gettempdir()}: {problem.strerror or problem}"
+            ) from problem
 
     def find(self, name: str, where: str) -> Variable:
         """The variable called `name`.
@@ -209,15 +223,18 @@ class Unit:
         return str(self.description.version or "")
 
 
-def load(path: Path | None = None) -> Unit:
+def load(path: Path | str | None = None) -> Unit:
     """The unit at `path`, or the one that `fmu_path` finds; read again only where the file has changed.
 
     Raises:
         InputError: there is no such file.
         RunError: the file is no usable FMU.
     """
-    path = fmu_path() if path is None else path
-    return _load(path.resolve(), path.stat().st_mtime_ns)
+    path = fmu_path() if path is None else Path(path)
+    try:
+        return _load(path.resolve(), path.stat().st_mtime_ns)
+    except OSError as problem:
+        raise InputError(f"{path}: no unit there: {problem.strerror}; allowed: path of an FMU") from None
 
 
 @functools.lru_cache

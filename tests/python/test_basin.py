@@ -64,8 +64,16 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
     whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     xarray.testing.assert_equal(whole, slice_)
+    xarray.testing.assert_equal(xarray.load_dataset(path), slice_)
+    assert xarray.load_dataset(path).attrs["settled_share"] == whole.attrs["settled_share"]
     with pytest.raises(InputError, match="another slice"):
         basin.basin(runner, AXES, (RANGES[0] + 0.1, RANGES[1]), path=path, unit=unit)
+
+
+@pytest.mark.parametrize("ranges", [([], [1.0]), ([1.0], [float("nan")])])
+def test_ranges_that_are_none_are_refused(runner, unit, ranges):
+    with pytest.raises(InputError, match="range of com_"):
+        basin.basin(runner, AXES, ranges, workers=1, unit=unit)
 
 
 def test_basin_command(command):

@@ -138,6 +138,8 @@ def test_a_run_that_fails_leaves_the_others(unit):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
     runs = batch.run(table, strides=2, workers=1, unit=unit)
+    together = batch.run([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, unit=unit)
+    assert together["problem"].values[0] == "" and "leg.length" in together["problem"].values[1]
     assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
     assert runs["fallen"].values[1] or runs["problem"].values[1]
 
@@ -196,6 +198,11 @@ def test_wrong_arguments_are_said(unit):
     with (
         pytest.raises(InputError, match="no Dask scheduler answers"),
         blocks.run(abs, [1, 2], scheduler="nonsense://here"),
+    ):
+        pass
+    with (
+        pytest.raises(InputError, match="one of them"),
+        blocks.run(abs, [1], scheduler="tcp://a:1", workers=2),
     ):
         pass
     with pytest.raises(InputError, match="workers 0"), blocks.run(abs, [1, 2], workers=0):

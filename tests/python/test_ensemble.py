@@ -63,6 +63,11 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
         {"most_strides": float("nan")},
         {"near": -1.0},
         {"case_of": np.array([0, 7])},
+        {"case_of": [0.7, 0.0]},
+        {"case_of": [0, 2**32]},
+        {"case_of": ["a", "b"]},
+        {"tolerance": 1e-300},
+        {"starts": np.zeros((2, 6), dtype=complex)},
         {"starts": np.zeros((2, 5))},
     ],
 )

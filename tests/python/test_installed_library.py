@@ -22,9 +22,9 @@ def installed(tmp_path_factory):
     """Folder into which `cmake --install` has put the library."""
     build = tmp_path_factory.mktemp("library")
     prefix = build / "prefix"
-    run("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF", f"-DCMAKE_INSTALL_PREFIX={prefix}")
+    run("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
     run("cmake", "--build", build)
-    run("cmake", "--install", build, "--component", "library")
+    run("cmake", "--install", build, "--component", "library", "--prefix", prefix)
     return prefix
 
 

@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, reference
+from tdmf_slip import InputError, RunError, load, reference, section
 from tdmf_slip import sweep as sweeps
 from tdmf_slip.continuation import borders_between, gaits_over, trace
 from tdmf_slip.library import c, ffi
@@ -163,13 +163,36 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
         grid(runner, frictions, "leg.damping", rows + 0.01, path, workers=1, unit=unit)
 
 
+def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
+    """The start values of the default masses have a vertical velocity of the centre of mass with others."""
+    for name, value in (("foot.mass", 0.2), ("body.mass", 0.9)):
+        other = runner.but(name, value)
+        state = section.start_values(load(), other.start_apex(), other.values)
+        for kept in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "foot.y", "foot.vx"):
+            assert state[kept] == pytest.approx(runner.values[kept], abs=1e-14)
+        assert find_orbit(other).error < 1e-12
+
+
+def test_a_grid_over_a_mass(runner, unit, tmp_path):
+    """A row whose start values are refused has its reason, and the others are done."""
+    found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", workers=1, unit=unit)
+    assert not found["period"].isnull().any()
+    found = grid(
+        runner, [0.6], "foot.y", [-0.1, runner.values["foot.y"]], tmp_path / "y.nc", workers=1, unit=unit
+    )
+    assert "foot.y = -0.1" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
+    assert list(found["done"].values) == [1, 1]
+
+
 def test_what_cannot_be_found_is_said(runner):
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner fell"):
         find_orbit(runner.but("leg.stiffness", 0.01))
     with pytest.raises(InputError, match=r"ground.friction = -1"):
         find_orbit(runner.but(FRICTION, -1.0))
-    with pytest.raises(InputError, match="begin at an apex"):
-        find_orbit(runner.but("foot.vy", 0.3))
+    with pytest.raises(InputError, match="begins in flight"):
+        find_orbit(runner.but("foot.y", 0.0).but("leg.length_rate", 1.0))
+    with pytest.raises(InputError, match=r"foot\.y = -0\.1"):
+        find_orbit(runner.but("foot.y", -0.1))
     with pytest.raises(InputError, match="speed"):
         find_orbit(runner.but(FRICTION, 0.0))
     with pytest.raises(InputError, match="shape"):
@@ -198,6 +221,15 @@ def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
         (("--friction", "-1:0.4:2", "--over", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
         (("--friction", "0.3:0.4:1000000000"), ["1000000"]),
         (("--friction", "0.3:0:2"), ["ground.friction = 0", "above 0"]),
+        (("--set", "ground.friction=1"), ["--friction", "one of the two"]),
+        (
+            ("--over", "leg.damping=0.1:0.2:2", "--set", "leg.damping=1", "--output", "g.nc"),
+            ["--over", "one of the two"],
+        ),
+        (
+            ("--friction", "1:2:2000", "--over", "leg.damping=0.1:0.2:2000", "--output", "g.nc"),
+            ["2000 by 2000"],
+        ),
         (("--scheduler", "tcp://nowhere:1"), ["--scheduler", "--over"]),
         (("--output", "grid.nc"), ["holds a grid"]),
         (("--over", "leg.damping=0.1:0.2:2", "--output", "text.nc"), ["text.nc"]),
