@@ -29,10 +29,15 @@ def installed(tmp_path_factory):
 
 
 SAYS = {
+    "strides": "+0-, speed 1.033110, cost of transport 0.364532",
     "runner": "tdmf_slip 0.1.0: touchdown at t = 11.90",
     "crowd": "200 of 200 runners are back on the gait",
 }
 """What each program prints."""
+
+
+def test_the_readme_shows_one_of_them():
+    assert (CONSUMER / "strides.c").read_text() in (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_find_package(installed, tmp_path):
@@ -43,7 +48,7 @@ def test_find_package(installed, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
-@pytest.mark.parametrize(("program", "package"), [("runner", "tdmf_slip"), ("crowd", "tdmf_slip_ensemble")])
+@pytest.mark.parametrize(("program", "package"), [("strides", "tdmf_slip"), ("crowd", "tdmf_slip_ensemble")])
 def test_pkg_config(installed, tmp_path, program, package):
     (folder,) = {path.parent for path in installed.rglob(f"{package}.pc")}
     environment = os.environ | {"PKG_CONFIG_PATH": str(folder)}
