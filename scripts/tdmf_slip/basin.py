@@ -9,7 +9,7 @@ import xarray
 
 from . import blocks, ensemble, progress
 from .errors import InputError
-from .files import whole
+from .files import write_dataset
 from .orbit import Orbit, Runner
 from .resume import resumed
 from .section import COORDINATES
@@ -126,19 +126,12 @@ def basin(
         RunError: there is no gait.
     """
     unit = load() if unit is None else unit
-    _check_axes(axes)
-    if len(set(axes)) != 2:
-        raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
-    for axis, values in zip(axes, ranges, strict=True):
-        if not np.size(values) or not np.isfinite(values).all():
-            raise InputError(f"range of {axis}: {values!r}: allowed: finite numbers, one or more")
+    _check_slice(axes, ranges)
     gait = stable_gait(runner, unit)
     data = _blank(gait, axes, ranges, unit)
     if path is not None:
         path = Path(path)
-        data = resumed(path, data, "slice")
-        if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
-            raise InputError(f"{path}: holds fates that are none; allowed: another file name")
+        data = _resumed(path, data)
     missing = [row for row in range(len(ranges[0])) if (data["fate"].values[row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(ranges[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
@@ -156,16 +149,28 @@ def basin(
                 data[name].values[rows[number]] = ends[name]
             bar.update(len(rows[number]))
             if path is not None:
-                with whole(path) as beside:
-                    data.to_netcdf(beside)
+                write_dataset(path, data)
     share = float(np.mean(data["fate"].values == 0))
-    data.attrs |= {
-        "settled_share": share,
-        "settled_area": share * float(np.prod([np.ptp(r) for r in ranges])),
-    }
+    area = share * float(np.prod([np.ptp(values) for values in ranges]))
+    data.attrs |= {"settled_share": share, "settled_area": area}
     if path is not None:
-        with whole(path) as beside:
-            data.to_netcdf(beside)
+        write_dataset(path, data)
+    return data
+
+
+def _check_slice(axes: tuple[str, str], ranges: tuple[Sequence[float], Sequence[float]]) -> None:
+    _check_axes(axes)
+    if len(set(axes)) != 2:
+        raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
+    for axis, values in zip(axes, ranges, strict=True):
+        if not np.size(values) or not np.isfinite(values).all():
+            raise InputError(f"range of {axis}: {values!r}: allowed: finite numbers, one or more")
+
+
+def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
+    data = resumed(path, blank, "slice")
+    if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
+        raise InputError(f"{path}: holds fates that are none; allowed: another file name")
     return data
 
 

@@ -7,6 +7,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from . import interrupts
 from .errors import InputError
 from .simulation import Run
 from .unit import Unit
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @contextmanager
@@ -99,6 +103,16 @@ def write_table(path: Path, run: Run, unit: Unit) -> None:
     check_place(path, WRITERS, "output")
     with whole(path) as beside:
         WRITERS[path.suffix.lower()](beside, run, unit)
+
+
+def write_dataset(path: Path, data: "xarray.Dataset") -> None:
+    """A dataset as NetCDF.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    with whole(path) as beside:
+        data.to_netcdf(beside)
 
 
 def _write_csv(path: Path, run: Run, _unit: Unit) -> None:

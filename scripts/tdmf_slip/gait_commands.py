@@ -108,8 +108,7 @@ def sweep_command(
     found = sweeps.sweep(runner, values, show_progress=True)
     if output is not None:
         coordinates = {sweeps.FRICTION: values[: len(found.orbits)]}
-        with files.whole(output) as beside:
-            sweeps.as_dataset(found.orbits, coordinates, unit).to_netcdf(beside)
+        files.write_dataset(output, sweeps.as_dataset(found.orbits, coordinates, unit))
     print(json_text(found.as_json()) if as_json_object else _sweep_text(found))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")

@@ -10,7 +10,7 @@ import xarray
 from . import blocks, progress
 from .continuation import Border, borders_between, gaits_over
 from .errors import InputError, RunError, TdmfSlipError
-from .files import whole
+from .files import write_dataset
 from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, check_has_gaits, find_orbit
 from .resume import resumed
 from .section import COORDINATES
@@ -228,8 +228,7 @@ def grid(
                 data[variable][missing[number]] = found[variable]
             data["problem"][missing[number]] = problem
             data["done"][missing[number]] = 1
-            with whole(path) as beside:
-                data.to_netcdf(beside)
+            write_dataset(path, data)
             bar.update()
     return data
 
