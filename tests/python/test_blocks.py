@@ -155,7 +155,7 @@ def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("pauses", [[0.1], [0.7, 0.2], [1.2, 0.05], [2.0, 0.2]])
+@pytest.mark.parametrize("pauses", [[0.3], [0.7, 0.2], [1.2, 0.05], [2.0, 0.2]])
 def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(pauses, tmp_path):
     """Sent to all processes, as a terminal does, and twice: while workers start, compute, or write."""
     grid = str(tmp_path / "grid.nc")

@@ -209,10 +209,19 @@ def test_without_stderr_results_are_as_with_it():
 @pytest.mark.parametrize("pause", [0.0, 0.1, 0.4, 0.8])
 def test_an_interrupt_ends_a_run(pause):
     """While modules load, and in a run through FMPy, whose solver calls Python and loses what that raises."""
-    program = (
-        "import sys; import tdmf_slip.__main__ as tdmf_slip; print('begins', file=sys.stderr, flush=True);"
-        "sys.argv[1:] = ['simulate', '--strides', '100000']; sys.exit(tdmf_slip.main())"
-    )
+    program = """
+import sys
+from tdmf_slip.__main__ import main
+
+class Watch:
+    def find_spec(name, *_):
+        if name == "tdmf_slip.command":
+            print("begins", file=sys.stderr, flush=True)
+
+sys.meta_path.insert(0, Watch)
+sys.argv[1:] = ["simulate", "--strides", "100000"]
+sys.exit(main())
+"""
     with subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as running:
