@@ -126,7 +126,7 @@ class Runner:
         return solver
 
     def start_apex(self) -> np.ndarray:
-        """The section at the start values; a vertical velocity is left out, which other masses make.
+        """The section at the start values; a vertical velocity, which other masses make, is left out.
 
         Raises:
             InputError: they are refused, or the foot is not above the ground.

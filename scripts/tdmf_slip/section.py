@@ -25,7 +25,7 @@ def scales(unit: Unit, starts: Mapping[str, float | bool] = NOTHING) -> tuple[fl
 
 
 def apex_of(values: Mapping[str, float]) -> tuple[float, ...]:
-    """The section at which a motion's vertical velocity would be left out: the way back from `start_values`.
+    """The section that has a motion's height, forward speed and leg; the way back from `start_values`.
 
     Args:
         values: states and masses, by the unit's names.
