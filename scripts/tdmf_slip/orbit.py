@@ -168,8 +168,10 @@ class Orbit:
     """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
     jacobian: np.ndarray
     """Of the return map; [i, k] is the change of coordinate i by coordinate k."""
-    by_parameter: np.ndarray
-    """Change of the next apex along the parameter that was asked for, else zero."""
+    along: str | None
+    """The parameter or input by which the next apex is differentiated, too; None: by none."""
+    by_parameter: np.ndarray | None
+    """Change of the next apex along it; None where none was asked for."""
     error: float
     """What is left of apex minus next apex, over the coordinates' scales."""
     iterations: int
@@ -276,10 +278,10 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
         ran = c.tdmf_settle(solver, runner.model, runner.inputs, SETTLING_STRIDES, section)
     found = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, _change(along))
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise RunError(_why_not(runner, found, ran))
+        raise RunError(_why_not(runner, found, section, ran))
     log.count = 0
     c.tdmf_return_map(solver, runner.model, runner.inputs, found.section, np.inf, False, ffi.NULL, 0)
-    return _orbit(runner, found, log)
+    return _orbit(runner, found, log, along)
 
 
 def stride_from(
@@ -295,7 +297,8 @@ def stride_from(
         runner.solver(), runner.model, runner.inputs, section, np.inf, True, _change(along), 1
     )
     if not stride.outcome.closed:
-        raise RunError(f"no stride closes at friction {runner.values['ground.friction']:g}")
+        friction = runner.values["ground.friction"]
+        raise RunError(f"no stride closes at friction {friction:g}: {_end_text(stride)}")
     return np.array(list(stride.apex)), _jacobian(stride), np.array(list(stride.by_parameter[0].apex))
 
 
@@ -313,21 +316,33 @@ def _change(along: str | None) -> object:
     return change
 
 
-def _why_not(runner: Runner, found: object, ran: int) -> str:
+def _why_not(runner: Runner, found: object, section: object, ran: int) -> str:
     where = f"no gait at friction {runner.values['ground.friction']:g}"
+    if ran < SETTLING_STRIDES:
+        last = c.tdmf_return_map(
+            runner.solver(), runner.model, runner.inputs, section, np.inf, False, ffi.NULL, 0
+        )
+        return f"{where}: {_end_text(last)}, after {ran} strides"
     if found.outcome == c.TDMF_ORBIT_NO_START:
         return f"{where}: the guess is no apex above the ground"
-    if ran < SETTLING_STRIDES:
-        return f"{where}: the runner fell after {ran} strides"
     if found.outcome == c.TDMF_ORBIT_FELL:
-        return f"{where}: the runner falls from the apex that was tried"
+        return f"{where}: from the apex that was tried, {_end_text(found.stride)}"
     return (
         f"{where}: Newton's method stopped after {found.iterations} iterations "
         f"with the next apex {found.error:.2g} of its scales away"
     )
 
 
-def _orbit(runner: Runner, found: object, log: object) -> Orbit:
+def _end_text(stride: object) -> str:
+    """What ended a stride that has not closed: a fall, or what the solver met."""
+    if not stride.began_at_apex:
+        return "there is no apex above the ground"
+    if stride.outcome.outcome == c.TDMF_ARRIVED:
+        return "no stride closes in the time that it may take"
+    return ffi.string(c.tdmf_outcome_text(stride.outcome.outcome)).decode()
+
+
+def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orbit:
     stride = found.stride
     quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
     events = tuple(
@@ -341,7 +356,8 @@ def _orbit(runner: Runner, found: object, log: object) -> Orbit:
         liftoff_angle=stride.liftoff_angle,
         stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},
         jacobian=_jacobian(stride),
-        by_parameter=np.array(list(stride.by_parameter[0].apex)),
+        along=along,
+        by_parameter=None if along is None else np.array(list(stride.by_parameter[0].apex)),
         error=found.error,
         iterations=found.iterations,
         events=events,

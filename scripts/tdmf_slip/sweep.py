@@ -8,8 +8,10 @@ import numpy as np
 import xarray
 
 from . import blocks, progress
-from .continuation import Border, borders_between, gaits_over
+from .borders import Border, crossings
+from .continuation import gaits_over
 from .errors import InputError, RunError, TdmfSlipError
+from .family import Family
 from .files import write_dataset
 from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, check_has_gaits, find_orbit
 from .resume import resumed
@@ -36,7 +38,7 @@ class Sweep:
     orbits: tuple[Orbit, ...]
     borders: tuple[Border, ...]
     problem: str | None
-    """What stopped the sweep, or None."""
+    """What stopped the sweep, or kept a border from being located; or None."""
 
     def as_json(self) -> dict[str, object]:
         """The sweep as a plain object."""
@@ -90,6 +92,7 @@ def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = F
     """The gait at each friction, each from the one before, and every change of the gait word between.
 
     A branch that cannot be followed ends the sweep: what was found is kept, and `problem` says what happened.
+    It also says where a border could not be located; the sweep goes on then.
 
     Args:
         runner: parameters and start; its friction does not matter.
@@ -103,18 +106,23 @@ def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = F
     _check_frictions(runner, frictions)
     orbits: list[Orbit] = []
     borders: list[Border] = []
-    problem = None
+    problems: list[str] = []
     with progress.bar("sweep", len(frictions), "gaits", show_progress) as bar:
         first = first_orbit(runner.but(FRICTION, frictions[0]))
         try:
+            before = first
             for orbit in gaits_over(runner, FRICTION, frictions, first):
-                if orbits and orbit.word != orbits[-1].word:
-                    borders += borders_between(runner, FRICTION, orbits[-1], orbit)
                 orbits.append(orbit)
+                try:
+                    for border, _ in crossings(Family(runner, FRICTION), before, orbit):
+                        borders.append(border)
+                except RunError as unlocated:
+                    problems.append(str(unlocated))
+                before = orbit
                 bar.update()
-        except RunError as found:
-            problem = str(found)
-    return Sweep(tuple(orbits), tuple(borders), problem)
+        except RunError as lost:
+            problems.append(str(lost))
+    return Sweep(tuple(orbits), tuple(borders), "; ".join(problems) or None)
 
 
 def _check_frictions(runner: Runner, frictions: Sequence[float]) -> None:

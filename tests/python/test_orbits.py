@@ -8,9 +8,10 @@ import pytest
 import xarray
 from tdmf_slip import InputError, RunError, load, reference, section
 from tdmf_slip import sweep as sweeps
-from tdmf_slip.continuation import borders_between, gaits_over, trace
+from tdmf_slip.borders import borders_between
+from tdmf_slip.continuation import gaits_over
 from tdmf_slip.library import c, ffi
-from tdmf_slip.orbit import Runner, find_orbit
+from tdmf_slip.orbit import Runner, find_orbit, stride_from
 from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep, values_of
 
 # Independent values: refined fixed points in extended precision, differenced there.
@@ -103,34 +104,6 @@ def test_every_border_lies_between_its_words(runner, swept):
         )
 
 
-def test_a_branch_is_followed_past_loss_of_stability(runner):
-    """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
-    first = find_orbit(runner, along="hip.stance_torque")
-    branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
-    assert branch.ended == "end of the range"
-    assert all(orbit.error < 1e-11 for orbit in branch.orbits)
-    (doubling,) = branch.specials
-    assert doubling.kind == "period doubling"
-    assert np.min(np.abs(doubling.orbit.eigenvalues + 1.0)) < 1e-8
-    before = [
-        orbit.stable for orbit, at in zip(branch.orbits, branch.values, strict=True) if at < doubling.value
-    ]
-    assert all(before) and not branch.orbits[-1].stable
-
-
-def test_a_branch_turns_at_a_fold(runner):
-    """The leg cannot be put forward at will: two gaits meet, where an eigenvalue is 1, and none is beyond."""
-    name = "hip.touchdown_angle"
-    first = find_orbit(runner, along=name)
-    branch = trace(runner, name, first, 1.2, largest_step=0.1, most_points=120)
-    (fold,) = [special for special in branch.specials if special.kind == "fold"]
-    assert np.min(np.abs(fold.orbit.eigenvalues - 1.0)) < 1e-6
-    assert max(branch.values) <= fold.value + 1e-9
-    assert branch.orbits[0].stable and not branch.orbits[-1].stable
-    for border in branch.borders:
-        assert border.before != border.after
-
-
 def test_the_ledger_of_a_gait_closes(swept):
     for orbit in swept.orbits:
         losses = sum(orbit.stride[name] for name in ("damper_loss", "friction_loss", "impact_loss"))
@@ -182,6 +155,34 @@ def test_a_grid_over_a_mass(runner, unit, tmp_path):
     )
     assert "foot.y = -0.1" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
     assert list(found["done"].values) == [1, 1]
+
+
+def test_what_was_not_asked_for_is_absent(runner):
+    """Not zero: a derivative of zero would be a result."""
+    plain, along = find_orbit(runner), find_orbit(runner, along="leg.damping")
+    assert plain.along is None and plain.by_parameter is None
+    assert along.along == "leg.damping"
+    changed = find_orbit(runner.but("leg.damping", runner.values["leg.damping"] + 1e-6), plain.apex)
+    slope = np.linalg.solve(np.eye(6) - along.jacobian, along.by_parameter)
+    assert (changed.apex - plain.apex) / 1e-6 == pytest.approx(slope, rel=1e-3, abs=1e-6)
+
+
+def test_a_solvers_trouble_is_not_called_a_fall(runner, monkeypatch):
+    honest = Runner.solver
+
+    def hurried(self, *log):
+        solver = honest(self, *log)
+        solver.step_limit = 7
+        return solver
+
+    known = find_orbit(runner)
+    monkeypatch.setattr(Runner, "solver", hurried)
+    with pytest.raises(RunError, match=r"too many steps.*after 0 strides"):
+        find_orbit(runner)
+    with pytest.raises(RunError, match=r"from the apex that was tried, too many steps"):
+        find_orbit(runner, known.apex)
+    with pytest.raises(RunError, match=r"no stride closes at friction 0\.6: too many steps"):
+        stride_from(runner, known.apex, FRICTION)
 
 
 def test_what_cannot_be_found_is_said(runner):

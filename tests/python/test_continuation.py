@@ -1,0 +1,217 @@
+"""Branches of gaits: what happens on them is located, judged by its eigenvalues, and never passed over."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, RunError
+from tdmf_slip.bifurcations import SHORTEST, happenings
+from tdmf_slip.continuation import gaits_over, trace
+from tdmf_slip.family import Family, Point
+from tdmf_slip.orbit import Runner, find_orbit
+from tdmf_slip.parameters import read_parameters
+from tdmf_slip.sweep import FRICTION
+
+ANGLE = "hip.touchdown_angle"
+KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "not judged"}
+UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
+"""Near an unstable gait at a touchdown angle of 0.725, beyond the fold at 0.915."""
+
+
+@pytest.fixture(scope="module")
+def runner(unit):
+    return Runner.of({}, unit)
+
+
+@pytest.fixture(scope="module")
+def human(unit):
+    return Runner.of(read_parameters("human"), unit)
+
+
+def unstable(orbit):
+    return int(np.count_nonzero(np.abs(orbit.eigenvalues) > 1.0))
+
+
+def kinds(branch):
+    return [special.kind for special in branch.specials if special.kind != "word border"]
+
+
+def places_told(branch):
+    """How often the number of unstable eigenvalues changes or the branch turns; each time it is told."""
+    told = [special for special in branch.specials if special.kind != "word border"]
+    places = 0
+    for (before, low), (after, high) in pairwise(zip(branch.orbits, branch.values, strict=True)):
+        if unstable(before) != unstable(after):
+            slack = 0.5 * abs(high - low) + 1e-3 * abs(high)  # a fold lies beyond both
+            assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in told)
+            places += 1
+    turns = np.count_nonzero(np.diff(np.sign(np.diff(branch.values))))
+    assert turns <= len(told)
+    return places + turns
+
+
+def assert_judged_rightly(special):
+    """By the eigenvalues at the point, whoever located it."""
+    values = special.orbit.eigenvalues
+    if special.kind == "fold":
+        assert np.min(np.abs(values - 1.0)) < 1e-7
+    elif special.kind == "period doubling":
+        assert np.min(np.abs(values + 1.0)) < 1e-8
+    elif special.kind == "Neimark-Sacker":
+        pair = values[np.argmin(np.abs(np.abs(values) - 1.0))]
+        assert abs(abs(pair) - 1.0) < 1e-8 and abs(pair.imag) > 1e-3
+    assert special.kind in KINDS
+    assert (special.kind == "not judged") == bool(special.why)
+
+
+def test_a_branch_is_followed_past_loss_of_stability(runner):
+    """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
+    first = find_orbit(runner)
+    branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
+    assert branch.ended == "end of the range"
+    assert all(orbit.error < 1e-11 for orbit in branch.orbits)
+    (doubling,) = [special for special in branch.specials if special.kind != "word border"]
+    assert doubling.kind == "period doubling"
+    assert_judged_rightly(doubling)
+    assert doubling.value == pytest.approx(doubling.orbit.runner.values["hip.stance_torque"], abs=0.0)
+    before = [
+        orbit.stable for orbit, at in zip(branch.orbits, branch.values, strict=True) if at < doubling.value
+    ]
+    assert all(before) and not branch.orbits[-1].stable
+    assert doubling.as_json() == {"kind": "period doubling", "value": doubling.value}
+
+
+def test_a_branch_turns_at_a_fold(runner):
+    """The leg cannot be put forward at will: two gaits meet, where an eigenvalue is 1, and none is beyond."""
+    branch = trace(runner, ANGLE, find_orbit(runner), 1.2, largest_step=0.1, most_points=120)
+    (fold,) = [special for special in branch.specials if special.kind == "fold"]
+    assert_judged_rightly(fold)
+    assert max(branch.values) <= fold.value + 1e-9
+    assert branch.orbits[0].stable and not branch.orbits[-1].stable
+    assert places_told(branch) >= 2
+
+
+def test_a_fold_beside_word_borders_is_found(human):
+    """In one step of the branch the word changes and the parameter turns back: the fold is told as well."""
+    branch = trace(human, FRICTION, find_orbit(human), 0.2)
+    assert kinds(branch) == ["fold"]
+    assert places_told(branch) == 2
+    assert branch.orbits[0].stable and not branch.orbits[-1].stable
+    assert branch.ended == "back at ground.friction = 0.6"
+    words = [branch.orbits[0].word, *(border.after for border in branch.borders)]
+    assert [border.before for border in branch.borders] == words[:-1] and words[-1] == branch.orbits[-1].word
+    (fold,) = [special for special in branch.specials if special.kind == "fold"]
+    assert_judged_rightly(fold)
+    assert fold.value < min(branch.values)
+    direction = np.linalg.svd(fold.orbit.jacobian - np.eye(6))[2][-1]
+    here = human.but(FRICTION, fold.value + 1e-6)
+    sides = [find_orbit(here, fold.orbit.apex + s * direction) for s in (-1e-2, 1e-2)]
+    assert sides[0].stable != sides[1].stable
+    with pytest.raises(RunError):
+        find_orbit(human.but(FRICTION, fold.value - 1e-6), fold.orbit.apex)
+
+
+def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
+    """Outside the unit circle they become a complex pair: the number of unstable ones stays."""
+    first = find_orbit(runner.but(ANGLE, 0.725), UNSTABLE_APEX)
+    branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
+    complex_pairs = [abs(orbit.eigenvalues[0].imag) > 1e-3 for orbit in branch.orbits]
+    assert not complex_pairs[0] and complex_pairs[-1] and unstable(branch.orbits[-1]) == 2
+    assert kinds(branch) == ["fold"]
+
+
+def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
+    """On the same branch, farther on."""
+    first = find_orbit(runner.but(ANGLE, 0.725), UNSTABLE_APEX)
+    branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
+    back = trace(runner, ANGLE, branch.orbits[-1], 0.755, largest_step=0.1)
+    assert kinds(back) == ["Neimark-Sacker"]
+    assert [unstable(orbit) for orbit in (back.orbits[0], back.orbits[-1])] == [2, 0]
+    assert_judged_rightly(next(special for special in back.specials if special.kind == "Neimark-Sacker"))
+
+
+@pytest.mark.parametrize(
+    ("name", "end", "most"), [("leg.stiffness", 15000.0, 40), ("hip.kd", 75.0, 40), ("leg.damping", 24.0, 30)]
+)
+def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
+    branch = trace(human, name, find_orbit(human), end, largest_step=0.1, most_points=most)
+    assert places_told(branch) >= 1
+    for special in branch.specials:
+        assert_judged_rightly(special)
+        low, high = sorted(special.between)
+        if special.kind == "not judged":
+            assert low <= special.value <= high
+            assert special.as_json()["between"] == list(special.between)
+
+
+class Torn(Family):
+    """Gaits between two others are not found."""
+
+    def between(self, before, after, share):
+        raise RunError("torn")
+
+
+def test_what_cannot_be_located_is_told_as_not_judged(human):
+    family = Family(human, FRICTION)
+    branch = trace(human, FRICTION, find_orbit(human), 0.2, most_points=16)
+    before = next(orbit for orbit, after in pairwise(branch.orbits) if unstable(orbit) != unstable(after))
+    start = family.point(before, np.append(np.zeros(6), -1.0))
+    end = family.on_plane(family.place(start) + 0.05 * start.direction, start.direction)
+    assert (start.rises, end.rises) == (False, True)
+    _, whole = happenings(family, start, end)
+    assert "fold" in [special.kind for special in whole]
+    no_borders, (torn,) = happenings(Torn(human, FRICTION), start, end)
+    assert torn.kind == "not judged" and "the branch turns" in torn.why and not no_borders
+    assert torn.between == (start.value, end.value) and torn.orbit is end.orbit
+
+
+def test_a_border_on_which_the_branch_turns_is_not_judged(human):
+    """As near as gaits are told apart: no eigenvalue has to be 1 there, so that it is not called a fold."""
+    family = Family(human, FRICTION)
+    start = family.point(family.orbit(0.6, find_orbit(human).apex), np.append(np.zeros(6), -1.0))
+    end = family.on_plane(family.place(start) + 0.5 * SHORTEST * start.direction, start.direction)
+    other = Point(replace(end.orbit, word="+0-0+"), end.value, -start.direction)
+    borders, specials = happenings(family, start, other)
+    assert [special.kind for special in specials] == ["word border", "not judged"]
+    assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
+    assert "the branch turns" in specials[1].why and specials[1].orbit is other.orbit
+
+
+def test_stability_that_changes_at_a_border_is_not_judged(human):
+    """Eigenvalues may jump where a contact mode appears."""
+    family = Family(human, FRICTION)
+    branch = trace(human, FRICTION, find_orbit(human), 0.41)
+    word = branch.orbits[0].word
+    last = next(k for k, orbit in enumerate(branch.orbits) if orbit.word != word)
+    towards = np.append(np.zeros(6), -1.0)
+    start, end = (family.point(orbit, towards) for orbit in branch.orbits[last - 1 : last + 1])
+    jumping = Point(replace(end.orbit, jacobian=1.2 * end.orbit.jacobian), end.value, end.direction)
+    assert (unstable(start.orbit), unstable(jumping.orbit)) == (0, 1)
+    _, specials = happenings(family, start, jumping)
+    assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]
+
+
+def test_the_first_step_is_predicted_along_the_right_parameter(runner):
+    """Whatever the first gait was differentiated by."""
+    firsts = [find_orbit(runner), find_orbit(runner, along=FRICTION), find_orbit(runner, along="leg.damping")]
+    found = [next(gaits_over(runner, "leg.damping", [0.3], first)) for first in firsts]
+    assert [orbit.along for orbit in found] == ["leg.damping"] * 3
+    for orbit in found[1:]:
+        np.testing.assert_array_equal(orbit.apex, found[0].apex)
+
+
+def test_the_range_of_a_branch_is_checked(runner):
+    first = find_orbit(runner)
+    for end in (first.friction, float("nan")):
+        with pytest.raises(InputError, match=r"ground\.friction: allowed"):
+            trace(runner, FRICTION, first, end)
+    with pytest.raises(InputError, match="nosuch"):
+        trace(runner, "nosuch", first, 1.0)
+
+
+def test_a_branch_that_leads_to_what_is_not_allowed_keeps_its_gaits(runner):
+    """A step of this length from a friction of 0.05 would pass 0."""
+    first = find_orbit(runner.but(FRICTION, 0.05), find_orbit(runner).apex)
+    branch = trace(runner, FRICTION, first, -1.0, largest_step=0.3, most_points=15)
+    assert len(branch.orbits) == 15 and 0.0 < min(branch.values) < 0.01
