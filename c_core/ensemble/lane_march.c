@@ -123,7 +123,7 @@ static lane_outcome step_crew(march *march, crew_kind kind) {
     }
 }
 
-static void leave_lane(march *march, crew *crew, int lane, bool at_event) {
+static void leave_lane(march *march, crew *crew, int lane, bool at_event, bool late) {
     double fields[CHANGING_FIELDS];
     const int index = crew->aboard[lane];
     tdmf_runner *runner = &march->runners[index];
@@ -135,7 +135,7 @@ static void leave_lane(march *march, crew *crew, int lane, bool at_event) {
         march->work.strides += runner->end->strides - strides;
         ++march->work.events;
     } else {
-        tdmf_runner_give_up(runner);
+        tdmf_runner_give_up(runner, late ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
     }
     crew->aboard[lane] = NOBODY;
     crew->live[lane] = 0;
@@ -154,10 +154,11 @@ static void step_and_sort(march *march, crew_kind kind) {
     march->work.places += LANES;
     const lane_outcome outcome = step_crew(march, kind);
     const unsigned events = lanes_of(outcome.at_event);
-    const unsigned leaving = events | lanes_of(outcome.stuck);
+    const unsigned late = lanes_of(outcome.late);
+    const unsigned leaving = events | late | lanes_of(outcome.stuck);
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {
-            leave_lane(march, crew, lane, events >> lane & 1);
+            leave_lane(march, crew, lane, events >> lane & 1, late >> lane & 1);
         }
     }
 }

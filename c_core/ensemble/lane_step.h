@@ -23,7 +23,8 @@ static const double zero_argument = 1e-12;
 /* What a step has come to. */
 typedef struct {
     choice at_event;
-    choice stuck; /* no finite step, or none left */
+    choice late;  /* no time left to close the stride */
+    choice stuck; /* no finite step, none left, or too stiff */
 } lane_outcome;
 
 /* ---- size --------------------------------------------------------------------------------------------- */
@@ -171,13 +172,24 @@ static inline void fly_on(flying_member *m, const flight_series *f, int order, r
     m->angle_rate = dot(f->momentum, elapsed.power, order) / (m->length * m->length);
 }
 
+/* Lanes that have just been boarded and whose coefficients say that they are too stiff. */
+static inline choice opens_too_stiff(const member_progress *now, const member_frame *frame, real longest) {
+    const real ahead = smaller(frame->time_scale, frame->time_left);
+    return (now->elapsed == 0.0) & (TDMF_STIFFNESS_LIMIT * longest < ahead);
+}
+
 /* What a size that is not a number, or none left, makes of a step. */
 static inline lane_outcome move_on(member_progress *now, const member_frame *frame, lane_search *search,
-                                   real end) {
+                                   choice too_stiff, real end) {
+    const choice next_span = now->span >= frame->time_scale;
+    now->span = pick(next_span, real_of(0.0), now->span) + end;
+    now->steps_in_span = pick(next_span, real_of(0.0), now->steps_in_span) + 1.0;
     const lane_outcome outcome = {
-        .at_event = search->live & search->is_root & (search->time <= search->size),
-        .stuck = search->live & (~(now->elapsed + end > now->elapsed) | (now->steps_left <= 1.0) |
-                                 (now->elapsed + end >= frame->time_left)),
+        .at_event = search->live & search->is_root & (search->time <= search->size) & ~too_stiff,
+        .late = search->live & (now->elapsed + end >= frame->time_left),
+        .stuck =
+            search->live & (too_stiff | ~(now->elapsed + end > now->elapsed) | (now->steps_left <= 1.0) |
+                            ((now->steps_in_span >= TDMF_STIFFNESS_LIMIT) & (now->span < frame->time_scale))),
     };
     now->elapsed += end;
     now->steps_left -= 1.0;
@@ -206,8 +218,9 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     }
     march_up(&search);
     const real end = smaller(search.time, size);
+    const choice too_stiff = opens_too_stiff(&m->now, &m->frame, longest);
     fly_on(m, f, order, end);
-    return move_on(&m->now, &m->frame, &search, end);
+    return move_on(&m->now, &m->frame, &search, too_stiff, end);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -372,8 +385,10 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
         search.is_root &= search.first != TDMF_GUARD_CLAMP;
     }
     const real end = smaller(search.time, size);
+    const choice sticks = bits_of(slips || grazes ? 0 : -1);
+    const choice too_stiff = sticks & opens_too_stiff(&m->now, &m->frame, longest);
     stand_on(m, g, order, slips, grazes, end);
-    return move_on(&m->now, &m->frame, &search, end);
+    return move_on(&m->now, &m->frame, &search, too_stiff, end);
 }
 
 #endif

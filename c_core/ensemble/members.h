@@ -3,8 +3,9 @@
 
 /* What changes from step to step. */
 typedef struct {
-    real elapsed;    /* since the runner came */
-    real steps_left; /* after which its stride is given up */
+    real elapsed;             /* since the runner came */
+    real steps_left;          /* after which its stride is given up */
+    real span, steps_in_span; /* counted against TDMF_STIFFNESS_LIMIT */
     real work, damper_loss, friction_loss;
 } member_progress;
 

@@ -27,6 +27,8 @@ static void open_stride(tdmf_runner *runner) {
     runner->stride_began = runner->motion.time;
     runner->steps_left = step_limit;
     runner->events_left = event_limit;
+    runner->span = 0.0;
+    runner->steps_in_span = 0.0;
 }
 
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
@@ -68,6 +70,8 @@ static member_progress progress_of(const tdmf_runner *runner) {
     const member_progress now = {
         .elapsed = 0.0,
         .steps_left = (double)runner->steps_left,
+        .span = runner->span,
+        .steps_in_span = runner->steps_in_span,
         .work = at->work,
         .damper_loss = at->damper_loss,
         .friction_loss = at->friction_loss,
@@ -196,6 +200,8 @@ static void disembark(tdmf_runner *runner, const double fields[CHANGING_FIELDS])
     tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
     motion->time += now.elapsed;
     runner->steps_left = (long)now.steps_left;
+    runner->span = now.span;
+    runner->steps_in_span = now.steps_in_span;
 }
 
 static void note_apex(tdmf_runner *runner) {
@@ -255,7 +261,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FI
         &motion->record};
     tdmf_take_transitions(&run);
     if (motion->mode.fallen || --runner->events_left <= 0) {
-        tdmf_runner_give_up(runner);
+        tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
         return false;
     }
     return motion->record.stride.count == runner->end->strides || close_stride(runner);
@@ -264,14 +270,17 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FI
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const tdmf_ensemble_case *its_case = runner->its_case;
     const double until = runner->stride_began + longest_stride * its_case->model->scales.time;
-    if (!tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion).closed) {
-        tdmf_runner_give_up(runner);
+    const tdmf_stride_outcome stride =
+        tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
+    if (!stride.closed) {
+        const bool solved = stride.outcome == TDMF_FELL || stride.outcome == TDMF_ARRIVED;
+        tdmf_runner_give_up(runner, solved ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
         return false;
     }
     return close_stride(runner);
 }
 
-void tdmf_runner_give_up(tdmf_runner *runner) {
-    runner->end->fate = TDMF_FATE_FELL;
+void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate) {
+    runner->end->fate = fate;
     runner->end->gait = -1;
 }

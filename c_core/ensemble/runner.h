@@ -10,7 +10,7 @@
 typedef enum { CREW_PLACE, CREW_RETRACT, CREW_STICK, CREW_SLIP, CREW_GRAZE, CREW_COUNT } crew_kind;
 
 /* Room for the fields of either kind of member (members.h), and for those that change; they come first. */
-enum { MEMBER_FIELDS = 40, CHANGING_FIELDS = 12 };
+enum { MEMBER_FIELDS = 42, CHANGING_FIELDS = 14 };
 
 typedef struct {
     const tdmf_ensemble_case *its_case;
@@ -19,6 +19,7 @@ typedef struct {
     tdmf_chart chart;
     double stride_began;
     long steps_left, events_left; /* in the stride */
+    double span, steps_in_span;   /* counted against TDMF_STIFFNESS_LIMIT */
 } tdmf_runner;
 
 /* Begins at an apex. False where there is nothing to run: `end` says why. */
@@ -37,7 +38,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FI
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);
 
-/* Gives up: too many steps or events, too long a stride, or no finite step. */
-void tdmf_runner_give_up(tdmf_runner *runner);
+/* Ends a run that closes no more stride: it fell or takes too long, or the solver cannot follow it. */
+void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate);
 
 #endif

@@ -65,6 +65,15 @@ static double error_of(const tdmf_model *model, const double section[TDMF_SECTIO
     return error;
 }
 
+/* What a stride that has not closed makes of a search. */
+static tdmf_orbit_outcome why_not(const tdmf_return *stride) {
+    if (!stride->began_at_apex || stride->outcome.outcome == TDMF_REFUSED) {
+        return TDMF_ORBIT_NO_START;
+    }
+    const bool solved = stride->outcome.outcome == TDMF_FELL || stride->outcome.outcome == TDMF_ARRIVED;
+    return solved ? TDMF_ORBIT_FELL : TDMF_ORBIT_UNSOLVED;
+}
+
 /* The stride from a section into the orbit. */
 static bool try_section(tdmf_orbit *orbit, tdmf_solver *solver, const tdmf_model *model,
                         const tdmf_inputs *inputs, const double section[TDMF_SECTION_COUNT],
@@ -73,8 +82,7 @@ static bool try_section(tdmf_orbit *orbit, tdmf_solver *solver, const tdmf_model
     orbit->stride = tdmf_return_map(solver, model, inputs, section, longest_stride * model->scales.time, true,
                                     change, change ? 1 : 0);
     if (!orbit->stride.began_at_apex || !orbit->stride.outcome.closed) {
-        const bool began = orbit->stride.began_at_apex && orbit->stride.outcome.outcome != TDMF_REFUSED;
-        orbit->outcome = began ? TDMF_ORBIT_FELL : TDMF_ORBIT_NO_START;
+        orbit->outcome = why_not(&orbit->stride);
         return false;
     }
     orbit->error = error_of(model, section, orbit->stride.apex);

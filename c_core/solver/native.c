@@ -25,6 +25,9 @@ typedef struct {
     tdmf_chart chart;
     tdmf_step step;
     long steps_left, events_left;
+    /* Counted against TDMF_STIFFNESS_LIMIT. */
+    double span;
+    int steps_in_span, events_in_span;
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
     const tdmf_change *changes;
@@ -43,8 +46,12 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
         return "arrived";
     case TDMF_FELL:
         return "the runner fell";
+    case TDMF_TOO_STIFF:
+        return "the runner is too stiff for the native solver, which would make more than 10000 steps in a "
+               "time "
+               "of sqrt(m/k); CVODE (solver.method = cvode) takes stiff runners";
     case TDMF_TOO_MANY_STEPS:
-        return "too many steps: the parameters are too stiff for the solver or its tolerance";
+        return "too many steps in one call";
     case TDMF_TOO_MANY_EVENTS:
         return "too many events";
     case TDMF_NO_PROGRESS:
@@ -187,6 +194,7 @@ static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const 
     move_inputs(march, elapsed);
     march->solver->events += resolve(march, guard);
     --march->events_left;
+    ++march->events_in_span;
     open_mode(march);
 }
 
@@ -203,15 +211,47 @@ static bool is_finite(const tdmf_coordinates *c) {
                     c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss);
 }
 
+/* By the coefficients of a mode that is opened. Slip and graze may be over before it matters. */
+static bool opens_too_stiff(const march *march) {
+    const tdmf_contact_mode contact = march->chart.contact;
+    const double ahead = fmin(march->model->scales.time, march->until - march->motion->time);
+    return !march->chart_is_ahead && (contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK) &&
+           TDMF_STIFFNESS_LIMIT * march->step.longest < ahead;
+}
+
+static void open_span(march *march) {
+    march->span = 0.0;
+    march->steps_in_span = 0;
+    march->events_in_span = 0;
+}
+
+/* Whether one more step may be made, by the limits of a call and of stiffness. */
+static tdmf_outcome count_step(march *march) {
+    if (march->steps_left-- <= 0) {
+        return TDMF_TOO_MANY_STEPS;
+    }
+    if (march->span >= march->model->scales.time) {
+        open_span(march);
+    }
+    if (march->steps_in_span++ < TDMF_STIFFNESS_LIMIT) {
+        return TDMF_ARRIVED;
+    }
+    return 2 * march->events_in_span > TDMF_STIFFNESS_LIMIT ? TDMF_TOO_MANY_EVENTS : TDMF_TOO_STIFF;
+}
+
 static tdmf_outcome advance_once(march *march) {
     tdmf_motion *motion = march->motion;
     tdmf_step *step = &march->step;
-    if (march->steps_left-- <= 0) {
-        return TDMF_TOO_MANY_STEPS;
+    const tdmf_outcome allowed = count_step(march);
+    if (allowed != TDMF_ARRIVED) {
+        return allowed;
     }
     ++march->solver->steps;
     tdmf_step_expand(step, &march->chart, march->order, march->solver->relative_tolerance);
     march->solver->evaluations += step->order;
+    if (opens_too_stiff(march)) {
+        return TDMF_TOO_STIFF;
+    }
     if (!(motion->time + step->size > motion->time)) {
         return TDMF_NO_PROGRESS;
     }
@@ -223,6 +263,7 @@ static tdmf_outcome advance_once(march *march) {
     if (!is_finite(&reached)) {
         return TDMF_NO_PROGRESS;
     }
+    march->span += end;
     observe_ground_force(march, end);
     sum_positive_work(march, end, reached.work - march->chart.start.work);
     for (int i = 0; i < march->count; ++i) {
@@ -251,6 +292,7 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
     march->count = 0;
+    open_span(march);
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     open_mode(march);

@@ -116,22 +116,21 @@ static double trusted_size(const remainder_of_series *remainder, double longest,
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance) {
     const tdmf_scales *scales = &chart->model->scales;
     remainder_of_series remainder = {0.0, 0.0, 0};
-    double longest;
     step->chart = chart;
     step->order = order;
     step->tolerance = tolerance;
     remainder.order = order - 1;
     if (chart->contact == TDMF_CONTACT_FLIGHT) {
-        longest = expand_leg_in_flight(step);
+        step->longest = expand_leg_in_flight(step);
         note_remainder(&remainder, step->series.flight.length_rate, scales->speed);
         note_remainder(&remainder, step->series.flight.angle_rate, 1.0 / scales->time);
     } else {
-        longest = expand_standing_leg(step);
+        step->longest = expand_standing_leg(step);
         note_remainder(&remainder, step->series.ground.press, scales->force);
         note_remainder(&remainder, step->series.ground.pull, scales->force);
         note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
     }
-    step->size = trusted_size(&remainder, longest, tolerance);
+    step->size = trusted_size(&remainder, step->longest, tolerance);
 }
 
 double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit) {

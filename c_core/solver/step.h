@@ -9,7 +9,9 @@
 typedef struct {
     const tdmf_chart *chart;
     int order;
-    double tolerance, size;
+    double tolerance;
+    double longest; /* that the coefficients of the mode allow */
+    double size;
     tdmf_reach reach;
     union {
         flight_series flight;

@@ -22,7 +22,7 @@ LEAST_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
-FATES = ("settled", "fell", "undecided", "no_start")
+FATES = ("settled", "fell", "undecided", "no_start", "unsolved")
 """By the library's numbers."""
 
 

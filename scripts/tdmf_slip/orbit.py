@@ -325,7 +325,7 @@ def _why_not(runner: Runner, found: object, section: object, ran: int) -> str:
         return f"{where}: {_end_text(last)}, after {ran} strides"
     if found.outcome == c.TDMF_ORBIT_NO_START:
         return f"{where}: the guess is no apex above the ground"
-    if found.outcome == c.TDMF_ORBIT_FELL:
+    if found.outcome in (c.TDMF_ORBIT_FELL, c.TDMF_ORBIT_UNSOLVED):
         return f"{where}: from the apex that was tried, {_end_text(found.stride)}"
     return (
         f"{where}: Newton's method stopped after {found.iterations} iterations "

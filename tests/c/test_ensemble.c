@@ -145,6 +145,11 @@ static bool is_well_posed(const tdmf_model *model, const tdmf_ensemble_end *nati
     return took_the_same_way(native, tighter) && farthest < 1e-8;
 }
 
+/* The solver gave it up at one tolerance at least. */
+static bool is_unsolved(const tdmf_ensemble_end *native, const tdmf_ensemble_end *tighter) {
+    return native->fate == TDMF_FATE_UNSOLVED || tighter->fate == TDMF_FATE_UNSOLVED;
+}
+
 static void assert_agreement(crowd *crowd, double tolerance) {
     crowd->ensemble.instructions = TDMF_ONE_BY_ONE;
     tdmf_ensemble_end *native = run(&crowd->ensemble, NULL);
@@ -158,15 +163,16 @@ static void assert_agreement(crowd *crowd, double tolerance) {
         }
         crowd->ensemble.instructions = (tdmf_instructions)set;
         tdmf_ensemble_end *lanes = run(&crowd->ensemble, NULL);
-        int compared = 0;
+        int compared = 0, unsolved = 0;
         for (int i = 0; i < RUNNERS; ++i) {
+            unsolved += is_unsolved(&native[i], &tighter[i]);
             if (is_well_posed(&crowd->models[i], &native[i], &tighter[i]) &&
                 took_the_same_way(&lanes[i], &native[i])) {
                 assert_same_end(&crowd->models[i], &lanes[i], &native[i], tolerance);
                 ++compared;
             }
         }
-        assert_true(compared >= 0.99 * RUNNERS);
+        assert_true(unsolved <= 0.01 * RUNNERS && compared + unsolved >= 0.99 * RUNNERS);
         free(lanes);
     }
     free(tighter);

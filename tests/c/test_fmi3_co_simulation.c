@@ -27,6 +27,13 @@ static fmi3Instance stepper_in_step_mode(bool event_mode, bool early_return) {
     return instance;
 }
 
+static bool has_fallen(fmi3Instance instance) {
+    const fmi3ValueReference reference = reference_of("status.fallen");
+    fmi3Boolean fallen = false;
+    assert_int_equal(fmi3GetBoolean(instance, &reference, 1, &fallen, 1), fmi3OK);
+    return fallen;
+}
+
 static void take_event(fmi3Instance instance, update_answer *answer) {
     assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
     assert_int_equal(update(instance, answer), fmi3OK);
@@ -257,16 +264,13 @@ static void an_event_may_be_averted(void **state) {
 
 static void a_fall_is_an_event_and_then_there_are_none(void **state) {
     step_answer step;
-    fmi3Boolean fallen = false;
-    const fmi3ValueReference reference = reference_of("status.fallen");
     fmi3Instance instance = new_stepper(true, true);
     (void)state;
     assert_int_equal(set_float(instance, "foot.y", 100.0), fmi3OK);
     initialize3(instance);
     assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
     run_by_events(instance, 0.0, 2000.0, 100.0);
-    assert_int_equal(fmi3GetBoolean(instance, &reference, 1, &fallen, 1), fmi3OK);
-    assert_true(fallen);
+    assert_true(has_fallen(instance));
     assert_int_equal(do_step(instance, 2000.0, 50.0, &step), fmi3OK);
     assert_true(!step.event && !step.terminate && step.time == 2050.0);
     fmi3FreeInstance(instance);
@@ -321,13 +325,17 @@ static void stiff_parameters_end_in_a_message(void **state) {
     for (int i = 0; i < 2; ++i) {
         step_answer step;
         fmi3Instance instance = new_stepper(i == 1, i == 1);
-        assert_int_equal(set_float(instance, "leg.damping", 1e11), fmi3OK);
+        assert_int_equal(set_float(instance, "hip.kd", 2.5e13), fmi3OK);
         initialize3(instance);
         if (i == 1) {
             assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
         }
-        assert_int_equal(do_step(instance, 0.0, 1e3, &step), fmi3Error);
+        assert_int_equal(do_step(instance, 0.0, 0.1, &step), fmi3Error);
         assert_non_null(strstr(last_message, "stiff"));
+        assert_non_null(strstr(last_message, "CVODE (solver.method = cvode)"));
+        assert_false(step.event || step.early || step.terminate);
+        assert_true(step.time == 0.0);
+        assert_false(has_fallen(instance));
         fmi3FreeInstance(instance);
     }
 }

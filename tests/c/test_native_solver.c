@@ -258,25 +258,6 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
     assert_int_equal(motion.record.stride.count, 4);
 }
 
-static void stiff_parameters_end_in_words(void **state) {
-    (void)state;
-    runner runner = runner_default(0.6);
-    tdmf_parameters parameters = runner.model.parameters;
-    parameters.leg.damping = 1e9;
-    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-    runner_start(&runner);
-    tdmf_motion motion = motion_of(&runner);
-    tdmf_solver solver = tdmf_solver_default();
-    solver.step_limit = 10000;
-    const tdmf_outcome outcome =
-        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion);
-    assert_int_equal(outcome, TDMF_TOO_MANY_STEPS);
-    assert_non_null(strstr(tdmf_outcome_text(outcome), "stiff"));
-    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-        assert_true(isfinite(motion.state[k]));
-    }
-}
-
 static void a_fall_is_where_the_run_stays(void **state) {
     (void)state;
     runner runner = runner_default(0.6);
@@ -358,7 +339,6 @@ int main(void) {
         cmocka_unit_test(a_spinning_leg_touches_down_in_time),
         cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
-        cmocka_unit_test(stiff_parameters_end_in_words),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
         cmocka_unit_test(requests_without_sense_are_refused),
         cmocka_unit_test(a_call_for_no_time_changes_nothing),

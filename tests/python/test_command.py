@@ -68,6 +68,13 @@ def test_a_fall_is_a_result(command):
     assert run["fallen"] and run["fall_time"] < 400
 
 
+def test_a_runner_too_stiff_is_no_fall(command):
+    stiff = ("--interface", "cs", "--set", "hip.kd=2.5e13", "--stop-time", 1)
+    status, out, message = command("simulate", *stiff, "--json")
+    assert status == 1 and out == ""
+    assert "too stiff" in message and "solver.method = cvode" in message
+
+
 def test_what_cvode_complains_of_is_one_line():
     """A torque beyond reason; SUNDIALS would write past Python, so this runs in a process of its own."""
     options = ["--set", "hip.stance_torque=1e18", "--stop-time", "60", "--json"]

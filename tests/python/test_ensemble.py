@@ -48,6 +48,13 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
     assert work.strides == ends["strides"].sum()
 
 
+def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
+    stiff = ensemble.Case(Runner({**gaits[0].runner.values, "hip.kd": 2.5e13}), [gaits[0].apex])
+    ends, work = ensemble.run([stiff], starts[:50], most_strides=400)
+    assert (ends["fate"] == ensemble.FATES.index("unsolved")).all()
+    assert work.steps <= 50
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

@@ -188,6 +188,11 @@ def test_a_solvers_trouble_is_not_called_a_fall(runner, monkeypatch):
 def test_what_cannot_be_found_is_said(runner):
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner fell"):
         find_orbit(runner.but("leg.stiffness", 0.01))
+    stiff = runner.but("hip.kd", 2.5e13)
+    with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner is too stiff .* CVODE"):
+        find_orbit(stiff)
+    with pytest.raises(RunError, match=r"no stride closes .* too stiff"):
+        stride_from(stiff, runner.start_apex(), "gravity")
     with pytest.raises(InputError, match=r"ground.friction = -1"):
         find_orbit(runner.but(FRICTION, -1.0))
     with pytest.raises(InputError, match="begins in flight"):

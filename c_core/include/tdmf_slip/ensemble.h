@@ -50,9 +50,10 @@ typedef struct {
 
 typedef enum {
     TDMF_FATE_SETTLED,   /* on a gait */
-    TDMF_FATE_FELL,      /* or closed no more stride */
+    TDMF_FATE_FELL,      /* or closed no more stride, standing still */
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed */
-    TDMF_FATE_NO_START   /* the start is no apex above the ground, or the inputs are out of range */
+    TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
+    TDMF_FATE_UNSOLVED   /* the solver could not follow it: too stiff, or too many steps or events */
 } tdmf_fate;
 
 /* What became of a runner. */

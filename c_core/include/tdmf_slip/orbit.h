@@ -12,7 +12,8 @@ typedef enum {
     TDMF_ORBIT_FOUND,
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
     TDMF_ORBIT_FELL,      /* the runner falls, or closes no stride, from where the search got to */
-    TDMF_ORBIT_NO_START   /* the guess is no apex: below the ground, or refused */
+    TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused */
+    TDMF_ORBIT_UNSOLVED   /* the solver could not follow the runner: see stride.outcome */
 } tdmf_orbit_outcome;
 
 /* A gait and its stride. Values other than the outcome are those of the last apex tried. */

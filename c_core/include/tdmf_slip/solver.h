@@ -51,10 +51,16 @@ typedef struct {
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
 } tdmf_solver;
 
+/* The native solver gives up a runner that takes more steps than this within sqrt(m/k): at once where its
+ * coefficients say so in flight or in stick, where runners spend their time, else when the steps are made.
+ * CVODE is made for such runners. */
+enum { TDMF_STIFFNESS_LIMIT = 10000 };
+
 typedef enum {
     TDMF_ARRIVED,         /* at the time asked for */
     TDMF_FELL,            /* at the fall; the motion stays there */
-    TDMF_TOO_MANY_STEPS,  /* the step limit was reached: stiff parameters, or a tolerance out of reach */
+    TDMF_TOO_STIFF,       /* for the native solver: see TDMF_STIFFNESS_LIMIT */
+    TDMF_TOO_MANY_STEPS,  /* the step limit was reached */
     TDMF_TOO_MANY_EVENTS, /* the event limit was reached */
     TDMF_NO_PROGRESS,     /* no step, however short, has a finite result */
     TDMF_REFUSED          /* not begun: see tdmf_native_advance */

@@ -18,7 +18,7 @@ NAMES = {
     "leg_angle_rate": "rate of leg angle",
 }
 """Of the section's coordinates, at the apex."""
-OTHERS = {"undecided": "#f3d27a", "no_start": "#ffffff"}
+OTHERS = {"undecided": "#f3d27a", "no_start": "#ffffff", "unsolved": "#8a8a8a"}
 
 
 def draw(path: Path, data: xarray.Dataset) -> None:

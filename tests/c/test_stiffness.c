@@ -1,0 +1,232 @@
+/* Runners too stiff for the native solver are given up in words, before they cost much, wherever they are
+ * met; never as a fall. CVODE takes them. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+static const tdmf_input_rates held = {0.0, 0.0};
+
+static runner runner_of(const tdmf_parameters *parameters) {
+    runner runner = runner_default(0.6);
+    assert_null(tdmf_model_create(&runner.model, parameters).variable);
+    return runner;
+}
+
+static tdmf_motion motion_of(const runner *runner) {
+    tdmf_motion motion;
+    memset(&motion, 0, sizeof motion);
+    motion.time = runner->time;
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    motion.mode = runner->mode;
+    motion.record = runner->record;
+    return motion;
+}
+
+static double energy_missing(const runner *runner, const tdmf_motion *motion) {
+    const double change = tdmf_mechanical_energy(&runner->model, motion->state).total -
+                          tdmf_mechanical_energy(&runner->model, runner->state).total;
+    return change - motion->state[TDMF_HIP_WORK] + motion->state[TDMF_ENERGY_DAMPER_LOSS] +
+           motion->state[TDMF_ENERGY_FRICTION_LOSS] + motion->record.impact_loss;
+}
+
+/* One value of Table 1 made so large, or the foot so light, that no step is long enough. */
+enum { STIFF_KINDS = 5 };
+static tdmf_parameters stiff_parameters(int kind) {
+    tdmf_parameters p = tdmf_default_parameters();
+    double *const stiffened[STIFF_KINDS] = {&p.hip.kd, &p.hip.kd, &p.leg.damping, &p.hip.kp, &p.foot.mass};
+    static const double values[STIFF_KINDS] = {2.5e13, 1e18, 1e12, 1e18, 1e-12};
+    *stiffened[kind] = values[kind];
+    return p;
+}
+
+static void assert_given_up_at_once(const runner *runner) {
+    tdmf_motion motion = motion_of(runner);
+    tdmf_solver solver = tdmf_solver_default();
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&solver, &runner->model, &runner->inputs, &held, 0.1, &motion);
+    assert_int_equal(outcome, TDMF_TOO_STIFF);
+    assert_true(solver.steps <= 1);
+    assert_non_null(strstr(tdmf_outcome_text(outcome), "CVODE"));
+    assert_false(motion.mode.fallen);
+    assert_memory_equal(motion.state, runner->state, sizeof motion.state);
+}
+
+static void coefficients_tell_a_stiff_runner_at_once(void **state) {
+    (void)state;
+    for (int kind = 0; kind < STIFF_KINDS; ++kind) {
+        const tdmf_parameters parameters = stiff_parameters(kind);
+        runner flying = runner_of(&parameters);
+        runner_start(&flying);
+        assert_given_up_at_once(&flying);
+    }
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.leg.damping = 1e9;
+    runner standing = runner_of(&parameters);
+    memset(standing.state, 0, sizeof standing.state);
+    standing.state[TDMF_LEG_LENGTH] = 0.99;
+    standing.state[TDMF_LEG_ANGLE] = -0.1;
+    runner_start(&standing);
+    scene_assert_mode(&standing, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    assert_given_up_at_once(&standing);
+}
+
+/* The more damping, the more steps, up to the limit and never beyond; what was reached then is sound. */
+static void no_call_makes_more_steps_than_the_limit(void **state) {
+    enum { RUNS = 60 };
+    int arrived = 0, by_counting = 0, at_once = 0;
+    random_source source = {20};
+    (void)state;
+    for (int i = 0; i < RUNS; ++i) {
+        tdmf_parameters parameters = tdmf_default_parameters();
+        parameters.hip.kd = random_magnitude(&source, 1.0, 1e6);
+        parameters.foot.mass = random_magnitude(&source, 1e-7, 0.1);
+        runner runner = runner_of(&parameters);
+        runner.state[TDMF_FOOT_Y] = random_uniform(&source, 0.9, 1.1);
+        runner_start(&runner);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 1.0, &motion);
+        assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_TOO_STIFF);
+        assert_true(solver.steps <= TDMF_STIFFNESS_LIMIT);
+        assert_true(outcome == TDMF_ARRIVED || solver.steps <= 1 || solver.steps == TDMF_STIFFNESS_LIMIT);
+        assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
+        arrived += outcome == TDMF_ARRIVED;
+        by_counting += outcome == TDMF_TOO_STIFF && solver.steps > 1;
+        at_once += outcome == TDMF_TOO_STIFF && solver.steps <= 1;
+    }
+    assert_true(arrived > 5 && at_once > 5);
+    assert_int_equal(arrived + by_counting + at_once, RUNS);
+}
+
+/* A slip may be over before it is too long: the same light foot that is refused in flight may slide. */
+static void in_slip_the_steps_are_counted(void **state) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    (void)state;
+    parameters.foot.mass = 1e-9;
+    runner runner = runner_of(&parameters);
+    runner.inputs.ground.friction = 0.01;
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_LEG_LENGTH] = 0.9;
+    runner.state[TDMF_LEG_ANGLE] = -0.5;
+    runner.state[TDMF_FOOT_VX] = -0.1;
+    runner_start(&runner);
+    scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_solver solver = tdmf_solver_default();
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+                     TDMF_TOO_STIFF);
+    assert_int_equal(solver.steps, TDMF_STIFFNESS_LIMIT);
+    assert_true(motion.time > 0.0 && motion.time < 1.0);
+    assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
+}
+
+/* Over many times of sqrt(m/k), as many steps as a call allows. */
+static void long_calls_may_make_more_steps(void **state) {
+    (void)state;
+    const runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = 1e-14;
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 3e4, &motion),
+                     TDMF_ARRIVED);
+    assert_true(solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
+}
+
+static void cvode_takes_stiff_runners(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    const tdmf_parameters parameters = stiff_parameters(0);
+    runner runner = runner_of(&parameters);
+    runner_start(&runner);
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_solver solver = tdmf_solver_default();
+    assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+                     TDMF_ARRIVED);
+    assert_close(energy_missing(&runner, &motion), 0.0, 1e-8);
+}
+
+static void no_gait_is_said_not_to_be_found_for_a_fall(void **state) {
+    (void)state;
+    const tdmf_parameters parameters = stiff_parameters(0);
+    const runner runner = runner_of(&parameters);
+    tdmf_solver solver = tdmf_solver_default();
+    double section[TDMF_SECTION_COUNT];
+    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    const tdmf_return stride =
+        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, 0);
+    assert_true(stride.began_at_apex && !stride.outcome.closed);
+    assert_int_equal(stride.outcome.outcome, TDMF_TOO_STIFF);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL);
+    assert_int_equal(orbit.outcome, TDMF_ORBIT_UNSOLVED);
+    assert_int_equal(orbit.stride.outcome.outcome, TDMF_TOO_STIFF);
+    assert_int_equal(tdmf_settle(&solver, &runner.model, &runner.inputs, 5, section), 0);
+}
+
+/* Stiff ones among others, of which some fall; in every kind of lane. */
+static void runners_of_an_ensemble_end_unsolved(void **state) {
+    enum { RUNNERS = 40 };
+    const tdmf_parameters defaults = tdmf_default_parameters();
+    tdmf_model models[STIFF_KINDS + 1];
+    tdmf_ensemble_case cases[STIFF_KINDS + 1];
+    int case_of[RUNNERS];
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    int sets = 0;
+    (void)state;
+    for (int kind = 0; kind <= STIFF_KINDS; ++kind) {
+        const tdmf_parameters p = kind < STIFF_KINDS ? stiff_parameters(kind) : defaults;
+        const tdmf_ensemble_case its_case = {&models[kind], tdmf_default_inputs(), {NULL, 0, 0.0, 3}};
+        assert_null(tdmf_model_create(&models[kind], &p).variable);
+        cases[kind] = its_case;
+    }
+    for (int i = 0; i < RUNNERS; ++i) {
+        case_of[i] = i % (STIFF_KINDS + 1);
+        memcpy(starts[i], &reference_gaits[2].apex, sizeof starts[i]);
+    }
+    const tdmf_ensemble plan = {.cases = cases,
+                                .case_count = STIFF_KINDS + 1,
+                                .case_of = case_of,
+                                .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                .count = RUNNERS,
+                                .relative_tolerance = 1e-11,
+                                .threads = 1};
+    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        tdmf_ensemble ensemble = plan;
+        tdmf_ensemble_end ends[RUNNERS];
+        tdmf_ensemble_work work;
+        ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(ensemble.instructions)) {
+            continue;
+        }
+        ++sets;
+        assert_true(tdmf_run_ensemble(&ensemble, ends, &work));
+        for (int i = 0; i < RUNNERS; ++i) {
+            const bool stiff = case_of[i] < STIFF_KINDS;
+            assert_int_equal(ends[i].fate, stiff ? TDMF_FATE_UNSOLVED : TDMF_FATE_UNDECIDED);
+            assert_int_equal(ends[i].strides, stiff ? 0 : 3);
+            assert_int_equal(ends[i].gait, -1);
+        }
+        assert_true(work.steps < 10000); /* at once */
+    }
+    assert_true(sets >= 2); /* the best, and one by one */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coefficients_tell_a_stiff_runner_at_once),
+        cmocka_unit_test(no_call_makes_more_steps_than_the_limit),
+        cmocka_unit_test(in_slip_the_steps_are_counted),
+        cmocka_unit_test(long_calls_may_make_more_steps),
+        cmocka_unit_test(cvode_takes_stiff_runners),
+        cmocka_unit_test(no_gait_is_said_not_to_be_found_for_a_fall),
+        cmocka_unit_test(runners_of_an_ensemble_end_unsolved),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
