@@ -1,6 +1,8 @@
 /* What a runner takes along into a lane. Included with `real` as a number, to fill one lane, and with `real`
  * as a vector of lanes: the fields are the same, in the same order. */
 
+#include <stddef.h>
+
 /* What changes from step to step. */
 typedef struct {
     real elapsed;             /* since the runner came */
@@ -40,3 +42,13 @@ typedef struct {
     real kp, kd, target, stance_law; /* graze: the laws that the torque lies between */
     real rise_share;                 /* graze: of the body in the mass while retracting, else 0 */
 } standing_member;
+
+/* Fields of either kind of member, and those up to its frame, which are the ones that change. */
+enum {
+    FLYING_FIELDS = sizeof(flying_member) / sizeof(real),
+    STANDING_FIELDS = sizeof(standing_member) / sizeof(real),
+    MEMBER_FIELDS = FLYING_FIELDS > STANDING_FIELDS ? FLYING_FIELDS : STANDING_FIELDS,
+    FLYING_CHANGING = offsetof(flying_member, frame) / sizeof(real),
+    STANDING_CHANGING = offsetof(standing_member, frame) / sizeof(real),
+    CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING
+};

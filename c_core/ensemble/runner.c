@@ -11,7 +11,6 @@
 #include "members.h"
 
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
 /* A stride is given up after so many steps or events; none that closes comes near. */
@@ -149,21 +148,21 @@ static standing_member standing_fields(const tdmf_runner *runner) {
     return m;
 }
 
-int tdmf_runner_board(tdmf_runner *runner, double fields[MEMBER_FIELDS]) {
+int tdmf_runner_board(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
     tdmf_chart_open(&runner->chart, runner->its_case->model, &runner->its_case->inputs, &held, &motion->mode,
                     motion->state);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         const flying_member m = flying_fields(runner);
         memcpy(fields, &m, sizeof m);
-        return sizeof m / sizeof *fields;
+        return FLYING_FIELDS;
     }
     const standing_member m = standing_fields(runner);
     memcpy(fields, &m, sizeof m);
-    return sizeof m / sizeof *fields;
+    return STANDING_FIELDS;
 }
 
-static void read_flying(const double fields[CHANGING_FIELDS], tdmf_coordinates *at) {
+static void read_flying(const double *fields, tdmf_coordinates *at) {
     flying_member m;
     memcpy(&m, fields, offsetof(flying_member, frame));
     at->length = m.length;
@@ -172,7 +171,7 @@ static void read_flying(const double fields[CHANGING_FIELDS], tdmf_coordinates *
     at->angle_rate = m.angle_rate;
 }
 
-static void read_standing(const double fields[CHANGING_FIELDS], tdmf_coordinates *at) {
+static void read_standing(const double *fields, tdmf_coordinates *at) {
     standing_member m;
     memcpy(&m, fields, offsetof(standing_member, frame));
     at->x = m.x;
@@ -184,7 +183,7 @@ static void read_standing(const double fields[CHANGING_FIELDS], tdmf_coordinates
 }
 
 /* Writes the state that the lane has come to. */
-static void disembark(tdmf_runner *runner, const double fields[CHANGING_FIELDS]) {
+static void disembark(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     tdmf_coordinates at;
     member_progress now;
@@ -253,7 +252,7 @@ static bool close_stride(tdmf_runner *runner) {
     return end->strides < its_case->rules.most_strides;
 }
 
-bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FIELDS]) {
+bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     disembark(runner, fields);
     tdmf_run run = {

@@ -9,9 +9,6 @@
 /* Runners in the same kind of motion share a crew. */
 typedef enum { CREW_PLACE, CREW_RETRACT, CREW_STICK, CREW_SLIP, CREW_GRAZE, CREW_COUNT } crew_kind;
 
-/* Room for the fields of either kind of member (members.h), and for those that change; they come first. */
-enum { MEMBER_FIELDS = 42, CHANGING_FIELDS = 14 };
-
 typedef struct {
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
@@ -29,11 +26,13 @@ bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
 /* Which crew the runner belongs to. */
 crew_kind tdmf_runner_crew(const tdmf_runner *runner);
 
-/* Opens its mode and writes what a lane has to know; returns how many fields that are. */
-int tdmf_runner_board(tdmf_runner *runner, double fields[MEMBER_FIELDS]);
+/* Opens its mode and writes what a lane has to know: the fields of a member (members.h), with room for
+ * MEMBER_FIELDS. Returns how many they are. */
+int tdmf_runner_board(tdmf_runner *runner, double *fields);
 
-/* Takes the event that the lane has come to. False where the run has ended. */
-bool tdmf_runner_take_event(tdmf_runner *runner, const double fields[CHANGING_FIELDS]);
+/* Takes the event that the lane has come to: its first CHANGING_FIELDS fields. False where the run has ended.
+ */
+bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields);
 
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);
