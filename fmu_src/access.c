@@ -1,10 +1,13 @@
 /* Getting and setting variables. */
 #include "instance.h"
 
+#include <math.h>
+#include <string.h>
+
 static const unsigned writable = BEFORE_START | RUNNING;
 
-static bool may_begin(instance *instance, const char *call, unsigned states, const uint32_t references[],
-                      const void *values, size_t count) {
+static bool may_begin(const instance *instance, const char *call, unsigned states,
+                      const uint32_t references[], const void *values, size_t count) {
     return call_is_allowed(instance, call, states) &&
            array_is_given(instance, call, references, count, count) &&
            array_is_given(instance, call, values, count, count);
@@ -43,7 +46,7 @@ static call_status get_number(instance *instance, const char *call, unsigned typ
 call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, void *values, number_writer write) {
     call_status status =
-        may_begin(instance, call, READABLE, references, values, count) ? CALL_OK : CALL_ERROR;
+        may_begin(instance, call, ANYWHERE, references, values, count) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         double value = 0.0;
         status = get_number(instance, call, types, references[i], &value);
@@ -57,7 +60,7 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
 call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
                       const char *values[]) {
     call_status status =
-        may_begin(instance, call, READABLE, references, values, count) ? CALL_OK : CALL_ERROR;
+        may_begin(instance, call, ANYWHERE, references, values, count) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
         const unit_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
@@ -73,19 +76,40 @@ call_status get_texts(instance *instance, const char *call, const uint32_t refer
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
 static bool is_settable_now(const instance *instance, const unit_variable *variable) {
-    const bool before_start = (instance->state & BEFORE_START) != 0;
-    return variable->storage == STORED_INPUT || (before_start && variable->settable_before_start);
+    if (variable->storage == STORED_INPUT) {
+        return true;
+    }
+    if (variable->storage == STORED_STATE && instance->state == CONTINUOUS_TIME_MODE) {
+        return true;
+    }
+    if (variable->storage == STORED_STATE && instance->state == EVENT_MODE) {
+        return instance->interface == MODEL_EXCHANGE && !variable->changes_at_events;
+    }
+    return (instance->state & BEFORE_START) != 0 && variable->settable_before_start;
 }
 
-static call_status check_set(instance *instance, const char *call, unsigned types, uint32_t reference,
+static const char *when_not_settable(const instance *instance, const unit_variable *variable) {
+    const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
+    return settable_at_times ? name_of_state(instance->state) : "at any time";
+}
+
+/* A state of a run that has begun is a trial value, free to go beyond the range of starts. */
+static bool is_trial(const instance *instance, const unit_variable *variable) {
+    return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
+}
+
+static call_status check_set(const instance *instance, const char *call, unsigned types, uint32_t reference,
                              double value) {
     const unit_variable *variable = find_variable(instance, call, reference, types);
     if (variable == NULL) {
         return CALL_ERROR;
     }
     if (!is_settable_now(instance, variable)) {
-        return fail(instance, call, "%s cannot be set %s", variable->name,
-                    variable->settable_before_start ? "any more once the run has started" : "at any time");
+        return refuse(instance, call, "%s cannot be set %s", variable->name,
+                      when_not_settable(instance, variable));
+    }
+    if (is_trial(instance, variable)) {
+        return isnan(value) ? discard(instance, call, "%s is not a number", variable->name) : CALL_OK;
     }
     const tdmf_refusal refusal = unit_refuse_value(variable, value);
     if (refusal.variable != NULL) {
@@ -95,10 +119,22 @@ static call_status check_set(instance *instance, const char *call, unsigned type
     return CALL_OK;
 }
 
+static void try_state(unit *unit, size_t index, double value) {
+    double states[TDMF_STATE_COUNT];
+    memcpy(states, unit->motion.state, sizeof states);
+    states[index] = value;
+    unit_try_state(unit, states);
+}
+
 static void set_number(instance *instance, uint32_t reference, double value) {
-    unit_set_number(&instance->unit, &unit_variables[reference], value);
-    if (unit_variables[reference].storage == STORED_INPUT) {
-        unit_set_number_rate(&instance->unit, &unit_variables[reference], 0.0);
+    const unit_variable *variable = &unit_variables[reference];
+    if (is_trial(instance, variable)) {
+        try_state(&instance->unit, variable->place, value);
+    } else {
+        unit_set_number(&instance->unit, variable, value);
+    }
+    if (variable->storage == STORED_INPUT) {
+        unit_set_number_rate(&instance->unit, variable, 0.0);
     }
     forget_view(instance);
 }
@@ -124,7 +160,7 @@ call_status set_texts(instance *instance, const char *call, const uint32_t refer
     for (size_t i = 0; i < count; ++i) {
         const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
         return variable == NULL ? CALL_ERROR
-                                : fail(instance, call, "%s cannot be set at any time", variable->name);
+                                : refuse(instance, call, "%s cannot be set at any time", variable->name);
     }
     return CALL_OK;
 }

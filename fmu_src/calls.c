@@ -1,7 +1,7 @@
 /* What every FMI call checks first, and the view it reads from. */
 #include "instance.h"
 
-static const char *name_of_state(call_state state) {
+const char *name_of_state(call_state state) {
     switch (state) {
     case INSTANTIATED:
         return "before initialization";
@@ -20,25 +20,26 @@ static const char *name_of_state(call_state state) {
     }
 }
 
-bool call_is_allowed(instance *instance, const char *call, unsigned allowed_states) {
+bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states) {
     if (instance == NULL) {
         return false;
     }
     if ((instance->state & allowed_states) == 0) {
-        fail(instance, call, "not allowed %s", name_of_state(instance->state));
+        refuse(instance, call, "not allowed %s", name_of_state(instance->state));
         return false;
     }
     return true;
 }
 
-bool array_is_given(instance *instance, const char *call, const void *array, size_t count, size_t wanted) {
+bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
+                    size_t wanted) {
     if (count != wanted) {
-        fail(instance, call, "the array has %lu elements, %lu are needed", (unsigned long)count,
-             (unsigned long)wanted);
+        refuse(instance, call, "the array has %lu elements, %lu are needed", (unsigned long)count,
+               (unsigned long)wanted);
         return false;
     }
     if (array == NULL && count > 0) {
-        fail(instance, call, "the array is a null pointer");
+        refuse(instance, call, "the array is a null pointer");
         return false;
     }
     return true;
@@ -49,7 +50,7 @@ void forget_view(instance *instance) {
 }
 
 const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status) {
-    if ((instance->state & BEFORE_START) == 0) {
+    if (unit_has_begun(&instance->unit)) {
         return &instance->unit;
     }
     *preview = instance->unit;
@@ -91,15 +92,16 @@ static const char *name_of_type(unit_variable_type type) {
     }
 }
 
-const unit_variable *find_variable(instance *instance, const char *call, uint32_t reference, unsigned types) {
+const unit_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                   unsigned types) {
     if (reference >= unit_variable_count) {
-        fail(instance, call, "there is no value reference %lu", (unsigned long)reference);
+        refuse(instance, call, "there is no value reference %lu", (unsigned long)reference);
         return NULL;
     }
     const unit_variable *variable = &unit_variables[reference];
     if ((variable->type & types) == 0) {
-        fail(instance, call, "%s (value reference %lu) is of type %s", variable->name,
-             (unsigned long)reference, name_of_type(variable->type));
+        refuse(instance, call, "%s (value reference %lu) is of type %s", variable->name,
+               (unsigned long)reference, name_of_type(variable->type));
         return NULL;
     }
     return variable;

@@ -17,20 +17,21 @@ call_status step_on(instance *instance, const char *call, double time, double st
     }
     unit *unit = &instance->unit;
     if (!(step > 0.0 && isfinite(step) && isfinite(time + step))) {
-        return fail(instance, call, "the step is not a positive number");
+        return refuse(instance, call, "the step is not a positive number");
     }
     const double allowed = clock_rounding(time, step);
     if (!(fabs(time - unit->motion.time) <= allowed)) {
-        return fail(instance, call, "the communication point is not where the last step ended");
+        return refuse(instance, call, "the communication point is not where the last step ended");
     }
     if (time + step > unit->stop_time + allowed) {
-        return fail(instance, call, "the step goes beyond the stop time, %g s", unit->stop_time);
+        char stop[TIME_CAPACITY];
+        return refuse(instance, call, "the step goes beyond the stop time, %s s",
+                      time_text(unit->stop_time, stop));
     }
-    const tdmf_mode before = unit->motion.mode;
+    const unit_observer observer = event_logger(instance);
     const char *obstacle =
-        stop_at_event ? unit_advance_to_event(unit, time + step) : unit_advance(unit, time + step);
+        (stop_at_event ? unit_advance_to_event : unit_advance)(unit, time + step, &observer);
     forget_view(instance);
-    log_changes(instance, &before);
     *event = unit->event_is_pending;
     return obstacle == NULL ? CALL_OK : fail(instance, call, "%s", obstacle);
 }

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-static const unsigned differentiable = READABLE;
-
 static bool is_known(const unit_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_INPUT;
 }
@@ -15,19 +13,19 @@ static bool is_unknown(const unit_variable *variable) {
            variable->storage == STORED_OUTPUT;
 }
 
-static const unit_variable *find_known(instance *instance, const char *call, uint32_t reference) {
+static const unit_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
     const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable != NULL && !is_known(variable)) {
-        fail(instance, call, "%s is neither a state nor an input", variable->name);
+        refuse(instance, call, "%s is neither a state nor an input", variable->name);
         return NULL;
     }
     return variable;
 }
 
-static const unit_variable *find_unknown(instance *instance, const char *call, uint32_t reference) {
+static const unit_variable *find_unknown(const instance *instance, const char *call, uint32_t reference) {
     const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable != NULL && !is_unknown(variable)) {
-        fail(instance, call, "%s is neither an output nor a state derivative", variable->name);
+        refuse(instance, call, "%s is neither an output nor a state derivative", variable->name);
         return NULL;
     }
     return variable;
@@ -40,9 +38,9 @@ static call_status check_seed(const instance *instance, const char *call, uint32
     return CALL_OK;
 }
 
-static bool may_begin(instance *instance, const char *call, const uint32_t unknowns[], size_t unknown_count,
-                      const uint32_t knowns[], size_t known_count) {
-    if (!call_is_allowed(instance, call, differentiable) ||
+static bool may_begin(const instance *instance, const char *call, const uint32_t unknowns[],
+                      size_t unknown_count, const uint32_t knowns[], size_t known_count) {
+    if (!call_is_allowed(instance, call, ANYWHERE) ||
         !array_is_given(instance, call, unknowns, unknown_count, unknown_count) ||
         !array_is_given(instance, call, knowns, known_count, known_count)) {
         return false;
@@ -145,8 +143,8 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
             return CALL_ERROR;
         }
         if (orders[i] != 1 || (variable->storage != STORED_OUTPUT && variable->storage != STORED_STATE)) {
-            return fail(instance, call, "only first derivatives of outputs are given: %s, order %d",
-                        variable->name, orders[i]);
+            return refuse(instance, call, "only first derivatives of outputs are given: %s, order %d",
+                          variable->name, orders[i]);
         }
         values[i] = unit_get_number(&flow, &change, variable);
     }

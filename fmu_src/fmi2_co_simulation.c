@@ -16,7 +16,8 @@ fmi2Status fmi2CancelStep(fmi2Component component) {
     if (component == NULL) {
         return fmi2Error;
     }
-    return (fmi2Status)fail(component, "fmi2CancelStep", "no step is under way: steps are not asynchronous");
+    return (fmi2Status)refuse(component, "fmi2CancelStep",
+                              "no step is under way: steps are not asynchronous");
 }
 
 /* ---- derivatives of inputs and outputs ---------------------------------------------------------------- */
@@ -28,10 +29,10 @@ static call_status check_input_rate(instance *instance, const char *call, fmi2Va
         return CALL_ERROR;
     }
     if (variable->storage != STORED_INPUT) {
-        return fail(instance, call, "%s is not an input", variable->name);
+        return refuse(instance, call, "%s is not an input", variable->name);
     }
     if (order != 1) {
-        return fail(instance, call, "only first derivatives of inputs are taken, not order %d", order);
+        return refuse(instance, call, "only first derivatives of inputs are taken, not order %d", order);
     }
     if (!isfinite(value)) {
         return discard(instance, call, "the derivative of %s is not finite", variable->name);

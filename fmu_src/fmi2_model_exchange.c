@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-static const unsigned evaluable = EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-
 fmi2Status fmi2EnterEventMode(fmi2Component component) {
     return (fmi2Status)enter_event_mode(component, "fmi2EnterEventMode", EVENT_MODE | CONTINUOUS_TIME_MODE);
 }
@@ -53,7 +51,7 @@ fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], s
 }
 
 fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], size_t count) {
-    return (fmi2Status)get_derivatives(component, "fmi2GetDerivatives", evaluable, derivatives, count);
+    return (fmi2Status)get_derivatives(component, "fmi2GetDerivatives", derivatives, count);
 }
 
 fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real indicators[], size_t count) {
@@ -61,6 +59,5 @@ fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real indicators[]
 }
 
 fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component component, fmi2Real nominals[], size_t count) {
-    return (fmi2Status)get_nominals(component, "fmi2GetNominalsOfContinuousStates", INSTANTIATED | evaluable,
-                                    nominals, count);
+    return (fmi2Status)get_nominals(component, "fmi2GetNominalsOfContinuousStates", nominals, count);
 }

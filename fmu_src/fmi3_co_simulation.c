@@ -10,7 +10,7 @@ fmi3Status fmi3EnterStepMode(fmi3Instance component) {
         return fmi3Error;
     }
     if (instance->interface == MODEL_EXCHANGE) {
-        return (fmi3Status)fail(instance, call, "not allowed in Model Exchange");
+        return (fmi3Status)refuse(instance, call, "not allowed in Model Exchange");
     }
     instance->state = STEP_MODE;
     return fmi3OK;

@@ -121,7 +121,7 @@ fmi3Status fmi3EnterEventMode(fmi3Instance component) {
     static const char call[] = "fmi3EnterEventMode";
     instance *instance = component;
     if (instance != NULL && instance->state == STEP_MODE && instance->interface == CO_SIMULATION) {
-        return (fmi3Status)fail(instance, call, "the instance was made without event mode");
+        return (fmi3Status)refuse(instance, call, "the instance was made without event mode");
     }
     return (fmi3Status)enter_event_mode(instance, call, CONTINUOUS_TIME_MODE | STEP_MODE);
 }

@@ -1,13 +1,10 @@
 /* FMI 3.0 Model Exchange. */
 #include "fmi3_instance.h"
 
-static const unsigned evaluable =
-    INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-
 /* Calls that Model Exchange alone has, in states that Co-Simulation with event mode reaches too. */
-static bool is_model_exchange(instance *instance, const char *call) {
+static bool is_model_exchange(const instance *instance, const char *call) {
     if (instance != NULL && instance->interface != MODEL_EXCHANGE) {
-        fail(instance, call, "not allowed in Co-Simulation");
+        refuse(instance, call, "not allowed in Co-Simulation");
         return false;
     }
     return true;
@@ -53,8 +50,7 @@ fmi3Status fmi3GetContinuousStates(fmi3Instance component, fmi3Float64 states[],
 
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance component, fmi3Float64 derivatives[],
                                              size_t count) {
-    return (fmi3Status)get_derivatives(component, "fmi3GetContinuousStateDerivatives", evaluable, derivatives,
-                                       count);
+    return (fmi3Status)get_derivatives(component, "fmi3GetContinuousStateDerivatives", derivatives, count);
 }
 
 fmi3Status fmi3GetEventIndicators(fmi3Instance component, fmi3Float64 indicators[], size_t count) {
@@ -62,8 +58,7 @@ fmi3Status fmi3GetEventIndicators(fmi3Instance component, fmi3Float64 indicators
 }
 
 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance component, fmi3Float64 nominals[], size_t count) {
-    return (fmi3Status)get_nominals(component, "fmi3GetNominalsOfContinuousStates", INSTANTIATED | evaluable,
-                                    nominals, count);
+    return (fmi3Status)get_nominals(component, "fmi3GetNominalsOfContinuousStates", nominals, count);
 }
 
 /* The counts never change. */

@@ -4,8 +4,8 @@
 
 static bool counts_agree(instance *instance, const char *call, size_t references, size_t values) {
     if (instance != NULL && references != values) {
-        fail(instance, call, "%lu value references and %lu values: every variable is a scalar",
-             (unsigned long)references, (unsigned long)values);
+        refuse(instance, call, "%lu value references and %lu values: every variable is a scalar",
+               (unsigned long)references, (unsigned long)values);
         return false;
     }
     return true;

@@ -24,8 +24,7 @@ typedef enum {
     FAILED = 1 << 6, /* the standard's "error" */
     RUNNING = EVENT_MODE | CONTINUOUS_TIME_MODE | STEP_MODE,
     BEFORE_START = INSTANTIATED | INITIALIZATION_MODE,
-    ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED,
-    READABLE = ANYWHERE & ~INSTANTIATED
+    ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED
 } call_state;
 
 typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE } interface_kind;
@@ -48,6 +47,7 @@ typedef struct instance {
     interface_kind interface;
     call_state state;
     unsigned log_categories;
+    bool log_was_chosen; /* by fmi2SetDebugLogging or fmi3SetDebugLogging */
     char *name;
     /* Passes a message to the importer, if it has a logger. */
     void (*send)(const struct instance *instance, call_status status, const char *category, const char *text);
@@ -59,28 +59,40 @@ typedef struct instance {
 void log_message(const instance *instance, call_status status, log_category category, const char *format,
                  ...);
 
-/* Logs and returns CALL_ERROR, and puts the instance into the error state. */
+/* Logs and returns CALL_ERROR: the run cannot go on, and the instance is in the error state. */
 call_status fail(instance *instance, const char *call, const char *format, ...);
+
+/* Logs and returns CALL_ERROR: the call was out of place and changed nothing. The standards leave open what
+ * becomes of the instance then; it stays as it was. */
+call_status refuse(const instance *instance, const char *call, const char *format, ...);
 
 /* Logs and returns CALL_DISCARD: the call changed nothing and the run goes on. */
 call_status discard(const instance *instance, const char *call, const char *format, ...);
 
-/* Switches categories by name; without names, all of them. */
+/* Switches categories on or off by name; without names, all of them. The first that are switched on by name
+ * take the place of those that the instance was made with; unknown ones are warned of. */
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
 
-/* Logs what an update has changed since `before`. */
-void log_changes(const instance *instance, const tdmf_mode *before);
+/* A time for a message, with a decimal point whatever the locale; returns `text`. */
+enum { TIME_CAPACITY = 32 };
+char *time_text(double time, char text[TIME_CAPACITY]);
+
+/* Logs every event it is told of; tells nothing while the events' category is off. */
+unit_observer event_logger(instance *instance);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
 
-/* Whether `call` may be made now; if not, says so and fails. A null instance is refused too. */
-bool call_is_allowed(instance *instance, const char *call, unsigned allowed_states);
+const char *name_of_state(call_state state);
 
-/* Whether an array of the right length was given; if not, says so and fails. */
-bool array_is_given(instance *instance, const char *call, const void *array, size_t count, size_t wanted);
+/* Whether `call` may be made now; if not, refuses it. A null instance is refused too. */
+bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states);
 
-/* The unit or, until initialization is over, what it would be if it started from the values set so far, in
+/* Whether an array of the right length was given; if not, refuses the call. */
+bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
+                    size_t wanted);
+
+/* The unit or, until its run has begun, what it would be if it started from the values set so far, in
  * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
 const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status);
 
@@ -88,8 +100,9 @@ const unit *present_unit(const instance *instance, const char *call, unit *previ
  * the start values contradict each other. */
 const unit_view *current_view(instance *instance, const char *call, call_status *status);
 
-/* The variable of a value reference and of one of these types; NULL, after failing, if there is none. */
-const unit_variable *find_variable(instance *instance, const char *call, uint32_t reference, unsigned types);
+/* The variable of a value reference and of one of these types; NULL, after a refusal, if there is none. */
+const unit_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                   unsigned types);
 
 /* Something that outputs or derivatives depend on has changed. */
 void forget_view(instance *instance);
@@ -122,7 +135,14 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
                         size_t count, void *values, number_writer write);
 
 /* A set is all or nothing; it checks each variable's own range, while checks across variables wait for the
- * end of initialization, because importers set one by one in any order. */
+ * end of initialization, because importers set one by one in any order. Which variables may be set when:
+ *
+ *     before the run          parameters, inputs, states with a start value
+ *     event mode              inputs; in Model Exchange states that no event changes (reinit = false)
+ *     continuous-time mode    inputs and states, these as trial values of the importer's solver
+ *     step mode               inputs
+ *
+ * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, const void *values, number_reader read);
 
@@ -170,11 +190,9 @@ call_status enter_continuous_time_mode(instance *instance, const char *call);
 call_status set_time(instance *instance, const char *call, double time);
 call_status set_states(instance *instance, const char *call, const double states[], size_t count);
 call_status get_states(instance *instance, const char *call, double states[], size_t count);
-call_status get_derivatives(instance *instance, const char *call, unsigned allowed_states,
-                            double derivatives[], size_t count);
+call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count);
 call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count);
-call_status get_nominals(instance *instance, const char *call, unsigned allowed_states, double nominals[],
-                         size_t count);
+call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count);
 
 /* ---- co_simulation.c ---------------------------------------------------------------------------------- */
 

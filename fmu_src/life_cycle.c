@@ -34,7 +34,7 @@ instance *instance_new(size_t size, const char *name, interface_kind interface, 
     memcpy(copy, name, length);
     made->name = copy;
     made->interface = interface;
-    made->log_categories = logging ? LOG_ALL : LOG_STATUS;
+    made->log_categories = logging ? LOG_ALL : 0;
     begin_again(made);
     return made;
 }
@@ -52,13 +52,13 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
         return CALL_ERROR;
     }
     if (!isfinite(start_time)) {
-        return fail(instance, call, "the start time is not finite");
+        return refuse(instance, call, "the start time is not finite");
     }
     if (stop_time_defined && !(stop_time >= start_time)) {
-        return fail(instance, call, "the stop time lies before the start time, or is not a number");
+        return refuse(instance, call, "the stop time lies before the start time, or is not a number");
     }
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
-        return fail(instance, call, "the tolerance is not a positive number");
+        return refuse(instance, call, "the tolerance is not a positive number");
     }
     instance->unit.motion.time = start_time;
     instance->unit.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
@@ -81,12 +81,12 @@ call_status exit_initialization(instance *instance, const char *call) {
     }
     const char *obstacle = unit_settings_obstacle(&instance->unit);
     if (obstacle != NULL) {
-        return fail(instance, call, "%s", obstacle);
+        return refuse(instance, call, "%s", obstacle);
     }
     const tdmf_refusal refusal = unit_start(&instance->unit);
     if (refusal.variable != NULL) {
         char text[256];
-        return fail(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
+        return refuse(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
     }
     forget_view(instance);
     instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;

@@ -71,6 +71,14 @@ call_status fail(instance *instance, const char *call, const char *format, ...) 
     return CALL_ERROR;
 }
 
+call_status refuse(const instance *instance, const char *call, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    complain(instance, CALL_ERROR, LOG_STATUS_ERROR, call, format, arguments);
+    va_end(arguments);
+    return CALL_ERROR;
+}
+
 call_status discard(const instance *instance, const char *call, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
@@ -79,33 +87,81 @@ call_status discard(const instance *instance, const char *call, const char *form
     return CALL_DISCARD;
 }
 
+/* The categories of these names, unknown names left out; the last of those is left in `unknown`. */
+static unsigned categories_named(size_t count, const char *const names[], const char **unknown) {
+    unsigned found = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const char *name = names[i] == NULL ? "(null)" : names[i];
+        const unsigned category = category_named(name);
+        if (category == 0) {
+            *unknown = name;
+        }
+        found |= category;
+    }
+    return found;
+}
+
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]) {
+    const char *unknown = NULL;
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, names, count, count)) {
         return CALL_ERROR;
     }
-    unsigned chosen = count == 0 ? (unsigned)(on ? LOG_ALL : LOG_EVENTS) : 0;
-    for (size_t i = 0; i < count; ++i) {
-        const unsigned category = names[i] == NULL ? 0 : category_named(names[i]);
-        if (category == 0) {
-            return fail(instance, call, "there is no log category %s",
-                        names[i] == NULL ? "(null)" : names[i]);
-        }
-        chosen |= category;
+    const unsigned named = count == 0 ? (unsigned)LOG_ALL : categories_named(count, names, &unknown);
+    const unsigned present = on && !instance->log_was_chosen ? 0 : instance->log_categories;
+    if (unknown != NULL) {
+        log_message(instance, CALL_WARNING, LOG_STATUS_WARNING, "%s: there is no log category %s", call,
+                    unknown);
     }
-    instance->log_categories = on ? chosen : instance->log_categories & ~chosen;
-    return CALL_OK;
+    if (named != 0) {
+        instance->log_categories = on ? present | named : present & ~named;
+        instance->log_was_chosen = true;
+    }
+    return unknown != NULL ? CALL_WARNING : CALL_OK;
 }
 
-void log_changes(const instance *instance, const tdmf_mode *before) {
-    const tdmf_mode *after = &instance->unit.motion.mode;
-    if (before->contact != after->contact || before->phase != after->phase) {
-        log_message(instance, CALL_OK, LOG_EVENTS, "%s, %s -> %s, %s (event %d, stride %d)",
+/* ---- events ------------------------------------------------------------------------------------------- */
+
+char *time_text(double time, char text[TIME_CAPACITY]) {
+    snprintf(text, TIME_CAPACITY, "%.12g", time);
+    char *comma = strchr(text, ','); /* of the locale */
+    if (comma != NULL) {
+        *comma = '.';
+    }
+    return text;
+}
+
+static const char *name_of_guard(int guard) {
+    static const char group[] = "guard.";
+    size_t i = 0;
+    while (unit_variables[i].storage != STORED_GUARD || unit_variables[i].place != (size_t)guard) {
+        ++i;
+    }
+    return unit_variables[i].name + sizeof group - 1;
+}
+
+/* The clamp of the hip torque and the peak of the ground force are the solver's events, not the runner's. */
+static bool is_event_of_runner(const tdmf_event *event) {
+    return event->guard == TDMF_GUARD_TOUCHDOWN || event->before.contact != event->after.contact ||
+           event->before.phase != event->after.phase || event->before.fallen != event->after.fallen;
+}
+
+static void log_event(void *subject, const tdmf_event *event) {
+    const instance *instance = subject;
+    const tdmf_mode *before = &event->before;
+    const tdmf_mode *after = &event->after;
+    char time[TIME_CAPACITY];
+    if (is_event_of_runner(event)) {
+        log_message(instance, CALL_OK, LOG_EVENTS, "%s at %s s: %s, %s -> %s, %s%s",
+                    name_of_guard(event->guard), time_text(event->time, time),
                     unit_contact_mode_names[before->contact - 1], unit_hip_phase_names[before->phase - 1],
                     unit_contact_mode_names[after->contact - 1], unit_hip_phase_names[after->phase - 1],
-                    instance->unit.motion.record.event_count, instance->unit.motion.record.stride.count);
+                    after->fallen ? ", fallen" : "");
     }
-    if (!before->fallen && after->fallen) {
-        log_message(instance, CALL_OK, LOG_EVENTS, "the runner has fallen");
-    }
+}
+
+unit_observer event_logger(instance *instance) {
+    const bool on = (instance->log_categories & LOG_EVENTS) != 0;
+    const unit_observer observer = {on ? log_event : NULL, instance};
+    return observer;
 }

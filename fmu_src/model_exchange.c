@@ -22,10 +22,9 @@ call_status update_discrete_states(instance *instance, const char *call, discret
         return CALL_ERROR;
     }
     unit *unit = &instance->unit;
-    const tdmf_mode before = unit->motion.mode;
-    const tdmf_resolution resolution = unit_update(unit);
+    const unit_observer observer = event_logger(instance);
+    const tdmf_resolution resolution = unit_update(unit, &observer);
     forget_view(instance);
-    log_changes(instance, &before);
     if (resolution.unresolved) {
         return fail(instance, call, "the events at this instant do not come to an end");
     }
@@ -48,7 +47,7 @@ call_status set_time(instance *instance, const char *call, double time) {
         return CALL_ERROR;
     }
     if (!isfinite(time)) {
-        return fail(instance, call, "the time is not finite");
+        return refuse(instance, call, "the time is not finite");
     }
     instance->unit.motion.time = time;
     return CALL_OK;
@@ -75,21 +74,16 @@ call_status get_states(instance *instance, const char *call, double states[], si
     return CALL_OK;
 }
 
-call_status get_derivatives(instance *instance, const char *call, unsigned allowed_states,
-                            double derivatives[], size_t count) {
-    if (!call_is_allowed(instance, call, allowed_states) ||
+call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count) {
+    if (!call_is_allowed(instance, call, evaluable) ||
         !array_is_given(instance, call, derivatives, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    const unit *unit = &instance->unit;
-    if (instance->state != INITIALIZATION_MODE) {
-        tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, derivatives);
-        return CALL_OK;
-    }
+    unit preview;
     call_status status = CALL_OK;
-    const unit_view *view = current_view(instance, call, &status);
-    if (view != NULL) {
-        memcpy(derivatives, view->derivatives, sizeof view->derivatives);
+    const unit *unit = present_unit(instance, call, &preview, &status);
+    if (unit != NULL) {
+        tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, derivatives);
     }
     return status;
 }
@@ -99,26 +93,22 @@ call_status get_indicators(instance *instance, const char *call, double indicato
         !array_is_given(instance, call, indicators, count, TDMF_GUARD_COUNT)) {
         return CALL_ERROR;
     }
-    if (instance->state != INITIALIZATION_MODE) {
-        unit_event_indicators(&instance->unit, indicators);
-        return CALL_OK;
-    }
+    unit preview;
     call_status status = CALL_OK;
-    const unit_view *view = current_view(instance, call, &status);
-    if (view != NULL) {
-        memcpy(indicators, view->guards, sizeof view->guards);
+    const unit *unit = present_unit(instance, call, &preview, &status);
+    if (unit != NULL) {
+        unit_event_indicators(unit, indicators);
     }
     return status;
 }
 
-call_status get_nominals(instance *instance, const char *call, unsigned allowed_states, double nominals[],
-                         size_t count) {
-    if (!call_is_allowed(instance, call, allowed_states) ||
+call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count) {
+    if (!call_is_allowed(instance, call, INSTANTIATED | evaluable) ||
         !array_is_given(instance, call, nominals, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
     unit preview = instance->unit;
-    if ((instance->state & BEFORE_START) != 0) {
+    if (!unit_has_begun(&preview)) {
         tdmf_model_create(&preview.model, &preview.parameters); /* stays that of the defaults where refused */
     }
     unit_nominals(&preview, nominals);

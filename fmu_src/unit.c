@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { NO_GUARD = -1 };
+
 /* Where events are counted from. */
 typedef struct {
     int event_count;
@@ -37,11 +39,19 @@ tdmf_refusal unit_start(unit *unit) {
     if (refusal.variable != NULL) {
         return refusal;
     }
-    unit->model = model;
-    unit->solver.relative_tolerance =
-        fmin(unit->settings.solver.relative_tolerance, unit->importer_tolerance);
-    return tdmf_start(&unit->model, &unit->inputs, unit->motion.time, unit->motion.state, &unit->motion.mode,
-                      &unit->motion.record);
+    const tdmf_refusal start_refusal =
+        tdmf_start(&model, &unit->inputs, unit->motion.time, unit->motion.state, &unit->motion.mode,
+                   &unit->motion.record);
+    if (start_refusal.variable == NULL) {
+        unit->model = model;
+        unit->solver.relative_tolerance =
+            fmin(unit->settings.solver.relative_tolerance, unit->importer_tolerance);
+    }
+    return start_refusal;
+}
+
+bool unit_has_begun(const unit *unit) {
+    return unit->motion.mode.contact != 0;
 }
 
 static int as_integer(int64_t count) {
@@ -139,6 +149,25 @@ static tdmf_outcome advance(unit *unit, double until) {
     return outcome;
 }
 
+/* The same, and tells of every event. */
+static tdmf_outcome advance_observed(unit *unit, double until, const unit_observer *observer) {
+    const long limit = unit->solver.event_limit;
+    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    tdmf_event_log log;
+    unit->solver.event_limit = TDMF_EVENT_CAPACITY;
+    unit->solver.log = &log;
+    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS; i += TDMF_EVENT_CAPACITY) {
+        log.count = 0;
+        outcome = advance(unit, until);
+        for (int j = 0; j < log.count; ++j) {
+            observer->note(observer->subject, &log.events[j]);
+        }
+    }
+    unit->solver.event_limit = limit;
+    unit->solver.log = NULL;
+    return outcome;
+}
+
 /* What remains to be done where a run has got to. */
 static const char *conclude(unit *unit, tdmf_outcome outcome, double until) {
     if (outcome == TDMF_FELL) {
@@ -154,16 +183,22 @@ static bool event_has_happened(const unit *unit, const unit_mark *since) {
     return unit->motion.record.event_count != since->event_count || unit->motion.mode.fallen != since->fallen;
 }
 
-/* Advances until an event has been taken; the clamp, which is none of FMI's business, counts with the
- * solver's events only. */
+/* Advances until an event has been taken, and notes its guard; the clamp, which is none of FMI's business,
+ * counts with the solver's events only. */
 static tdmf_outcome advance_through_event(unit *unit, double until, const unit_mark *since) {
     const long limit = unit->solver.event_limit;
     tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    tdmf_event_log log;
+    log.count = 0;
     unit->solver.event_limit = 1;
+    unit->solver.log = &log;
     for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS && !event_has_happened(unit, since); ++i) {
+        log.count = 0;
         outcome = advance(unit, until);
     }
     unit->solver.event_limit = limit;
+    unit->solver.log = NULL;
+    unit->event_guard = log.count > 0 ? log.events[0].guard : NO_GUARD;
     return outcome;
 }
 
@@ -195,7 +230,31 @@ static bool take_pending_event(unit *unit) {
     return true;
 }
 
-tdmf_resolution unit_update(unit *unit) {
+/* The guard by which the automaton takes its next transition now, or NO_GUARD. */
+static int first_due(const unit *unit) {
+    static const tdmf_guard in_order[] = {TDMF_GUARD_BODY_DOWN,
+                                          TDMF_GUARD_LEG_TOO_SHORT,
+                                          TDMF_GUARD_APEX,
+                                          TDMF_GUARD_TOUCHDOWN,
+                                          TDMF_GUARD_CLAMP,
+                                          TDMF_GUARD_GRAZE_TO_CONTACT,
+                                          TDMF_GUARD_GRAZE_TO_FLIGHT,
+                                          TDMF_GUARD_MID_STANCE,
+                                          TDMF_GUARD_LIFT_OFF,
+                                          TDMF_GUARD_SLIP_ONSET_POSITIVE,
+                                          TDMF_GUARD_SLIP_ONSET_NEGATIVE,
+                                          TDMF_GUARD_SLIP_VELOCITY_ZERO};
+    double guards[TDMF_GUARD_COUNT];
+    unit_event_indicators(unit, guards);
+    for (size_t i = 0; i < sizeof in_order / sizeof in_order[0]; ++i) {
+        if (guards[in_order[i]] <= 0.0) {
+            return in_order[i];
+        }
+    }
+    return NO_GUARD;
+}
+
+static tdmf_resolution resolve(unit *unit) {
     const bool was_pending = take_pending_event(unit);
     tdmf_resolution resolution = tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time,
                                               unit->motion.state, &unit->motion.mode, &unit->motion.record);
@@ -204,9 +263,27 @@ tdmf_resolution unit_update(unit *unit) {
     return resolution;
 }
 
-const char *unit_advance(unit *unit, double until) {
-    take_pending_event(unit);
-    return conclude(unit, advance(unit, until), until);
+tdmf_resolution unit_update(unit *unit, const unit_observer *observer) {
+    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    const bool pending = unit->event_is_pending;
+    tdmf_event event = {.guard = first_due(unit), .before = unit->motion.mode};
+    memcpy(event.state, unit->motion.state, sizeof event.state);
+    const tdmf_resolution resolution = resolve(unit);
+    event.time = unit->motion.time;
+    event.after = unit->motion.mode;
+    if (pending) {
+        event.guard = unit->event_guard;
+    }
+    if (observer->note != NULL && event.guard != NO_GUARD && event_has_happened(unit, &mark)) {
+        observer->note(observer->subject, &event);
+    }
+    return resolution;
+}
+
+const char *unit_advance(unit *unit, double until, const unit_observer *observer) {
+    unit_update(unit, observer); /* an input may have jumped */
+    return conclude(
+        unit, observer->note != NULL ? advance_observed(unit, until, observer) : advance(unit, until), until);
 }
 
 /* Leaves `unit`, which is at the start, where an event is about to happen. Integrating up to the event's very
@@ -227,8 +304,8 @@ static void stand_before_event(unit *unit, double event_time, const unit_mark *s
     unit->motion.time = event_time;
 }
 
-const char *unit_advance_to_event(unit *unit, double until) {
-    unit_update(unit); /* an input may have jumped, which is no event of this step */
+const char *unit_advance_to_event(unit *unit, double until, const unit_observer *observer) {
+    unit_update(unit, observer); /* an input may have jumped, which is no event of this step */
     const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
     struct unit ahead = *unit;
     const tdmf_outcome outcome = advance_through_event(&ahead, until, &mark);
@@ -239,6 +316,7 @@ const char *unit_advance_to_event(unit *unit, double until) {
     unit->solver = ahead.solver;
     stand_before_event(unit, ahead.motion.time, &mark);
     unit->inputs = ahead.inputs;
+    unit->event_guard = ahead.event_guard;
     unit->event_inputs = ahead.inputs;
     unit->after_event = ahead.motion;
     unit->event_is_pending = true;

@@ -32,9 +32,16 @@ typedef struct unit {
      * `event_lead` before. What comes of it under these inputs. */
     bool event_is_pending;
     double event_lead;
+    int event_guard; /* the tdmf_guard that fired */
     tdmf_inputs event_inputs;
     tdmf_motion after_event;
 } unit;
+
+/* Told of every event that the unit takes, if there is somebody to tell. */
+typedef struct {
+    void (*note)(void *subject, const tdmf_event *event); /* or NULL */
+    void *subject;
+} unit_observer;
 
 /* What the solver of Co-Simulation has done; stops counting at the largest Integer. */
 typedef struct {
@@ -58,6 +65,8 @@ void unit_reset(unit *unit);
 /* Begins the run at unit->motion.time from the values set so far; on refusal the unit is left as it was. */
 tdmf_refusal unit_start(unit *unit);
 
+bool unit_has_begun(const unit *unit);
+
 void unit_look(const unit *unit, unit_view *view);
 
 /* How all that follows from states and inputs changes along a direction: a unit whose states and inputs are
@@ -80,15 +89,15 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
 void unit_observe(unit *unit);
 
 /* Takes a pending event and resolves whatever else is due at unit->motion.time. */
-tdmf_resolution unit_update(unit *unit);
+tdmf_resolution unit_update(unit *unit, const unit_observer *observer);
 
 /* Co-Simulation: moves the run on to `until` by the solver chosen. A run that fell stays readable, frozen.
  * Returns NULL, or why it got no farther than unit->motion.time. */
-const char *unit_advance(unit *unit, double until);
+const char *unit_advance(unit *unit, double until, const unit_observer *observer);
 
 /* The same, but stops at the first event on the way (a change of contact mode, hip phase or stride count, an
  * impact, a fall): at its exact time, before it is taken, with unit->event_is_pending. */
-const char *unit_advance_to_event(unit *unit, double until);
+const char *unit_advance_to_event(unit *unit, double until, const unit_observer *observer);
 
 /* Why the settings cannot be met by this build, or NULL. */
 const char *unit_settings_obstacle(const unit *unit);

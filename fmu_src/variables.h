@@ -36,6 +36,7 @@ typedef struct {
     unit_storage storage;
     size_t place;
     bool settable_before_start;
+    bool changes_at_events; /* FMI's reinit: a state that an event may make jump */
     double minimum, maximum, start;
 } unit_variable;
 

@@ -175,12 +175,13 @@ def variable_row(variable, table):
     settable_before_start = (
         "true" if variable.initial == "exact" or variable.causality == "input" else "false"
     )
+    changes_at_events = variable.value.get("reinit", "false")
     limits = f"{variable.limit('min')}, {variable.limit('max')}, {variable.start}"
     if variable.type in ("Boolean", "String"):
         limits = f"0, 1, {variable.start}"
     return (
         f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {place}, '
-        f"{settable_before_start}, {limits}}},"
+        f"{settable_before_start}, {changes_at_events}, {limits}}},"
     )
 
 

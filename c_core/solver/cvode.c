@@ -2,6 +2,7 @@
  * transition, start anew. Problem: TDMF_STATE_COUNT states, TDMF_GUARD_COUNT root functions, dense Newton. */
 #include "tdmf_slip/cvode.h"
 
+#include "event_log.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
@@ -124,11 +125,27 @@ static bool configure(workspace *space, problem *problem) {
            CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS;
 }
 
+/* The first of the guards that CVODE found at zero. */
+static int guard_that_fired(void *integrator) {
+    int found[TDMF_GUARD_COUNT] = {0};
+    int guard = 0;
+    CVodeGetRootInfo(integrator, found);
+    while (guard < TDMF_GUARD_COUNT - 1 && found[guard] == 0) {
+        ++guard;
+    }
+    return guard;
+}
+
 /* Takes the transitions due at CVODE's present time and state, and restarts it there. */
 static bool take_events(workspace *space, problem *problem) {
     tdmf_motion *motion = problem->motion;
     const tdmf_inputs inputs = inputs_at(problem, motion->time);
+    tdmf_event event = {
+        .time = motion->time, .guard = guard_that_fired(space->integrator), .before = motion->mode};
+    memcpy(event.state, motion->state, sizeof event.state);
     tdmf_resolve(problem->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    event.after = motion->mode;
+    tdmf_log_event(problem->options->log, &event);
     ++problem->options->events;
     memcpy(N_VGetArrayPointer(space->state), motion->state, sizeof motion->state);
     return CVodeReInit(space->integrator, motion->time, space->state) == CV_SUCCESS;

@@ -4,6 +4,7 @@
 
 #include "carried.h"
 #include "crossing.h"
+#include "event_log.h"
 #include "request.h"
 #include "saltation.h"
 #include "tdmf_slip/automaton.h"
@@ -146,17 +147,9 @@ static tdmf_side side_of(const march *march) {
 
 static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_side *before,
                       const tdmf_mode *after) {
-    if (log && log->count < TDMF_EVENT_CAPACITY) {
-        tdmf_event *event = &log->events[log->count];
-        event->time = time;
-        event->guard = (int)guard;
-        event->before = before->mode;
-        event->after = *after;
-        memcpy(event->state, before->state, sizeof event->state);
-    }
-    if (log) {
-        ++log->count;
-    }
+    tdmf_event event = {.time = time, .guard = (int)guard, .before = before->mode, .after = *after};
+    memcpy(event.state, before->state, sizeof event.state);
+    tdmf_log_event(log, &event);
 }
 
 static bool take_transitions(march *march) {

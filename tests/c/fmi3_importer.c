@@ -10,20 +10,22 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
     note_message(category, message);
 }
 
+static fmi3Instance without_events(fmi3Instance instance) {
+    assert_non_null(instance);
+    assert_int_equal(fmi3SetDebugLogging(instance, false, 1, events_category), fmi3OK);
+    return instance;
+}
+
 fmi3Instance new_exchange(void) {
     forget_messages();
-    fmi3Instance instance =
-        fmi3InstantiateModelExchange("runner", UNIT_GUID, NULL, false, false, NULL, importer_logger);
-    assert_non_null(instance);
-    return instance;
+    return without_events(
+        fmi3InstantiateModelExchange("runner", UNIT_GUID, NULL, false, true, NULL, importer_logger));
 }
 
 fmi3Instance new_stepper(bool event_mode, bool early_return) {
     forget_messages();
-    fmi3Instance instance = fmi3InstantiateCoSimulation("runner", UNIT_GUID, NULL, false, false, event_mode,
-                                                        early_return, NULL, 0, NULL, importer_logger, NULL);
-    assert_non_null(instance);
-    return instance;
+    return without_events(fmi3InstantiateCoSimulation("runner", UNIT_GUID, NULL, false, true, event_mode,
+                                                      early_return, NULL, 0, NULL, importer_logger, NULL));
 }
 
 fmi3Status set_float(fmi3Instance instance, const char *name, double value) {

@@ -7,8 +7,11 @@
 #include <string.h>
 
 int message_count;
+char messages[MESSAGES_KEPT][MESSAGE_LENGTH];
 char last_message[1024];
 char last_category[64];
+
+const char *const events_category[1] = {"logEvents"};
 
 void forget_messages(void) {
     message_count = 0;
@@ -19,6 +22,9 @@ void forget_messages(void) {
 void note_message(const char *category, const char *text) {
     snprintf(last_category, sizeof last_category, "%s", category);
     snprintf(last_message, sizeof last_message, "%s", text);
+    if (message_count < MESSAGES_KEPT) {
+        snprintf(messages[message_count], MESSAGE_LENGTH, "%s", text);
+    }
     ++message_count;
 }
 

@@ -4,11 +4,16 @@
 
 #include <stdint.h>
 
-/* Messages since the last forget_messages. */
+/* Messages since the last forget_messages; the first MESSAGES_KEPT of them are kept. */
+enum { MESSAGES_KEPT = 512, MESSAGE_LENGTH = 160 };
 extern int message_count;
+extern char messages[MESSAGES_KEPT][MESSAGE_LENGTH];
 extern char last_message[1024];
 extern char last_category[64];
 void forget_messages(void);
+
+/* The category of what happens to the runner, as the calls that switch it want it. */
+extern const char *const events_category[1];
 
 /* Notes a message. */
 void note_message(const char *category, const char *text);

@@ -15,6 +15,8 @@
 
 #include <cmocka.h>
 
+enum { BYTES = 8192 };
+
 static int make(void **state) {
     *state = new_instance();
     return 0;
@@ -123,12 +125,46 @@ static fmi2Status call_get_real(fmi2Component component) {
 }
 
 static fmi2Status call_set_input(fmi2Component component) {
-    return set_real(component, "ground.friction", 0.5);
+    return set_real(component, "ground.friction", 0.6);
 }
 
-enum { BEFORE = 1, INITIALIZING = 2, EVENT = 4, CONTINUOUS = 8, ENDED = 16, STATE_COUNT = 5 };
+static fmi2Status call_set_state(fmi2Component component) {
+    return set_real(component, "foot.vx", 1.0);
+}
 
-/* The table of FMI 2.0, section 3.2.3. */
+static fmi2Status call_set_parameter(fmi2Component component) {
+    return set_real(component, "body.mass", 1.0);
+}
+
+static fmi2Status call_derivative(fmi2Component component) {
+    const fmi2ValueReference unknown = reference_of("body.y"), known = reference_of("leg.angle");
+    const double seed = 1.0;
+    double value;
+    return fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &seed, &value);
+}
+
+static fmi2Status call_set_logging(fmi2Component component) {
+    return fmi2SetDebugLogging(component, fmi2False, 1, events_category);
+}
+
+static fmi2Status call_save_state(fmi2Component component) {
+    fmi2FMUstate saved = NULL;
+    const fmi2Status status = fmi2GetFMUstate(component, &saved);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    return status;
+}
+
+enum {
+    BEFORE = 1,
+    INITIALIZING = 2,
+    EVENT = 4,
+    CONTINUOUS = 8,
+    ENDED = 16,
+    EVERYWHERE = 31,
+    STATE_COUNT = 5
+};
+
+/* The table of FMI 2.0, section 3.2.3, and start values beside it, which importers ask for in good time. */
 static const struct {
     const char *name;
     plain_call call;
@@ -144,11 +180,16 @@ static const struct {
     {"fmi2SetTime", call_set_time, EVENT | CONTINUOUS},
     {"fmi2SetContinuousStates", call_set_states, CONTINUOUS},
     {"fmi2GetContinuousStates", call_get_states, INITIALIZING | EVENT | CONTINUOUS | ENDED},
-    {"fmi2GetDerivatives", call_get_derivatives, EVENT | CONTINUOUS | ENDED},
+    {"fmi2GetDerivatives", call_get_derivatives, INITIALIZING | EVENT | CONTINUOUS | ENDED},
     {"fmi2GetEventIndicators", call_get_indicators, INITIALIZING | EVENT | CONTINUOUS | ENDED},
-    {"fmi2GetNominalsOfContinuousStates", call_get_nominals, BEFORE | EVENT | CONTINUOUS | ENDED},
-    {"fmi2GetReal", call_get_real, INITIALIZING | EVENT | CONTINUOUS | ENDED},
+    {"fmi2GetNominalsOfContinuousStates", call_get_nominals, EVERYWHERE},
+    {"fmi2GetReal", call_get_real, EVERYWHERE},
     {"fmi2SetReal", call_set_input, BEFORE | INITIALIZING | EVENT | CONTINUOUS},
+    {"fmi2SetReal", call_set_state, BEFORE | INITIALIZING | CONTINUOUS},
+    {"fmi2SetReal", call_set_parameter, BEFORE | INITIALIZING},
+    {"fmi2GetDirectionalDerivative", call_derivative, EVERYWHERE},
+    {"fmi2SetDebugLogging", call_set_logging, EVERYWHERE},
+    {"fmi2GetFMUstate", call_save_state, EVERYWHERE},
     {"fmi2Terminate", fmi2Terminate, EVENT | CONTINUOUS},
     {"fmi2Reset", fmi2Reset, BEFORE | INITIALIZING | EVENT | CONTINUOUS | ENDED},
 };
@@ -175,32 +216,51 @@ static fmi2Component instance_in_state(int index) {
     return component;
 }
 
-static void follows_the_call_sequence(void **state) {
+/* All that an instance is, as the bytes of its saved state. */
+static size_t bytes_of(fmi2Component component, fmi2Byte bytes[BYTES]) {
+    fmi2FMUstate saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
+    assert_true(size <= BYTES);
+    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes, size), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    return size;
+}
+
+static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(void **state) {
+    int refused = 0;
     (void)state;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         for (int where = 0; where < STATE_COUNT; ++where) {
             const bool allowed = (calls[i].allowed & (1u << where)) != 0;
+            fmi2Byte before[BYTES], after[BYTES];
             fmi2Component component = instance_in_state(where);
+            const size_t size = bytes_of(component, before);
             assert_int_equal(calls[i].call(component), allowed ? fmi2OK : fmi2Error);
             assert_int_equal(message_count, allowed ? 0 : 1);
             if (!allowed) {
                 assert_non_null(strstr(last_message, calls[i].name));
                 assert_string_equal(last_category, "logStatusError");
+                assert_int_equal(bytes_of(component, after), size);
+                assert_memory_equal(before, after, size);
+                ++refused;
             }
             fmi2FreeInstance(component);
         }
     }
+    assert_int_equal(refused, 46);
 }
 
-static void error_state_is_left_by_reset_only(void **state) {
+/* As an importer's slip, mended: start values that contradict each other are set right and tried again. */
+static void start_values_may_be_mended_after_a_refusal(void **state) {
     fmi2Component component = *state;
-    start_running(component);
-    assert_int_equal(call_setup(component), fmi2Error);
-    assert_int_equal(call_set_time(component), fmi2Error);
-    assert_int_equal(call_set_input(component), fmi2Error);
-    assert_int_equal(call_get_real(component), fmi2OK);
-    assert_int_equal(fmi2Reset(component), fmi2OK);
-    start_running(component);
+    assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2Error);
+    assert_int_equal(set_real(component, "leg.min_length", 0.05), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    assert_int_equal(call_new_discrete_states(component), fmi2OK);
 }
 
 /* ---- values ------------------------------------------------------------------------------------------- */
@@ -278,15 +338,14 @@ static void refuses_unknown_references_wrong_types_and_outputs(void **state) {
     assert_non_null(strstr(last_message, "100000"));
     assert_int_equal(fmi2GetReal(*state, &text, 1, &value), fmi2Error);
     assert_non_null(strstr(last_message, "stride.word"));
-    assert_int_equal(fmi2Reset(*state), fmi2OK);
     assert_int_equal(fmi2SetReal(*state, &output, 1, &value), fmi2Error);
     assert_non_null(strstr(last_message, "body.x cannot be set"));
 }
 
-static void refuses_parameters_and_states_after_the_start(void **state) {
+static void refuses_parameters_after_the_start(void **state) {
     start_running(*state);
     assert_int_equal(set_real(*state, "body.mass", 2.0), fmi2Error);
-    assert_non_null(strstr(last_message, "body.mass"));
+    assert_non_null(strstr(last_message, "body.mass cannot be set in continuous-time mode"));
 }
 
 static void refuses_null_and_wrong_arrays(void **state) {
@@ -295,11 +354,7 @@ static void refuses_null_and_wrong_arrays(void **state) {
     initialize(*state);
     assert_int_equal(fmi2GetDerivatives(*state, values, TDMF_STATE_COUNT - 1), fmi2Error);
     assert_non_null(strstr(last_message, "11"));
-    assert_int_equal(fmi2Reset(*state), fmi2OK);
-    initialize(*state);
     assert_int_equal(fmi2GetReal(*state, &reference, 1, NULL), fmi2Error);
-    assert_int_equal(fmi2Reset(*state), fmi2OK);
-    initialize(*state);
     assert_int_equal(fmi2GetReal(*state, NULL, 0, NULL), fmi2OK);
     assert_int_equal(fmi2NewDiscreteStates(*state, NULL), fmi2Error);
 }
@@ -313,8 +368,8 @@ static void refuses_bad_experiments(void **state) {
         assert_int_equal(
             fmi2SetupExperiment(*state, fmi2True, bad[i].tolerance, bad[i].start, fmi2True, bad[i].stop),
             fmi2Error);
-        assert_int_equal(fmi2Reset(*state), fmi2OK);
     }
+    assert_int_equal(call_setup(*state), fmi2OK);
 }
 
 /* ---- running ------------------------------------------------------------------------------------------ */
@@ -435,25 +490,6 @@ static void nominals_follow_the_parameters(void **state) {
     assert_true(nominals[TDMF_HIP_WORK] == 400.0);
 }
 
-/* ---- logging ------------------------------------------------------------------------------------------ */
-
-static void honours_log_categories(void **state) {
-    static const char *events[] = {"logEvents"};
-    static const char *unknown[] = {"logWeather"};
-    fmi2EventInfo info;
-    assert_int_equal(fmi2SetDebugLogging(*state, fmi2True, 1, events), fmi2OK);
-    start_running(*state);
-    land(*state, &info);
-    assert_string_equal(last_category, "logEvents");
-    assert_non_null(strstr(last_message, "flight, place -> "));
-    forget_messages();
-    assert_int_equal(call_setup(*state), fmi2Error); /* status messages were not chosen */
-    assert_int_equal(message_count, 0);
-    assert_int_equal(fmi2SetDebugLogging(*state, fmi2True, 0, NULL), fmi2OK);
-    assert_int_equal(fmi2SetDebugLogging(*state, fmi2True, 1, unknown), fmi2Error);
-    assert_non_null(strstr(last_message, "logWeather"));
-}
-
 #define ON_FRESH_INSTANCE(test) cmocka_unit_test_setup_teardown(test, make, release)
 
 int main(void) {
@@ -461,14 +497,14 @@ int main(void) {
         cmocka_unit_test(refuses_wrong_name_guid_and_type),
         cmocka_unit_test(runs_without_logger_and_callbacks),
         cmocka_unit_test(refuses_null_components),
-        cmocka_unit_test(follows_the_call_sequence),
-        ON_FRESH_INSTANCE(error_state_is_left_by_reset_only),
+        cmocka_unit_test(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken),
+        ON_FRESH_INSTANCE(start_values_may_be_mended_after_a_refusal),
         ON_FRESH_INSTANCE(discards_values_out_of_range_and_keeps_the_old),
         ON_FRESH_INSTANCE(sets_all_or_nothing),
         ON_FRESH_INSTANCE(checks_across_variables_wait_for_the_end_of_initialization),
         ON_FRESH_INSTANCE(refuses_a_body_below_the_ground),
         ON_FRESH_INSTANCE(refuses_unknown_references_wrong_types_and_outputs),
-        ON_FRESH_INSTANCE(refuses_parameters_and_states_after_the_start),
+        ON_FRESH_INSTANCE(refuses_parameters_after_the_start),
         ON_FRESH_INSTANCE(refuses_null_and_wrong_arrays),
         ON_FRESH_INSTANCE(refuses_bad_experiments),
         ON_FRESH_INSTANCE(starts_at_any_time),
@@ -478,7 +514,6 @@ int main(void) {
         ON_FRESH_INSTANCE(a_fall_asks_to_stop_and_freezes),
         ON_FRESH_INSTANCE(a_fall_goes_unasked_where_the_parameter_says_so),
         ON_FRESH_INSTANCE(nominals_follow_the_parameters),
-        ON_FRESH_INSTANCE(honours_log_categories),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { BYTES = 8192 };
+
 /* ---- instantiation ------------------------------------------------------------------------------------ */
 
 static void assert_not_made(const char *name, const char *token, const char *reason) {
@@ -115,6 +117,11 @@ static fmi3Status call_get_indicators(fmi3Instance instance) {
     return fmi3GetEventIndicators(instance, indicators, TDMF_GUARD_COUNT);
 }
 
+static fmi3Status call_get_nominals(fmi3Instance instance) {
+    double nominals[TDMF_STATE_COUNT];
+    return fmi3GetNominalsOfContinuousStates(instance, nominals, TDMF_STATE_COUNT);
+}
+
 static fmi3Status call_completed_step(fmi3Instance instance) {
     fmi3Boolean enter, stop;
     return fmi3CompletedIntegratorStep(instance, true, &enter, &stop);
@@ -127,7 +134,31 @@ static fmi3Status call_get(fmi3Instance instance) {
 }
 
 static fmi3Status call_set_input(fmi3Instance instance) {
-    return set_float(instance, "ground.friction", 0.5);
+    return set_float(instance, "ground.friction", 0.6);
+}
+
+static fmi3Status call_set_state(fmi3Instance instance) {
+    return set_float(instance, "foot.vx", 1.0);
+}
+
+/* One that no event makes jump: reinit = false. */
+static fmi3Status call_set_smooth_state(fmi3Instance instance) {
+    return set_float(instance, "foot.x", 1.0);
+}
+
+static fmi3Status call_set_parameter(fmi3Instance instance) {
+    return set_float(instance, "body.mass", 1.0);
+}
+
+static fmi3Status call_set_logging(fmi3Instance instance) {
+    return fmi3SetDebugLogging(instance, false, 1, events_category);
+}
+
+static fmi3Status call_save_state(fmi3Instance instance) {
+    fmi3FMUState saved = NULL;
+    const fmi3Status status = fmi3GetFMUState(instance, &saved);
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    return status;
 }
 
 static fmi3Status call_counts(fmi3Instance instance) {
@@ -176,7 +207,8 @@ enum {
     EVERYWHERE = (1 << PLACES) - 1
 };
 
-/* The state machines of FMI 3.0, sections 2.3, 3.2 and 4.2. */
+/* The state machines of FMI 3.0, sections 2.3, 3.2 and 4.2, and start values beside them, which importers ask
+ * for in good time. */
 static const struct {
     const char *name;
     plain_call call;
@@ -195,10 +227,17 @@ static const struct {
     {"fmi3GetContinuousStates", call_get_states, EVALUABLE},
     {"fmi3GetContinuousStateDerivatives", call_get_derivatives, EVALUABLE},
     {"fmi3GetEventIndicators", call_get_indicators, EVALUABLE},
-    {"fmi3GetFloat64", call_get, EVERYWHERE & ~ME_BEFORE},
+    {"fmi3GetNominalsOfContinuousStates", call_get_nominals, ME_BEFORE | EVALUABLE},
+    {"fmi3GetFloat64", call_get, EVERYWHERE},
     {"fmi3SetFloat64", call_set_input, EVERYWHERE & ~ENDED},
+    {"fmi3SetFloat64", call_set_state, ME_BEFORE | ME_INITIALIZING | ME_CONTINUOUS},
+    {"fmi3SetFloat64", call_set_smooth_state, ME_BEFORE | ME_INITIALIZING | ME_EVENT | ME_CONTINUOUS},
+    {"fmi3SetFloat64", call_set_parameter, ME_BEFORE | ME_INITIALIZING},
+    {"fmi3SetDebugLogging", call_set_logging, EVERYWHERE},
+    {"fmi3GetFMUState", call_save_state, EVERYWHERE},
+    {"fmi3EvaluateDiscreteStates", fmi3EvaluateDiscreteStates, EVENT},
     {"fmi3GetNumberOf", call_counts, EVERYWHERE},
-    {"fmi3GetDirectionalDerivative", call_derivative, ME_INITIALIZING | RUN | ENDED},
+    {"fmi3GetDirectionalDerivative", call_derivative, EVERYWHERE},
     {"fmi3GetOutputDerivatives", call_output_derivative, STEP | ENDED},
     {"fmi3Terminate", fmi3Terminate, RUN},
     {"fmi3Reset", fmi3Reset, EVERYWHERE},
@@ -223,24 +262,40 @@ static fmi3Instance instance_at(unsigned place) {
     return instance;
 }
 
-static void follows_the_call_sequence(void **state) {
+/* All that an instance is, as the bytes of its saved state. */
+static size_t bytes_of(fmi3Instance instance, fmi3Byte bytes[BYTES]) {
+    fmi3FMUState saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
+    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
+    assert_true(size <= BYTES);
+    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    return size;
+}
+
+static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(void **state) {
+    int refused = 0;
     (void)state;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         for (unsigned place = 1; place < EVERYWHERE; place <<= 1) {
             const bool allowed = (calls[i].allowed & place) != 0;
+            fmi3Byte before[BYTES], after[BYTES];
             fmi3Instance instance = instance_at(place);
+            const size_t size = bytes_of(instance, before);
             assert_int_equal(calls[i].call(instance), allowed ? fmi3OK : fmi3Error);
             assert_int_equal(message_count, allowed ? 0 : 1);
             if (!allowed) {
                 assert_non_null(strstr(last_message, calls[i].name));
                 assert_string_equal(last_category, "logStatusError");
-                assert_int_equal(call_set_input(instance), fmi3Error);
-                assert_int_equal(fmi3Reset(instance), fmi3OK);
-                initialize3(instance);
+                assert_int_equal(bytes_of(instance, after), size);
+                assert_memory_equal(before, after, size);
+                ++refused;
             }
             fmi3FreeInstance(instance);
         }
     }
+    assert_int_equal(refused, 123);
 }
 
 static void refuses_what_the_unit_does_not_have(void **state) {
@@ -251,10 +306,8 @@ static void refuses_what_the_unit_does_not_have(void **state) {
     initialize3(instance);
     assert_int_equal(fmi3GetFloat32(instance, &reference, 1, &single, 1), fmi3Error);
     assert_string_equal(last_message, "fmi3GetFloat32: the unit has no variable of type Float32");
-    assert_int_equal(fmi3Reset(instance), fmi3OK);
     assert_int_equal(fmi3EnterConfigurationMode(instance), fmi3Error);
     assert_non_null(strstr(last_message, "structural parameter"));
-    assert_int_equal(fmi3Reset(instance), fmi3OK);
     assert_int_equal(fmi3SetClock(instance, &reference, 1, NULL), fmi3Error);
     assert_non_null(strstr(last_message, "clock"));
     fmi3FreeInstance(instance);
@@ -334,15 +387,9 @@ static void wrong_counts_references_and_arrays_are_refused(void **state) {
     (void)state;
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, values, 2), fmi3Error);
     assert_non_null(strstr(last_message, "scalar"));
-    assert_int_equal(fmi3Reset(instance), fmi3OK);
-    initialize3(instance);
     assert_int_equal(fmi3GetFloat64(instance, &none, 1, values, 1), fmi3Error);
     assert_non_null(strstr(last_message, "100000"));
-    assert_int_equal(fmi3Reset(instance), fmi3OK);
-    initialize3(instance);
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, NULL, 1), fmi3Error);
-    assert_int_equal(fmi3Reset(instance), fmi3OK);
-    initialize3(instance);
     assert_int_equal(fmi3GetFloat64(instance, NULL, 0, NULL, 0), fmi3OK);
     assert_int_equal(fmi3GetContinuousStates(instance, values, TDMF_STATE_COUNT - 1), fmi3Error);
     assert_non_null(strstr(last_message, "11"));
@@ -359,7 +406,6 @@ static void bad_experiments_and_bad_starts_are_refused(void **state) {
         assert_int_equal(
             fmi3EnterInitializationMode(instance, true, bad[i].tolerance, bad[i].start, true, bad[i].stop),
             fmi3Error);
-        assert_int_equal(fmi3Reset(instance), fmi3OK);
     }
     assert_int_equal(set_float(instance, "leg.length", 0.5), fmi3OK);
     assert_int_equal(set_float(instance, "leg.min_length", 0.6), fmi3OK);
@@ -464,24 +510,6 @@ static void trial_states_are_cut_or_discarded(void **state) {
         states[i] = NAN;
         assert_int_equal(fmi3SetContinuousStates(instance, states, TDMF_STATE_COUNT), fmi3Discard);
     }
-    fmi3FreeInstance(instance);
-}
-
-static void log_categories_are_honoured(void **state) {
-    static const char *events[] = {"logEvents"};
-    static const char *unknown[] = {"logWeather"};
-    update_answer answer;
-    fmi3Instance instance = new_exchange();
-    (void)state;
-    assert_int_equal(fmi3SetDebugLogging(instance, true, 1, events), fmi3OK);
-    initialize3(instance);
-    assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
-    land(instance, &answer);
-    assert_string_equal(last_category, "logEvents");
-    assert_non_null(strstr(last_message, "flight, place -> "));
-    assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
-    assert_int_equal(fmi3SetDebugLogging(instance, true, 1, unknown), fmi3Error);
-    assert_non_null(strstr(last_message, "logWeather"));
     fmi3FreeInstance(instance);
 }
 
@@ -612,7 +640,7 @@ int main(void) {
         cmocka_unit_test(refuses_interfaces_and_variables_it_does_not_have),
         cmocka_unit_test(refuses_null_instances),
         cmocka_unit_test(runs_without_logger),
-        cmocka_unit_test(follows_the_call_sequence),
+        cmocka_unit_test(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken),
         cmocka_unit_test(refuses_what_the_unit_does_not_have),
         cmocka_unit_test(every_variable_is_read_by_its_own_type_only),
         cmocka_unit_test(values_out_of_range_are_discarded_and_the_old_kept),
@@ -624,7 +652,6 @@ int main(void) {
         cmocka_unit_test(event_mode_goes_by_the_guards),
         cmocka_unit_test(a_fall_asks_to_stop_where_the_parameter_says_so),
         cmocka_unit_test(trial_states_are_cut_or_discarded),
-        cmocka_unit_test(log_categories_are_honoured),
         cmocka_unit_test(directional_and_adjoint_derivatives_are_one_matrix),
         cmocka_unit_test(derivatives_are_there_before_the_run),
         cmocka_unit_test(nominals_are_those_of_the_parameters_set),

@@ -69,7 +69,7 @@ def test_ten_strides(compiled, interface):
 def test_cvode_is_refused_in_words(compiled):
     """In a process of its own, where the unit's message goes to FMPy's own logger."""
     program = "import fmpy, sys; fmpy.simulate_fmu(sys.argv[1], fmi_type='CoSimulation', stop_time=1.0, "
-    program += f"start_values={{{SOLVER!r}: 2}})"
+    program += f"debug_logging=True, start_values={{{SOLVER!r}: 2}})"
     done = subprocess.run([sys.executable, "-c", program, compiled], capture_output=True, text=True)
     assert done.returncode != 0 and "ExitInitializationMode" in done.stderr
     assert "built without SUNDIALS" in done.stdout

@@ -1,0 +1,362 @@
+/* Calls that importers make of both FMI versions and the standards allow, or leave the instance to outlive:
+ * of PyFMI, FMUChecker, fmusim, and of whoever asks for nothing. */
+#include "compare.h"
+#include "fmi2_importer.h"
+#include "fmi3_importer.h"
+
+#include "unit.h"
+#include "variables.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- reading before initialization, as PyFMI's load_fmu and get --------------------------------------- */
+
+static void start_values_are_read_before_initialization(void **state) {
+    int read = 0;
+    (void)state;
+    fmi2Component component = new_instance();
+    fmi3Instance instance = new_exchange();
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const unit_variable *variable = &unit_variables[i];
+        if (variable->settable_before_start && variable->type == VARIABLE_REAL) {
+            assert_true(get_real(component, variable->name) == variable->start);
+            assert_true(get_float(instance, variable->name) == variable->start);
+            ++read;
+        }
+    }
+    assert_int_equal(read, 13 + 2 + 8); /* parameters, inputs, states */
+    assert_int_equal(get_integer(component, "solver.method"), SOLVER_NATIVE);
+    assert_int_equal(get_enumeration(instance, "solver.method"), SOLVER_NATIVE);
+    start_running(component);
+    initialize3(instance);
+    fmi2FreeInstance(component);
+    fmi3FreeInstance(instance);
+}
+
+/* The rest is what it would be if the run began now: the same as after the start. */
+static void what_follows_from_start_values_is_read_before_initialization(void **state) {
+    static double before[256];
+    int read = 0;
+    (void)state;
+    fmi2Component component = new_instance();
+    assert_true(unit_variable_count <= 256);
+    assert_int_equal(set_real(component, "gravity", 0.02), fmi2OK);
+    assert_int_equal(set_real(component, "foot.vy", -0.1), fmi2OK);
+    for (int pass = 0; pass < 2; ++pass) {
+        for (size_t i = 0; i < unit_variable_count; ++i) {
+            if (unit_variables[i].type == VARIABLE_REAL) {
+                const double value = get_real(component, unit_variables[i].name);
+                before[i] = pass == 0 ? value : before[i];
+                assert_true(value == before[i]);
+                ++read;
+            }
+        }
+        if (pass == 0) {
+            initialize(component);
+        }
+    }
+    assert_true(before[reference_of("gravity")] == 0.02);
+    assert_true(read > 2 * 60);
+    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    fmi2FreeInstance(component);
+}
+
+/* They cannot tell of a run that cannot begin; nothing is spoilt by asking. */
+static void contradicting_start_values_are_read_and_what_follows_is_not(void **state) {
+    const fmi2ValueReference mode = reference_of("contact.mode"), word = reference_of("stride.word"),
+                             height = reference_of("body.y");
+    int number = 77;
+    double real = 77.0;
+    const char *text = "as it was";
+    (void)state;
+    fmi2Component component = new_instance();
+    assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
+    assert_true(get_real(component, "leg.min_length") == 2.0);
+    assert_int_equal(fmi2GetInteger(component, &mode, 1, &number), fmi2Discard);
+    assert_non_null(strstr(last_message, "leg.min_length"));
+    assert_int_equal(fmi2GetReal(component, &height, 1, &real), fmi2Discard);
+    assert_int_equal(fmi2GetString(component, &word, 1, &text), fmi2Discard);
+    assert_true(number == 77 && real == 77.0 && strcmp(text, "as it was") == 0);
+    assert_int_equal(set_real(component, "leg.min_length", 0.1), fmi2OK);
+    start_running(component);
+    fmi2FreeInstance(component);
+}
+
+/* ---- states by their value references, as PyFMI's get_state_space_representation ---------------------- */
+
+/* A bent state of a stance, and the derivatives that it has when set as a whole. */
+static void set_as_a_whole(fmi2Component component, double states[], double derivatives[]) {
+    assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        states[i] += 0.01 * (i + 1);
+    }
+    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
+}
+
+static void states_set_one_by_one_are_states_set_as_a_whole(void **state) {
+    double states[TDMF_STATE_COUNT], expected[TDMF_STATE_COUNT], found[TDMF_STATE_COUNT];
+    const fmi2ValueReference first = reference_of("foot.x");
+    (void)state;
+    fmi2Component whole = new_instance(), single = new_instance();
+    fmi3Instance third = new_exchange();
+    start_running(whole);
+    start_running(single);
+    initialize3(third);
+    assert_int_equal(fmi3EnterContinuousTimeMode(third), fmi3OK);
+    set_as_a_whole(whole, states, expected);
+    for (fmi2ValueReference i = 0; i < TDMF_STATE_COUNT; ++i) {
+        const fmi2ValueReference reference = first + i;
+        const fmi3ValueReference reference3 = first + i;
+        assert_int_equal(fmi2SetReal(single, &reference, 1, &states[i]), fmi2OK);
+        assert_int_equal(fmi3SetFloat64(third, &reference3, 1, &states[i], 1), fmi3OK);
+    }
+    assert_int_equal(fmi2GetDerivatives(single, found, TDMF_STATE_COUNT), fmi2OK);
+    assert_memory_equal(found, expected, sizeof found);
+    assert_int_equal(fmi3GetContinuousStateDerivatives(third, found, TDMF_STATE_COUNT), fmi3OK);
+    assert_memory_equal(found, expected, sizeof found);
+    assert_true(get_real(single, "body.y") == get_real(whole, "body.y"));
+    fmi2FreeInstance(whole);
+    fmi2FreeInstance(single);
+    fmi3FreeInstance(third);
+}
+
+/* The matrix A of a state space, by differences of states that are set one by one. */
+static void differences_of_states_set_one_by_one_are_the_directional_derivatives(void **state) {
+    static const double delta = 1e-6;
+    const fmi2ValueReference states = reference_of("foot.x"), slopes = reference_of("der(foot.x)");
+    int nonzero = 0;
+    (void)state;
+    fmi2Component component = new_instance();
+    start_running(component);
+    for (fmi2ValueReference j = 0; j < TDMF_STATE_COUNT; ++j) {
+        const fmi2ValueReference known = states + j;
+        const double one = 1.0;
+        double at, shifted, sides[2][TDMF_STATE_COUNT];
+        assert_int_equal(fmi2GetReal(component, &known, 1, &at), fmi2OK);
+        for (int side = 0; side < 2; ++side) {
+            shifted = at + (side == 0 ? -delta : delta);
+            assert_int_equal(fmi2SetReal(component, &known, 1, &shifted), fmi2OK);
+            assert_int_equal(fmi2GetDerivatives(component, sides[side], TDMF_STATE_COUNT), fmi2OK);
+        }
+        assert_int_equal(fmi2SetReal(component, &known, 1, &at), fmi2OK);
+        for (fmi2ValueReference i = 0; i < TDMF_STATE_COUNT; ++i) {
+            const fmi2ValueReference unknown = slopes + i;
+            double value;
+            assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &value),
+                             fmi2OK);
+            assert_close((sides[1][i] - sides[0][i]) / (2.0 * delta), value, 1e-7);
+            nonzero += value != 0.0 ? 1 : 0;
+        }
+    }
+    assert_true(nonzero >= 20);
+    fmi2FreeInstance(component);
+}
+
+/* A solver's trial may lie beyond any start: below the ground, or nowhere. */
+static void trial_states_go_beyond_the_range_of_starts(void **state) {
+    static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
+    const fmi2ValueReference pair[] = {reference_of("foot.x"), reference_of("leg.length")};
+    const double half_bad[] = {123.0, NAN};
+    double derivatives[TDMF_STATE_COUNT];
+    (void)state;
+    fmi2Component component = new_instance();
+    start_running(component);
+    const double x = get_real(component, "foot.x"), y = get_real(component, "foot.y");
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i) {
+        assert_int_equal(set_real(component, "foot.y", trials[i]), fmi2OK);
+        assert_int_equal(set_real(component, "leg.length", trials[i]), fmi2OK);
+        assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
+        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
+            assert_true(isfinite(derivatives[j]));
+        }
+    }
+    assert_int_equal(set_real(component, "foot.y", y), fmi2OK);
+    assert_int_equal(set_real(component, "foot.y", NAN), fmi2Discard);
+    assert_non_null(strstr(last_message, "foot.y is not a number"));
+    assert_true(get_real(component, "foot.y") == y);
+    assert_int_equal(fmi2SetReal(component, pair, 2, half_bad), fmi2Discard);
+    assert_true(get_real(component, "foot.x") == x);
+    fmi2FreeInstance(component);
+}
+
+/* FMI 3.0.2, section 2.3.5: in event mode those with reinit = false, in Model Exchange only. */
+static void event_mode_takes_states_that_no_event_changes(void **state) {
+    int taken = 0;
+    (void)state;
+    fmi3Instance exchange = new_exchange(), stepper = new_stepper(true, true);
+    initialize3(exchange);
+    initialize3(stepper);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (unit_variables[i].storage == STORED_STATE) {
+            const char *name = unit_variables[i].name;
+            const bool reinit = strcmp(name, "foot.y") == 0 || strcmp(name, "foot.vx") == 0 ||
+                                strcmp(name, "foot.vy") == 0 || strcmp(name, "leg.length_rate") == 0 ||
+                                strcmp(name, "leg.angle_rate") == 0;
+            assert_int_equal(set_float(exchange, name, 0.9), reinit ? fmi3Error : fmi3OK);
+            assert_int_equal(set_float(stepper, name, 0.9), fmi3Error);
+            assert_non_null(strstr(last_message, "cannot be set in event mode"));
+            taken += reinit ? 0 : 1;
+        }
+    }
+    assert_int_equal(taken, 7);
+    assert_true(get_float(exchange, "leg.length") == 0.9);
+    fmi3FreeInstance(exchange);
+    fmi3FreeInstance(stepper);
+}
+
+static void states_stay_the_units_own_in_co_simulation(void **state) {
+    (void)state;
+    fmi2Component component = new_slave();
+    initialize(component);
+    assert_int_equal(set_real(component, "foot.x", 1.0), fmi2Error);
+    assert_non_null(strstr(last_message, "foot.x cannot be set between steps of Co-Simulation"));
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
+    fmi2FreeInstance(component);
+}
+
+/* ---- asking for nothing -------------------------------------------------------------------------------- */
+
+#define ASKS_FOR_NONE(Type)                                                                                  \
+    assert_int_equal(fmi3Get##Type(instance, NULL, 0, NULL, 0), fmi3OK);                                     \
+    assert_int_equal(fmi3Set##Type(instance, NULL, 0, NULL, 0), fmi3OK)
+
+#define ASKS_FOR_ONE(Type)                                                                                   \
+    assert_int_equal(fmi3Get##Type(instance, &reference, 1, NULL, 1), fmi3Error);                            \
+    assert_int_equal(fmi3Get##Type(instance, &reference, 0, NULL, 1), fmi3Error);                            \
+    assert_int_equal(fmi3Set##Type(instance, &reference, 1, NULL, 1), fmi3Error);                            \
+    assert_int_equal(fmi3Set##Type(instance, &reference, 1, NULL, 0), fmi3Error);                            \
+    assert_non_null(strstr(last_message, "no variable of type " #Type))
+
+static void none_of_what_the_unit_lacks_is_given_and_one_refused(void **state) {
+    const fmi3ValueReference reference = 0;
+    (void)state;
+    fmi3Instance instance = new_exchange();
+    initialize3(instance);
+    ASKS_FOR_NONE(Float32);
+    ASKS_FOR_NONE(Float64);
+    ASKS_FOR_NONE(Int8);
+    ASKS_FOR_NONE(UInt8);
+    ASKS_FOR_NONE(Int16);
+    ASKS_FOR_NONE(UInt16);
+    ASKS_FOR_NONE(Int32);
+    ASKS_FOR_NONE(UInt32);
+    ASKS_FOR_NONE(Int64);
+    ASKS_FOR_NONE(UInt64);
+    ASKS_FOR_NONE(Boolean);
+    ASKS_FOR_NONE(String);
+    assert_int_equal(fmi3GetBinary(instance, NULL, 0, NULL, NULL, 0), fmi3OK);
+    assert_int_equal(fmi3SetBinary(instance, NULL, 0, NULL, NULL, 0), fmi3OK);
+    assert_int_equal(fmi3GetClock(instance, NULL, 0, NULL), fmi3OK);
+    assert_int_equal(fmi3SetClock(instance, NULL, 0, NULL), fmi3OK);
+    assert_int_equal(fmi3GetIntervalDecimal(instance, NULL, 0, NULL, NULL), fmi3OK);
+    assert_int_equal(fmi3GetIntervalFraction(instance, NULL, 0, NULL, NULL, NULL), fmi3OK);
+    assert_int_equal(fmi3GetShiftDecimal(instance, NULL, 0, NULL), fmi3OK);
+    assert_int_equal(fmi3GetShiftFraction(instance, NULL, 0, NULL, NULL), fmi3OK);
+    assert_int_equal(fmi3SetIntervalDecimal(instance, NULL, 0, NULL), fmi3OK);
+    assert_int_equal(fmi3SetIntervalFraction(instance, NULL, 0, NULL, NULL), fmi3OK);
+    assert_int_equal(fmi3SetShiftDecimal(instance, NULL, 0, NULL), fmi3OK);
+    assert_int_equal(fmi3SetShiftFraction(instance, NULL, 0, NULL, NULL), fmi3OK);
+    assert_int_equal(message_count, 0);
+    ASKS_FOR_ONE(Float32);
+    ASKS_FOR_ONE(Int8);
+    ASKS_FOR_ONE(UInt8);
+    ASKS_FOR_ONE(Int16);
+    ASKS_FOR_ONE(UInt16);
+    ASKS_FOR_ONE(UInt32);
+    ASKS_FOR_ONE(UInt64);
+    assert_int_equal(fmi3GetBinary(instance, &reference, 1, NULL, NULL, 1), fmi3Error);
+    assert_int_equal(fmi3SetBinary(instance, &reference, 1, NULL, NULL, 1), fmi3Error);
+    assert_int_equal(fmi3GetClock(instance, &reference, 1, NULL), fmi3Error);
+    assert_int_equal(fmi3GetIntervalDecimal(instance, &reference, 1, NULL, NULL), fmi3Error);
+    assert_int_equal(fmi3SetShiftFraction(instance, &reference, 1, NULL, NULL), fmi3Error);
+    assert_int_equal(fmi3ActivateModelPartition(instance, reference, 0.0), fmi3Error);
+    assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK); /* all that has done no harm */
+    fmi3FreeInstance(instance);
+}
+
+static void discrete_states_are_evaluated_by_doing_nothing(void **state) {
+    update_answer answer;
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        fmi3Instance instance = i == 0 ? new_exchange() : new_stepper(true, true);
+        assert_int_equal(fmi3EvaluateDiscreteStates(instance), fmi3Error);
+        initialize3(instance);
+        assert_int_equal(fmi3EvaluateDiscreteStates(instance), fmi3OK);
+        assert_int_equal(update(instance, &answer), fmi3OK);
+        fmi3FreeInstance(instance);
+    }
+}
+
+/* ---- after an error ------------------------------------------------------------------------------------ */
+
+/* An input so steep that the step cannot be made. */
+static fmi2Component failed_slave(void) {
+    const fmi2ValueReference friction = reference_of("ground.friction");
+    const fmi2Integer first = 1;
+    const double rate = 1e200;
+    fmi2Component component = new_slave();
+    initialize(component);
+    assert_int_equal(fmi2SetRealInputDerivatives(component, &friction, 1, &first, &rate), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, 0.0, 11.0, fmi2True), fmi2Error);
+    return component;
+}
+
+static void a_failed_step_leaves_what_may_be_read_and_saved(void **state) {
+    fmi2FMUstate saved = NULL;
+    (void)state;
+    fmi2Component component = failed_slave();
+    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
+    assert_true(isfinite(get_real(component, "body.y")));
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2Error); /* still the failed one */
+    assert_non_null(strstr(last_message, "after an error"));
+    assert_int_equal(set_real(component, "ground.friction", 0.6), fmi2Error);
+    assert_int_equal(fmi2Terminate(component), fmi2Error);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2Reset(component), fmi2OK);
+    initialize(component);
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
+    fmi2FreeInstance(component);
+}
+
+/* A refused step leaves the run where it was: the right one is made then. */
+static void a_step_out_of_place_is_made_good(void **state) {
+    step_answer answer;
+    (void)state;
+    fmi2Component component = new_slave();
+    fmi3Instance instance = new_stepper(false, false);
+    initialize(component);
+    initialize3(instance);
+    assert_int_equal(fmi2DoStep(component, 0.5, 1.0, fmi2True), fmi2Error);
+    assert_int_equal(fmi2DoStep(component, 0.0, -1.0, fmi2True), fmi2Error);
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
+    assert_int_equal(fmi2CancelStep(component), fmi2Error);
+    assert_int_equal(fmi2DoStep(component, 1.0, 1.0, fmi2True), fmi2OK);
+    assert_int_equal(do_step(instance, 0.5, 1.0, &answer), fmi3Error);
+    assert_int_equal(do_step(instance, 0.0, 2.0, &answer), fmi3OK);
+    assert_close(get_real(component, "foot.x"), get_float(instance, "foot.x"), 1e-12);
+    fmi2FreeInstance(component);
+    fmi3FreeInstance(instance);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(start_values_are_read_before_initialization),
+        cmocka_unit_test(what_follows_from_start_values_is_read_before_initialization),
+        cmocka_unit_test(contradicting_start_values_are_read_and_what_follows_is_not),
+        cmocka_unit_test(states_set_one_by_one_are_states_set_as_a_whole),
+        cmocka_unit_test(differences_of_states_set_one_by_one_are_the_directional_derivatives),
+        cmocka_unit_test(trial_states_go_beyond_the_range_of_starts),
+        cmocka_unit_test(event_mode_takes_states_that_no_event_changes),
+        cmocka_unit_test(states_stay_the_units_own_in_co_simulation),
+        cmocka_unit_test(none_of_what_the_unit_lacks_is_given_and_one_refused),
+        cmocka_unit_test(discrete_states_are_evaluated_by_doing_nothing),
+        cmocka_unit_test(a_failed_step_leaves_what_may_be_read_and_saved),
+        cmocka_unit_test(a_step_out_of_place_is_made_good),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

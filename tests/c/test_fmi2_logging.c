@@ -1,0 +1,310 @@
+/* What the units of both FMI versions log, and when they are silent. */
+#include "compare.h"
+#include "fmi2_importer.h"
+#include "fmi3_importer.h"
+
+#include "guid.h"
+#include "tdmf_slip/cvode.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EVENTS_OF_TEN_STRIDES = 90 };
+static const double ten_strides = 248.0; /* the stop time of the default experiment */
+
+/* ---- categories --------------------------------------------------------------------------------------- */
+
+static const char *const errors_category[] = {"logStatusError"};
+static const char *const discards_category[] = {"logStatusDiscard"};
+
+static fmi2Component logging_instance(fmi2Boolean logging) {
+    forget_messages();
+    fmi2Component component =
+        fmi2Instantiate("runner", fmi2CoSimulation, UNIT_GUID, NULL, &importer_callbacks, fmi2False, logging);
+    assert_non_null(component);
+    return component;
+}
+
+/* Messages of a call that is out of place, of one whose value is refused, and of a step over two events. */
+typedef struct {
+    int errors, discards, events;
+} heard;
+
+static heard listen(fmi2Component component) {
+    heard result;
+    const double time = get_real(component, "time");
+    forget_messages();
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2Error);
+    result.errors = message_count;
+    assert_int_equal(set_real(component, "ground.friction", -1.0), fmi2Discard);
+    result.discards = message_count - result.errors;
+    assert_int_equal(fmi2DoStep(component, time, 25.0, fmi2True), fmi2OK);
+    result.events = message_count - result.errors - result.discards;
+    return result;
+}
+
+static void assert_heard(fmi2Component component, bool errors, bool discards, bool events) {
+    const heard result = listen(component);
+    assert_int_equal(result.errors, errors ? 1 : 0);
+    assert_int_equal(result.discards, discards ? 1 : 0);
+    assert_true(events == (result.events > 0));
+}
+
+static void an_instance_made_without_logging_is_silent(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2False);
+    initialize(component);
+    assert_heard(component, false, false, false);
+    fmi2FreeInstance(component);
+    fmi3Instance instance =
+        fmi3InstantiateModelExchange("runner", UNIT_GUID, NULL, false, false, NULL, importer_logger);
+    assert_int_equal(fmi3SetTime(instance, 0.0), fmi3Error);
+    assert_int_equal(set_float(instance, "body.mass", -1.0), fmi3Discard);
+    assert_int_equal(message_count, 0);
+    fmi3FreeInstance(instance);
+}
+
+static void an_instance_made_with_logging_says_everything(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    initialize(component);
+    assert_heard(component, true, true, true);
+    fmi2FreeInstance(component);
+}
+
+static void all_is_switched_off_and_on(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    initialize(component);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
+    assert_heard(component, false, false, false);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 0, NULL), fmi2OK);
+    assert_heard(component, true, true, true);
+    fmi2FreeInstance(component);
+}
+
+static void categories_are_switched_one_by_one(void **state) {
+    (void)state;
+    for (int logging = 0; logging < 2; ++logging) {
+        fmi2Component component = logging_instance(logging);
+        initialize(component);
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, errors_category), fmi2OK);
+        assert_heard(component, true, false, false); /* "only" these: what it was made with is replaced */
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
+        assert_heard(component, true, false, true);
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, discards_category), fmi2OK);
+        assert_heard(component, true, true, true);
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, errors_category), fmi2OK);
+        assert_heard(component, false, true, true);
+        fmi2FreeInstance(component);
+    }
+}
+
+static void a_category_switched_off_first_leaves_the_others(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    initialize(component);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, events_category), fmi2OK);
+    assert_heard(component, true, true, false);
+    fmi2FreeInstance(component);
+}
+
+static void unknown_categories_are_warned_of_and_the_others_taken(void **state) {
+    static const char *const names[] = {"logEvents", "logWeather", NULL};
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    initialize(component);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 2, names), fmi2Warning);
+    assert_string_equal(last_message, "fmi2SetDebugLogging: there is no log category logWeather");
+    assert_string_equal(last_category, "logStatusWarning");
+    assert_heard(component, false, false, true);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 3, names), fmi2Warning);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, names + 1), fmi2Warning);
+    assert_heard(component, false, false, true);
+    fmi2FreeInstance(component);
+
+    fmi3Instance instance = new_exchange();
+    assert_int_equal(fmi3SetDebugLogging(instance, true, 2, names), fmi3Warning);
+    initialize3(instance);
+    fmi3FreeInstance(instance);
+}
+
+/* ---- events ------------------------------------------------------------------------------------------- */
+
+static double time_of(const char *message) {
+    const char *at = strstr(message, " at ");
+    assert_non_null(at);
+    return strtod(at + 4, NULL);
+}
+
+static bool is_same_event(const char *a, const char *b) {
+    const char *name = strstr(a, " at ");
+    return strncmp(a, b, (size_t)(name - a)) == 0 && strcmp(strchr(a, ':'), strchr(b, ':')) == 0;
+}
+
+static fmi2Component stepped(fmi2Boolean logging, int method, double step) {
+    const fmi2ValueReference reference = reference_of("solver.method");
+    fmi2Component component = logging_instance(logging);
+    assert_int_equal(fmi2SetInteger(component, &reference, 1, &method), fmi2OK);
+    initialize(component);
+    const int count = (int)lround(ten_strides / step);
+    for (int i = 0; i < count; ++i) {
+        assert_int_equal(fmi2DoStep(component, i * step, step, fmi2True), fmi2OK);
+    }
+    return component;
+}
+
+/* One step over ten strides, and the same in short steps: each event is told once, in order, at its time. */
+static void every_event_of_a_step_is_logged_with_its_time(void **state) {
+    static const double steps[] = {248.0, 0.25};
+    static char first[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        fmi2Component component = stepped(fmi2True, SOLVER_NATIVE, steps[i]);
+        assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
+        assert_int_equal(get_integer(component, "event.count"), EVENTS_OF_TEN_STRIDES);
+        assert_string_equal(last_category, "logEvents");
+        for (int j = 0; j < EVENTS_OF_TEN_STRIDES; ++j) {
+            assert_true(j == 0 || time_of(messages[j]) >= time_of(messages[j - 1]));
+            if (i == 0) {
+                strcpy(first[j], messages[j]);
+            }
+            assert_true(is_same_event(messages[j], first[j]));
+            assert_close(time_of(messages[j]), time_of(first[j]), 1e-8);
+        }
+        assert_close(time_of(last_message), get_real(component, "event.last_time"), 1e-9);
+        fmi2FreeInstance(component);
+    }
+    assert_non_null(strstr(first[0], "touchdown at 11.9085"));
+    assert_non_null(strstr(first[0], " s: flight, place -> slip_positive, drive"));
+    assert_non_null(strstr(first[8], "apex at 24.764449228 s: flight, retract -> flight, place"));
+}
+
+/* What is said of an event that the importer takes is what is said of one that the unit takes itself. */
+static void an_event_is_told_alike_in_event_mode(void **state) {
+    static char told[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
+    double time = 0.0;
+    (void)state;
+    fmi2FreeInstance(stepped(fmi2True, SOLVER_NATIVE, ten_strides));
+    memcpy(told, messages, sizeof told);
+    forget_messages();
+    fmi3Instance instance = new_stepper(true, true);
+    assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
+    initialize3(instance);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    while (time < ten_strides) {
+        step_answer answer;
+        update_answer after;
+        assert_int_equal(do_step(instance, time, ten_strides - time, &answer), fmi3OK);
+        time = answer.time;
+        if (answer.event) {
+            const int before = message_count;
+            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+            assert_int_equal(update(instance, &after), fmi3OK);
+            assert_int_equal(message_count, before + 1);
+            assert_true(is_same_event(last_message, told[before]));
+            assert_close(time_of(last_message), time_of(told[before]), 1e-8);
+            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+        }
+    }
+    assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
+    fmi3FreeInstance(instance);
+}
+
+static void logging_changes_no_bit_of_a_run(void **state) {
+    static const char *const names[] = {"foot.x",          "foot.y",         "leg.length",
+                                        "leg.angle",       "foot.vx",        "foot.vy",
+                                        "leg.length_rate", "leg.angle_rate", "hip.work"};
+    int compared = 0;
+    (void)state;
+    for (int method = SOLVER_NATIVE; method <= SOLVER_CVODE; ++method) {
+        if (method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
+            continue;
+        }
+        fmi2Component silent = stepped(fmi2False, method, ten_strides);
+        fmi2Component talking = stepped(fmi2True, method, ten_strides);
+        assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
+        for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+            assert_true(get_real(silent, names[i]) == get_real(talking, names[i]));
+            ++compared;
+        }
+        assert_int_equal(get_integer(silent, "solver.steps"), get_integer(talking, "solver.steps"));
+        fmi2FreeInstance(silent);
+        fmi2FreeInstance(talking);
+    }
+    assert_true(compared == 9 || compared == 18);
+}
+
+static void an_input_that_jumps_between_steps_makes_an_event_too(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    initialize(component);
+    for (int i = 0; get_integer(component, "contact.mode") != TDMF_CONTACT_STICK; ++i) {
+        assert_true(i < 300);
+        assert_int_equal(fmi2DoStep(component, 0.05 * i, 0.05, fmi2True), fmi2OK);
+    }
+    const double time = get_real(component, "time");
+    forget_messages();
+    assert_int_equal(set_real(component, "ground.friction", 0.01), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, time, 1e-6, fmi2True), fmi2OK);
+    assert_int_equal(message_count, 1);
+    assert_true(strncmp(last_message, "slip_onset_", 11) == 0);
+    assert_close(time_of(last_message), time, 1e-9);
+    fmi2FreeInstance(component);
+}
+
+static void a_fall_is_logged_as_one(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2True);
+    assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
+    initialize(component);
+    assert_int_equal(fmi2DoStep(component, 0.0, 2000.0, fmi2True), fmi2OK);
+    assert_non_null(strstr(last_message, ", fallen"));
+    assert_true(strncmp(last_message, "body_down", 9) == 0 ||
+                strncmp(last_message, "leg_too_short", 13) == 0);
+    fmi2FreeInstance(component);
+}
+
+/* Model Exchange: the importer stops where a guard is down, and what is taken there is named by it. */
+static void an_event_of_model_exchange_is_named_by_its_guard(void **state) {
+    double states[TDMF_STATE_COUNT];
+    fmi2EventInfo info;
+    (void)state;
+    fmi2Component component = new_instance();
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
+    start_running(component);
+    assert_int_equal(message_count, 0);
+    assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    states[TDMF_FOOT_Y] = -1e-12;
+    states[TDMF_FOOT_VY] = -0.1;
+    assert_int_equal(fmi2SetTime(component, 1.5), fmi2OK);
+    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
+    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
+    assert_int_equal(message_count, 1);
+    assert_non_null(strstr(last_message, "touchdown at 1.5 s: flight, place -> "));
+    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
+    assert_int_equal(message_count, 1);
+    fmi2FreeInstance(component);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_instance_made_without_logging_is_silent),
+        cmocka_unit_test(an_instance_made_with_logging_says_everything),
+        cmocka_unit_test(all_is_switched_off_and_on),
+        cmocka_unit_test(categories_are_switched_one_by_one),
+        cmocka_unit_test(a_category_switched_off_first_leaves_the_others),
+        cmocka_unit_test(unknown_categories_are_warned_of_and_the_others_taken),
+        cmocka_unit_test(every_event_of_a_step_is_logged_with_its_time),
+        cmocka_unit_test(an_event_is_told_alike_in_event_mode),
+        cmocka_unit_test(logging_changes_no_bit_of_a_run),
+        cmocka_unit_test(an_input_that_jumps_between_steps_makes_an_event_too),
+        cmocka_unit_test(a_fall_is_logged_as_one),
+        cmocka_unit_test(an_event_of_model_exchange_is_named_by_its_guard),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
