@@ -1,97 +1,110 @@
-/* Saved and serialized states. A saved state is a copy of the unit, which holds no pointer, behind a
- * header that tells whether it is ours: it restores in any instance and, serialized, in any process. */
+/* Saved and serialized states. A saved state is the bytes of a run (see saved_fields.c) behind a header that
+ * tells whether they are ours; serialized, it is the same bytes. So it restores in any instance and process,
+ * and nothing in it is believed before it was checked. */
 #include "guid.h"
-#include "instance.h"
+#include "saved_fields.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+static const uint32_t byte_order = 0x01020304; /* reads otherwise on a machine of another kind */
+
 typedef struct {
-    char guid[40];       /* of the unit that saved it: its variables and version */
-    uint32_t byte_order; /* reads otherwise on a machine of another kind */
+    char guid[40]; /* of the unit that saved it: its variables and version */
+    uint32_t byte_order;
     uint32_t size;
     uint64_t checksum; /* of what follows */
 } header;
 
-typedef struct {
-    header header;
-    struct {
-        interface_kind interface;
-        call_state state;
-        unit unit;
-    } content;
-} saved_state;
+static size_t saved_size(void) {
+    return sizeof(header) + saved_run_size();
+}
+
+static const unsigned char *content_of(const void *state) {
+    return (const unsigned char *)state + sizeof(header);
+}
 
 /* FNV-1a */
-static uint64_t checksum_of(const saved_state *saved) {
-    const unsigned char *bytes = (const unsigned char *)&saved->content;
+static uint64_t checksum_of(const void *state) {
+    const unsigned char *bytes = content_of(state);
+    const size_t size = saved_run_size();
     uint64_t hash = UINT64_C(14695981039346656037);
-    for (size_t i = 0; i < sizeof saved->content; ++i) {
+    for (size_t i = 0; i < size; ++i) {
         hash = (hash ^ bytes[i]) * UINT64_C(1099511628211);
     }
     return hash;
 }
 
-static void fill(saved_state *saved, const instance *instance) {
-    memset(saved, 0, sizeof *saved);
-    memcpy(saved->header.guid, UNIT_GUID, sizeof UNIT_GUID);
-    saved->header.byte_order = 0x01020304;
-    saved->header.size = sizeof *saved;
-    saved->content.interface = instance->interface;
-    saved->content.state = instance->state;
-    memcpy(&saved->content.unit, &instance->unit, sizeof instance->unit);
-    saved->header.checksum = checksum_of(saved);
+static header header_of(const void *state) {
+    header header;
+    memset(&header, 0, sizeof header);
+    memcpy(header.guid, UNIT_GUID, sizeof UNIT_GUID);
+    header.byte_order = byte_order;
+    header.size = (uint32_t)saved_size();
+    header.checksum = checksum_of(state);
+    return header;
 }
 
-/* Why these bytes are no state of this unit, or NULL. */
-static const char *reason_to_reject(const saved_state *saved) {
-    if (saved->header.byte_order != 0x01020304 || saved->header.size != sizeof *saved) {
+/* NULL, and the run that the state holds; or why it is refused, perhaps written into `reason`. */
+static const char *read_state(const void *state, saved_run *run, char *reason, size_t capacity) {
+    header found;
+    memcpy(&found, state, sizeof found);
+    const header wanted = header_of(state);
+    if (found.byte_order != wanted.byte_order || found.size != wanted.size) {
         return "it was saved by another program or on another kind of machine";
     }
-    if (memcmp(saved->header.guid, UNIT_GUID, sizeof UNIT_GUID) != 0) {
+    if (memcmp(found.guid, wanted.guid, sizeof found.guid) != 0) {
         return "it was saved by another version of the unit";
     }
-    if (saved->header.checksum != checksum_of(saved)) {
+    if (found.checksum != wanted.checksum) {
         return "its bytes have been changed";
     }
-    return NULL;
+    return read_saved_run(content_of(state), run, reason, capacity);
+}
+
+static void write_state(const instance *instance, unsigned char *state) {
+    saved_run run = {instance->interface, instance->state, instance->unit};
+    write_saved_run(&run, state + sizeof(header));
+    const header header = header_of(state);
+    memcpy(state, &header, sizeof header);
+}
+
+/* A place for a state: the importer's old one if it has one. */
+static unsigned char *room_for_state(void *old) {
+    return old != NULL ? old : malloc(saved_size());
 }
 
 call_status save_state(instance *instance, const char *call, void **state) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1)) {
         return CALL_ERROR;
     }
-    saved_state *saved = *state != NULL ? *state : malloc(sizeof *saved);
+    unsigned char *saved = room_for_state(*state);
     if (saved == NULL) {
         return fail(instance, call, "out of memory");
     }
-    fill(saved, instance);
+    write_state(instance, saved);
     *state = saved;
     return CALL_OK;
 }
 
 call_status restore_state(instance *instance, const char *call, const void *state) {
-    const saved_state *saved = state;
+    char text[256];
+    saved_run run;
     if (!call_is_allowed(instance, call, ANYWHERE)) {
         return CALL_ERROR;
     }
-    if (saved == NULL) {
+    if (state == NULL) {
         return discard(instance, call, "the state is a null pointer");
     }
-    const char *reason = reason_to_reject(saved);
-    if (reason == NULL && saved->content.interface != instance->interface) {
+    const char *reason = read_state(state, &run, text, sizeof text);
+    if (reason == NULL && run.interface != instance->interface) {
         reason = "it was saved in another interface";
     }
     if (reason != NULL) {
         return discard(instance, call, "the state is refused: %s", reason);
     }
-    const int other = unit_first_difference(&instance->unit, &saved->content.unit);
-    if (other >= 0) {
-        return discard(instance, call, "the state is refused: it was saved with another value of %s",
-                       unit_variables[other].name);
-    }
-    memcpy(&instance->unit, &saved->content.unit, sizeof instance->unit);
-    instance->state = saved->content.state;
+    instance->unit = run.unit;
+    instance->state = run.state;
     forget_view(instance);
     return CALL_OK;
 }
@@ -112,41 +125,41 @@ call_status measure_state(instance *instance, const char *call, const void *stat
         !array_is_given(instance, call, size, 1, 1)) {
         return CALL_ERROR;
     }
-    *size = sizeof(saved_state);
+    *size = saved_size();
     return CALL_OK;
 }
 
 call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
                             size_t size) {
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
-        !array_is_given(instance, call, bytes, size, sizeof(saved_state))) {
+        !array_is_given(instance, call, bytes, size, saved_size())) {
         return CALL_ERROR;
     }
-    memcpy(bytes, state, sizeof(saved_state));
+    memcpy(bytes, state, saved_size());
     return CALL_OK;
 }
 
 call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
                               void **state) {
+    char text[256];
+    saved_run run;
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, bytes, 1, 1) ||
         !array_is_given(instance, call, state, 1, 1)) {
         return CALL_ERROR;
     }
-    if (size != sizeof(saved_state)) {
+    if (size != saved_size()) {
         return discard(instance, call, "%lu bytes are no state of this unit, which has %lu",
-                       (unsigned long)size, (unsigned long)sizeof(saved_state));
+                       (unsigned long)size, (unsigned long)saved_size());
     }
-    saved_state incoming;
-    memcpy(&incoming, bytes, sizeof incoming);
-    const char *reason = reason_to_reject(&incoming);
+    const char *reason = read_state(bytes, &run, text, sizeof text);
     if (reason != NULL) {
         return discard(instance, call, "the bytes are refused: %s", reason);
     }
-    saved_state *saved = *state != NULL ? *state : malloc(sizeof *saved);
+    unsigned char *saved = room_for_state(*state);
     if (saved == NULL) {
         return fail(instance, call, "out of memory");
     }
-    memcpy(saved, &incoming, sizeof incoming);
+    memcpy(saved, bytes, saved_size());
     *state = saved;
     return CALL_OK;
 }

@@ -12,12 +12,12 @@ enum { NO_GUARD = -1 };
 
 /* Where events are counted from. */
 typedef struct {
-    int event_count;
+    int event_count; /* which ends at the largest int */
+    double event_time;
     bool fallen;
 } unit_mark;
 
-/* Far beyond any motion, and far enough from overflow for every product of the equations. */
-static const double largest_trial = 1e60;
+const double unit_largest_state = 1e60;
 
 void unit_reset(unit *unit) {
     memset(unit, 0, sizeof *unit);
@@ -33,21 +33,26 @@ void unit_reset(unit *unit) {
     unit->solver = tdmf_solver_default();
 }
 
-tdmf_refusal unit_start(unit *unit) {
-    tdmf_model model;
-    const tdmf_refusal refusal = tdmf_model_create(&model, &unit->parameters);
-    if (refusal.variable != NULL) {
-        return refusal;
-    }
-    const tdmf_refusal start_refusal =
-        tdmf_start(&model, &unit->inputs, unit->motion.time, unit->motion.state, &unit->motion.mode,
-                   &unit->motion.record);
-    if (start_refusal.variable == NULL) {
-        unit->model = model;
+tdmf_refusal unit_prepare(unit *unit) {
+    const tdmf_refusal refusal = tdmf_model_create(&unit->model, &unit->parameters);
+    if (refusal.variable == NULL) {
         unit->solver.relative_tolerance =
             fmin(unit->settings.solver.relative_tolerance, unit->importer_tolerance);
     }
-    return start_refusal;
+    return refusal;
+}
+
+tdmf_refusal unit_start(unit *unit) {
+    struct unit ready = *unit;
+    tdmf_refusal refusal = unit_prepare(&ready);
+    if (refusal.variable == NULL) {
+        refusal = tdmf_start(&ready.model, &ready.inputs, ready.motion.time, ready.motion.state,
+                             &ready.motion.mode, &ready.motion.record);
+    }
+    if (refusal.variable == NULL) {
+        *unit = ready;
+    }
+    return refusal;
 }
 
 bool unit_has_begun(const unit *unit) {
@@ -105,7 +110,7 @@ bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]) {
         }
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        unit->motion.state[i] = fmax(-largest_trial, fmin(largest_trial, state[i]));
+        unit->motion.state[i] = fmax(-unit_largest_state, fmin(unit_largest_state, state[i]));
     }
     return true;
 }
@@ -179,8 +184,16 @@ static const char *conclude(unit *unit, tdmf_outcome outcome, double until) {
 
 /* ---- up to the first event ---------------------------------------------------------------------------- */
 
+static unit_mark mark_of(const unit *unit) {
+    const tdmf_motion *motion = &unit->motion;
+    const unit_mark mark = {motion->record.event_count, motion->record.last_event_time, motion->mode.fallen};
+    return mark;
+}
+
 static bool event_has_happened(const unit *unit, const unit_mark *since) {
-    return unit->motion.record.event_count != since->event_count || unit->motion.mode.fallen != since->fallen;
+    const unit_mark now = mark_of(unit);
+    return now.event_count != since->event_count || now.event_time != since->event_time ||
+           now.fallen != since->fallen;
 }
 
 /* Advances until an event has been taken, and notes its guard; the clamp, which is none of FMI's business,
@@ -206,7 +219,7 @@ static tdmf_outcome advance_through_event(unit *unit, double until, const unit_m
 static bool take_event_anew(unit *unit) {
     const double time = unit->motion.time;
     const tdmf_inputs inputs = unit->inputs;
-    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    const unit_mark mark = mark_of(unit);
     tdmf_record *record = &unit->motion.record;
     advance_through_event(unit, time + 2.0 * unit->event_lead, &mark);
     unit->motion.time = time;
@@ -264,7 +277,7 @@ static tdmf_resolution resolve(unit *unit) {
 }
 
 tdmf_resolution unit_update(unit *unit, const unit_observer *observer) {
-    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    const unit_mark mark = mark_of(unit);
     const bool pending = unit->event_is_pending;
     tdmf_event event = {.guard = first_due(unit), .before = unit->motion.mode};
     memcpy(event.state, unit->motion.state, sizeof event.state);
@@ -306,7 +319,7 @@ static void stand_before_event(unit *unit, double event_time, const unit_mark *s
 
 const char *unit_advance_to_event(unit *unit, double until, const unit_observer *observer) {
     unit_update(unit, observer); /* an input may have jumped, which is no event of this step */
-    const unit_mark mark = {unit->motion.record.event_count, unit->motion.mode.fallen};
+    const unit_mark mark = mark_of(unit);
     struct unit ahead = *unit;
     const tdmf_outcome outcome = advance_through_event(&ahead, until, &mark);
     if (!event_has_happened(&ahead, &mark)) {
@@ -321,16 +334,4 @@ const char *unit_advance_to_event(unit *unit, double until, const unit_observer 
     unit->after_event = ahead.motion;
     unit->event_is_pending = true;
     return NULL;
-}
-
-int unit_first_difference(const unit *a, const unit *b) {
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        const unit_variable *variable = &unit_variables[i];
-        const bool is_parameter =
-            variable->storage == STORED_PARAMETER || variable->storage == STORED_SETTING;
-        if (is_parameter && unit_get_number(a, NULL, variable) != unit_get_number(b, NULL, variable)) {
-            return (int)i;
-        }
-    }
-    return -1;
 }

@@ -1,5 +1,5 @@
 /* The seam between the physics and FMI: a runner with its settings, whatever FMI version drives it. Plain
- * data without a pointer, so that copying a unit saves the whole run. */
+ * data, so that copying a unit copies the whole run; what of it a saved state holds is in saved_fields.c. */
 #ifndef TDMF_UNIT_H
 #define TDMF_UNIT_H
 
@@ -62,6 +62,10 @@ typedef struct {
 /* Back to the start values of modelDescription.xml, at time 0. */
 void unit_reset(unit *unit);
 
+/* Makes model and solver of the parameters, settings and tolerances set; on refusal the unit is left as it
+ * was. */
+tdmf_refusal unit_prepare(unit *unit);
+
 /* Begins the run at unit->motion.time from the values set so far; on refusal the unit is left as it was. */
 tdmf_refusal unit_start(unit *unit);
 
@@ -75,6 +79,9 @@ void unit_look_along(const unit *unit, const struct unit *direction, unit_view *
 
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
 void unit_flow(const unit *unit, struct unit *direction);
+
+/* Far beyond any motion, and far enough from overflow for every product of the equations. */
+extern const double unit_largest_state;
 
 /* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
  * false, and nothing taken, if one is not a number. */
@@ -101,8 +108,5 @@ const char *unit_advance_to_event(unit *unit, double until, const unit_observer 
 
 /* Why the settings cannot be met by this build, or NULL. */
 const char *unit_settings_obstacle(const unit *unit);
-
-/* The parameter in which two units differ first, by its row in the table of variables, or -1. */
-int unit_first_difference(const unit *a, const unit *b);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "tdmf_slip/kinematics.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -37,6 +38,11 @@ static void write_letter(tdmf_open_stride *open, char letter) {
     open->flew_since_letter = false;
 }
 
+/* Stops at the largest int. */
+static void count(int *counter) {
+    *counter += *counter < INT_MAX;
+}
+
 static int code_of(const char *word) {
     static const char digits[] = "|-0+";
     int code = 0;
@@ -68,13 +74,13 @@ void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF
 }
 
 void tdmf_record_event(tdmf_record *record, double time) {
-    ++record->event_count;
+    count(&record->event_count);
     record->last_event_time = time;
 }
 
 void tdmf_record_impact(tdmf_record *record, double loss) {
     record->impact_loss += loss;
-    ++record->open.touchdowns;
+    count(&record->open.touchdowns);
 }
 
 void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
@@ -104,7 +110,7 @@ static double ratio_or_zero(double numerator, double denominator) {
 static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, const tdmf_model *model,
                          double time, double com_x, const double state[TDMF_STATE_COUNT]) {
     const double weight = model->total_mass * model->parameters.gravity;
-    ++stride->count;
+    count(&stride->count);
     stride->period = time - open->start_time;
     stride->length = com_x - open->start_com_x;
     stride->speed = ratio_or_zero(stride->length, stride->period);

@@ -10,7 +10,6 @@
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -292,12 +291,13 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     return true;
 }
 
-/* Until the time asked for, or until `strides` have closed. */
-static tdmf_outcome advance(march *march, int strides) {
+/* Until the time asked for or, if asked, until one more stride has closed. */
+static tdmf_outcome advance(march *march, bool one_stride) {
     tdmf_motion *motion = march->motion;
+    const int count = motion->record.stride.count;
     tdmf_outcome outcome = TDMF_ARRIVED;
     while (outcome == TDMF_ARRIVED && motion->time < march->until && !motion->mode.fallen &&
-           motion->record.stride.count < strides) {
+           !(one_stride && motion->record.stride.count > count)) {
         outcome = march->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(march);
     }
     if (march->chart_is_ahead) {
@@ -314,14 +314,14 @@ static tdmf_outcome advance(march *march, int strides) {
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march;
-    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, INT_MAX)
+    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, false)
                                                                       : TDMF_REFUSED;
 }
 
 static tdmf_stride_outcome advance_a_stride(march *march) {
     const tdmf_record *record = &march->motion->record;
     const int count = record->stride.count;
-    const tdmf_outcome outcome = advance(march, count + 1);
+    const tdmf_outcome outcome = advance(march, true);
     const tdmf_stride_outcome result = {outcome, record->stride.count > count};
     return result;
 }

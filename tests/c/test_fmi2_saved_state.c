@@ -166,25 +166,204 @@ static void bytes_that_are_no_state_are_refused(void **unused) {
     assert_bytes_refused(bad, size, "another program");
 }
 
-static void states_of_other_parameters_or_interfaces_are_refused(void **unused) {
+static void states_of_other_interfaces_are_refused(void **unused) {
     (void)unused;
     fmi2FMUstate saved = NULL;
     fmi2Component slave = new_slave();
-    fmi2Component heavy = new_slave();
     fmi2Component exchange = new_instance();
     initialize(slave);
-    assert_int_equal(set_real(heavy, "body.mass", 2.0), fmi2OK);
     assert_int_equal(fmi2GetFMUstate(slave, &saved), fmi2OK);
-    assert_int_equal(fmi2SetFMUstate(heavy, saved), fmi2Discard);
-    assert_non_null(strstr(last_message, "body.mass"));
     assert_int_equal(fmi2SetFMUstate(exchange, saved), fmi2Discard);
     assert_non_null(strstr(last_message, "interface"));
     assert_int_equal(fmi2SetFMUstate(slave, NULL), fmi2Discard);
     assert_int_equal(fmi2FreeFMUstate(slave, &saved), fmi2OK);
     assert_int_equal(fmi2FreeFMUstate(slave, &saved), fmi2OK); /* a null pointer is nothing to free */
     fmi2FreeInstance(slave);
-    fmi2FreeInstance(heavy);
     fmi2FreeInstance(exchange);
+}
+
+static void an_instance_after_an_error_is_not_saved(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL, older = NULL;
+    fmi2Component component = new_slave();
+    initialize(component);
+    assert_int_equal(fmi2GetFMUstate(component, &older), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, 0.0, -1.0, fmi2True), fmi2Error);
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2Error);
+    assert_null(saved);
+    assert_non_null(strstr(last_message, "after an error"));
+    assert_int_equal(fmi2GetFMUstate(component, &older), fmi2Error);
+    assert_int_equal(fmi2SetFMUstate(component, older), fmi2OK); /* as it was */
+    step(component, 1.0);
+    assert_int_equal(fmi2FreeFMUstate(component, &older), fmi2OK);
+    fmi2FreeInstance(component);
+}
+
+/* ---- as fmusim resumes a run: restore, then start values, then on without initialization --------------- */
+
+static void change(fmi2Component component) {
+    assert_int_equal(set_real(component, "body.mass", 1.25), fmi2OK);
+    assert_int_equal(set_real(component, "leg.damping", 0.3), fmi2OK);
+    assert_int_equal(set_real(component, "solver.relative_tolerance", 1e-8), fmi2OK);
+    assert_int_equal(set_real(component, "ground.friction", 0.4), fmi2OK);
+}
+
+static void assert_changed(fmi2Component component) {
+    assert_true(get_real(component, "body.mass") == 1.25);
+    assert_true(get_real(component, "leg.damping") == 0.3);
+    assert_true(get_real(component, "solver.relative_tolerance") == 1e-8);
+}
+
+static void a_changed_run_of_co_simulation_is_resumed(void **unused) {
+    (void)unused;
+    fmi2Byte bytes[BYTES];
+    fmi2Component straight = new_slave(), resumed = new_slave();
+    change(straight);
+    initialize(straight);
+    step(straight, 13.0);
+    restore(resumed, bytes, serialize(straight, bytes));
+    assert_changed(resumed);
+    assert_int_equal(set_real(resumed, "ground.friction", 0.3), fmi2OK);
+    assert_int_equal(set_real(straight, "ground.friction", 0.3), fmi2OK);
+    step(straight, 20.0);
+    step(resumed, 20.0);
+    assert_same(straight, resumed);
+    assert_true(get_real(straight, "energy.impact_loss") > 0.0);
+    fmi2FreeInstance(straight);
+    fmi2FreeInstance(resumed);
+}
+
+/* Euler's method, with what it needs done at events. */
+static void integrate(fmi2Component component, int steps) {
+    const double h = 1e-3;
+    double states[TDMF_STATE_COUNT], slopes[TDMF_STATE_COUNT];
+    double before[TDMF_GUARD_COUNT], after[TDMF_GUARD_COUNT];
+    double time = get_real(component, "time");
+    for (int i = 0; i < steps; ++i) {
+        bool event = false;
+        assert_int_equal(fmi2GetEventIndicators(component, before, TDMF_GUARD_COUNT), fmi2OK);
+        assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+        assert_int_equal(fmi2GetDerivatives(component, slopes, TDMF_STATE_COUNT), fmi2OK);
+        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
+            states[j] += h * slopes[j];
+        }
+        time += h;
+        assert_int_equal(fmi2SetTime(component, time), fmi2OK);
+        assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+        assert_int_equal(fmi2GetEventIndicators(component, after, TDMF_GUARD_COUNT), fmi2OK);
+        for (int j = 0; j < TDMF_GUARD_COUNT; ++j) {
+            event |= (before[j] > 0.0) != (after[j] > 0.0);
+        }
+        if (event) {
+            fmi2EventInfo info;
+            assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
+            assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
+            assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
+        }
+    }
+}
+
+static void a_changed_run_of_model_exchange_is_resumed(void **unused) {
+    (void)unused;
+    fmi2Byte bytes[BYTES];
+    fmi2Component straight = new_instance(), resumed = new_instance();
+    change(straight);
+    start_running(straight);
+    integrate(straight, 13000);
+    restore(resumed, bytes, serialize(straight, bytes));
+    assert_changed(resumed);
+    assert_int_equal(set_real(resumed, "ground.friction", 0.3), fmi2OK);
+    assert_int_equal(set_real(straight, "ground.friction", 0.3), fmi2OK);
+    integrate(straight, 10000);
+    integrate(resumed, 10000);
+    assert_same(straight, resumed);
+    assert_true(get_real(straight, "energy.impact_loss") > 0.0);
+    fmi2FreeInstance(straight);
+    fmi2FreeInstance(resumed);
+}
+
+/* Saved before initialization or in it, the run begins from the start values that the state holds, but for
+ * those set since. */
+static void a_state_from_before_the_start_takes_more_start_values(void **unused) {
+    (void)unused;
+    for (int mode = 0; mode < 2; ++mode) {
+        fmi2Byte bytes[BYTES];
+        fmi2Component first = new_slave(), second = new_slave(), straight = new_slave();
+        change(first);
+        if (mode == 1) {
+            assert_int_equal(fmi2EnterInitializationMode(first), fmi2OK);
+        }
+        restore(second, bytes, serialize(first, bytes));
+        assert_int_equal(set_real(second, "hip.kp", 0.12), fmi2OK);
+        if (mode == 0) {
+            assert_int_equal(fmi2EnterInitializationMode(second), fmi2OK);
+        }
+        assert_int_equal(fmi2ExitInitializationMode(second), fmi2OK);
+        change(straight);
+        assert_int_equal(set_real(straight, "hip.kp", 0.12), fmi2OK);
+        initialize(straight);
+        step(second, 20.0);
+        step(straight, 20.0);
+        assert_same(second, straight);
+        fmi2FreeInstance(first);
+        fmi2FreeInstance(second);
+        fmi2FreeInstance(straight);
+    }
+}
+
+/* The state of a run with other parameters: these, what follows from them and what was shown of the old ones
+ * are gone. */
+static void restoring_replaces_parameters_and_what_follows_from_them(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL;
+    fmi2Component light = new_slave(), heavy = new_slave();
+    initialize(light);
+    step(light, 13.0);
+    assert_int_equal(fmi2GetFMUstate(light, &saved), fmi2OK);
+    assert_int_equal(set_real(heavy, "body.mass", 2.0), fmi2OK);
+    assert_int_equal(set_real(heavy, "ground.friction", 10.0), fmi2OK);
+    assert_int_equal(fmi2SetupExperiment(heavy, fmi2True, 1e-3, 0.0, fmi2True, 14.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(heavy), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(heavy), fmi2OK);
+    step(heavy, 13.0);
+    assert_true(get_real(heavy, "stride.period") != 1.0 && get_real(heavy, "energy.total") > 0.0);
+    assert_int_equal(fmi2SetFMUstate(heavy, saved), fmi2OK);
+    assert_true(get_real(heavy, "body.mass") == 1.0);
+    assert_true(get_real(heavy, "energy.total") == get_real(light, "energy.total"));
+    assert_true(get_real(heavy, "contact.fy") == get_real(light, "contact.fy"));
+    assert_same(light, heavy);
+    step(light, 20.0);
+    step(heavy, 20.0); /* beyond its own stop time */
+    assert_same(light, heavy);
+    assert_int_equal(fmi2FreeFMUstate(light, &saved), fmi2OK);
+    fmi2FreeInstance(light);
+    fmi2FreeInstance(heavy);
+}
+
+/* What was set since is forgotten with the rest, rates of inputs and counters too. */
+static void restoring_undoes_everything(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL, again = NULL;
+    const fmi2ValueReference torque = reference_of("hip.external_torque");
+    const fmi2Integer order = 1;
+    const fmi2Real rate = 1e-3;
+    fmi2Byte bytes[2][BYTES];
+    size_t size = 0;
+    fmi2Component component = new_slave();
+    initialize(component);
+    step(component, 13.0);
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2SetRealInputDerivatives(component, &torque, 1, &order, &rate), fmi2OK);
+    step(component, 5.0);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    assert_int_equal(fmi2GetFMUstate(component, &again), fmi2OK);
+    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
+    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes[0], size), fmi2OK);
+    assert_int_equal(fmi2SerializeFMUstate(component, again, bytes[1], size), fmi2OK);
+    assert_memory_equal(bytes[0], bytes[1], size);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(component, &again), fmi2OK);
+    fmi2FreeInstance(component);
 }
 
 int main(void) {
@@ -193,7 +372,13 @@ int main(void) {
         cmocka_unit_test(model_exchange_restores_its_call_state),
         cmocka_unit_test(an_error_is_left_by_an_older_state),
         cmocka_unit_test(bytes_that_are_no_state_are_refused),
-        cmocka_unit_test(states_of_other_parameters_or_interfaces_are_refused),
+        cmocka_unit_test(states_of_other_interfaces_are_refused),
+        cmocka_unit_test(an_instance_after_an_error_is_not_saved),
+        cmocka_unit_test(a_changed_run_of_co_simulation_is_resumed),
+        cmocka_unit_test(a_changed_run_of_model_exchange_is_resumed),
+        cmocka_unit_test(a_state_from_before_the_start_takes_more_start_values),
+        cmocka_unit_test(restoring_replaces_parameters_and_what_follows_from_them),
+        cmocka_unit_test(restoring_undoes_everything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

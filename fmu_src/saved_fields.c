@@ -1,0 +1,365 @@
+/* The fields of a saved run. Each struct has one function, which writes the fields, reads and checks them, or
+ * only counts their bytes, so that what is written and what is read cannot differ. Left out is what follows
+ * from the rest: model, solver's limits, views. */
+#include "saved_fields.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Beyond whatever is added up along a run of states below unit_largest_state, and far enough from overflow
+ * for differences and products. */
+static const double largest_sum = 1e200;
+
+/* What a counter of 64 bits starts from at the most: no run comes near its end from there. */
+static const int64_t largest_work = INT64_MAX / 2;
+
+/* How far, in the runner's scales, a foot on the ground may be off it and the past may reach into the future:
+ * rounding, and what an event that was taken anew is moved by. */
+static const double margin = 1e-6;
+
+typedef struct {
+    unsigned char *target;       /* written to, or NULL */
+    const unsigned char *source; /* read from, or NULL */
+    size_t place;
+    const char *refused; /* the first field that may not be what it is */
+} transfer;
+
+/* ---- one value each ----------------------------------------------------------------------------------- */
+
+/* Moves one value between `value` and the bytes; true where it was read. */
+static bool pass(transfer *bytes, void *value, size_t size) {
+    if (bytes->target != NULL) {
+        memcpy(bytes->target + bytes->place, value, size);
+    }
+    if (bytes->source != NULL) {
+        memcpy(value, bytes->source + bytes->place, size);
+    }
+    bytes->place += size;
+    return bytes->source != NULL;
+}
+
+static void require(transfer *bytes, bool allowed, const char *name) {
+    if (!allowed && bytes->refused == NULL) {
+        bytes->refused = name;
+    }
+}
+
+/* NaN lies between nothing. */
+static void pass_between(transfer *bytes, const char *name, double *value, double minimum, double maximum) {
+    if (pass(bytes, value, sizeof *value)) {
+        require(bytes, *value >= minimum && *value <= maximum, name);
+    }
+}
+
+static void pass_sum(transfer *bytes, const char *name, double *value) {
+    pass_between(bytes, name, value, -largest_sum, largest_sum);
+}
+
+static void pass_finite(transfer *bytes, const char *name, double *value) {
+    pass_between(bytes, name, value, -DBL_MAX, DBL_MAX);
+}
+
+static void pass_integer(transfer *bytes, const char *name, int *value, int minimum, int maximum) {
+    if (pass(bytes, value, sizeof *value)) {
+        require(bytes, *value >= minimum && *value <= maximum, name);
+    }
+}
+
+static void pass_count(transfer *bytes, const char *name, int *value) {
+    pass_integer(bytes, name, value, 0, INT_MAX);
+}
+
+static void pass_work(transfer *bytes, const char *name, int64_t *value) {
+    if (pass(bytes, value, sizeof *value)) {
+        require(bytes, *value >= 0 && *value <= largest_work, name);
+    }
+}
+
+/* A bool never holds anything but its two values. */
+static void pass_flag(transfer *bytes, const char *name, bool *value) {
+    unsigned char flag = *value;
+    if (pass(bytes, &flag, sizeof flag)) {
+        require(bytes, flag <= 1, name);
+        *value = flag == 1;
+    }
+}
+
+static bool is_word(const char word[TDMF_WORD_CAPACITY]) {
+    return memchr(word, '\0', TDMF_WORD_CAPACITY) != NULL && strspn(word, "|-0+~") == strlen(word);
+}
+
+static void pass_word(transfer *bytes, const char *name, char word[TDMF_WORD_CAPACITY]) {
+    if (pass(bytes, word, TDMF_WORD_CAPACITY)) {
+        require(bytes, is_word(word), name);
+    }
+}
+
+/* ---- one struct each ---------------------------------------------------------------------------------- */
+
+static void pass_mode(transfer *bytes, tdmf_mode *mode) {
+    int contact = (int)mode->contact;
+    int phase = (int)mode->phase;
+    pass_integer(bytes, "contact.mode", &contact, TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE);
+    pass_integer(bytes, "hip.phase", &phase, TDMF_PHASE_DRIVE, TDMF_PHASE_PLACE);
+    mode->contact = (tdmf_contact_mode)contact;
+    mode->phase = (tdmf_hip_phase)phase;
+    pass_between(bytes, "hip.liftoff_angle", &mode->liftoff_angle, -unit_largest_state, unit_largest_state);
+    pass_flag(bytes, "whether mid-stance is to come", &mode->mid_stance_pending);
+    pass_flag(bytes, "whether the clamp is closed", &mode->clamp_closed);
+    pass_flag(bytes, "whether the ground force rises", &mode->ground_force_rising);
+    pass_flag(bytes, "status.fallen", &mode->fallen);
+}
+
+static void pass_stride(transfer *bytes, tdmf_stride *stride) {
+    pass_count(bytes, "stride.count", &stride->count);
+    pass_finite(bytes, "stride.period", &stride->period);
+    pass_finite(bytes, "stride.length", &stride->length);
+    pass_finite(bytes, "stride.speed", &stride->speed);
+    pass_finite(bytes, "stride.work", &stride->work);
+    pass_finite(bytes, "stride.positive_work", &stride->positive_work);
+    pass_finite(bytes, "stride.cost_of_transport", &stride->cost_of_transport);
+    pass_count(bytes, "stride.touchdowns", &stride->touchdowns);
+    pass_finite(bytes, "stride.stance_time", &stride->stance_time);
+    pass_finite(bytes, "stride.duty_factor", &stride->duty_factor);
+    pass_finite(bytes, "stride.slip_distance", &stride->slip_distance);
+    pass_finite(bytes, "stride.peak_force", &stride->peak_force);
+    pass_word(bytes, "stride.word", stride->word);
+    pass_integer(bytes, "stride.word_code", &stride->word_code, -1, INT_MAX);
+}
+
+static void pass_apex(transfer *bytes, tdmf_apex *apex) {
+    pass_finite(bytes, "apex.time", &apex->time);
+    pass_finite(bytes, "apex.com_height", &apex->com_height);
+    pass_finite(bytes, "apex.com_speed", &apex->com_speed);
+    pass_finite(bytes, "apex.leg_length", &apex->leg_length);
+    pass_finite(bytes, "apex.leg_angle", &apex->leg_angle);
+    pass_finite(bytes, "apex.leg_length_rate", &apex->leg_length_rate);
+    pass_finite(bytes, "apex.leg_angle_rate", &apex->leg_angle_rate);
+}
+
+static void pass_open_stride(transfer *bytes, tdmf_open_stride *open) {
+    pass_flag(bytes, "whether the open stride began at an apex", &open->began_at_apex);
+    pass_flag(bytes, "whether the foot flew since the last letter", &open->flew_since_letter);
+    pass_finite(bytes, "the open stride's start time", &open->start_time);
+    pass_sum(bytes, "the open stride's start", &open->start_com_x);
+    pass_sum(bytes, "the open stride's work", &open->start_work);
+    pass_sum(bytes, "the open stride's positive work", &open->start_positive_work);
+    pass_finite(bytes, "the contact's start time", &open->contact_start_time);
+    pass_sum(bytes, "the contact's start", &open->contact_start_x);
+    pass_sum(bytes, "the open stride's stance time", &open->stance_time);
+    pass_sum(bytes, "the open stride's slip distance", &open->slip_distance);
+    pass_sum(bytes, "the open stride's peak force", &open->peak_force);
+    pass_count(bytes, "the open stride's touchdowns", &open->touchdowns);
+    pass_word(bytes, "the open stride's word", open->word);
+}
+
+static void pass_record(transfer *bytes, tdmf_record *record) {
+    pass_count(bytes, "event.count", &record->event_count);
+    pass_finite(bytes, "event.last_time", &record->last_event_time);
+    pass_sum(bytes, "energy.impact_loss", &record->impact_loss);
+    pass_stride(bytes, &record->stride);
+    pass_apex(bytes, &record->apex);
+    pass_open_stride(bytes, &record->open);
+}
+
+static void pass_place(transfer *bytes, tdmf_motion *motion) {
+    pass_finite(bytes, "time", &motion->time);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        pass_between(bytes, "a continuous state", &motion->state[i], -unit_largest_state, unit_largest_state);
+    }
+}
+
+static void pass_history(transfer *bytes, tdmf_motion *motion) {
+    pass_mode(bytes, &motion->mode);
+    pass_record(bytes, &motion->record);
+}
+
+/* Parameters, settings and inputs, whose ranges the table of variables has. */
+static void pass_variables(transfer *bytes, unit *unit, unsigned storages) {
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const unit_variable *variable = &unit_variables[i];
+        if ((storages & 1U << variable->storage) == 0) {
+            continue;
+        }
+        double value = unit_get_number(unit, NULL, variable);
+        if (pass(bytes, &value, sizeof value)) {
+            const bool allowed = unit_refuse_value(variable, value).variable == NULL &&
+                                 (variable->type == VARIABLE_REAL || value == floor(value));
+            require(bytes, allowed, variable->name);
+            unit_set_number(unit, variable, allowed ? value : variable->start);
+        }
+    }
+}
+
+static void pass_surroundings(transfer *bytes, unit *unit) {
+    pass_variables(bytes, unit, 1U << STORED_PARAMETER | 1U << STORED_SETTING | 1U << STORED_INPUT);
+    pass_sum(bytes, "the rate of ground.friction", &unit->input_rates.friction);
+    pass_sum(bytes, "the rate of hip.external_torque", &unit->input_rates.external_torque);
+    pass_between(bytes, "the importer's tolerance", &unit->importer_tolerance, DBL_MIN * DBL_EPSILON,
+                 INFINITY);
+    pass_between(bytes, "the stop time", &unit->stop_time, -DBL_MAX, INFINITY);
+    pass_work(bytes, "the steps done", &unit->solver.steps);
+    pass_work(bytes, "the events found", &unit->solver.events);
+    pass_work(bytes, "the evaluations done", &unit->solver.evaluations);
+}
+
+/* Inputs are read and checked as those of a unit. Nobody need have told which guard fired. */
+static void pass_pending_event(transfer *bytes, unit *unit) {
+    struct unit at_event = *unit;
+    at_event.inputs = unit->event_inputs;
+    pass_between(bytes, "how far before its event the run stands", &unit->event_lead, 0.0, DBL_MAX);
+    pass_integer(bytes, "the guard of its event", &unit->event_guard, -1, TDMF_GUARD_COUNT - 1);
+    pass_variables(bytes, &at_event, 1U << STORED_INPUT);
+    pass_place(bytes, &unit->after_event);
+    pass_history(bytes, &unit->after_event);
+    unit->event_inputs = at_event.inputs;
+}
+
+/* Reserves its room in the bytes also where there is nothing to tell: before the start no history, and mostly
+ * no event. */
+static void pass_run(transfer *bytes, saved_run *run) {
+    int interface = (int)run->interface;
+    int state = (int)run->state;
+    bool begun = unit_has_begun(&run->unit);
+    pass_integer(bytes, "the interface", &interface, MODEL_EXCHANGE, CO_SIMULATION_WITH_EVENT_MODE);
+    pass_integer(bytes, "the state of the call sequence", &state, INSTANTIATED, ANYWHERE);
+    run->interface = (interface_kind)interface;
+    run->state = (call_state)state;
+    pass_flag(bytes, "whether the run has begun", &begun);
+    pass_flag(bytes, "the pending event", &run->unit.event_is_pending);
+    pass_surroundings(bytes, &run->unit);
+    pass_place(bytes, &run->unit.motion);
+    if (begun) {
+        pass_history(bytes, &run->unit.motion);
+    }
+    if (run->unit.event_is_pending) {
+        pass_pending_event(bytes, &run->unit);
+    }
+}
+
+/* ---- what has to agree -------------------------------------------------------------------------------- */
+
+/* The states of the call sequence in which an instance may be, its run begun or not. */
+static unsigned states_of(interface_kind interface, bool begun) {
+    if (!begun) {
+        return BEFORE_START | FAILED;
+    }
+    switch (interface) {
+    case MODEL_EXCHANGE:
+        return EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
+    case CO_SIMULATION:
+        return STEP_MODE | TERMINATED | FAILED;
+    default:
+        return EVENT_MODE | STEP_MODE | TERMINATED | FAILED;
+    }
+}
+
+static bool call_state_suits_run(const saved_run *run) {
+    const unsigned state = run->state;
+    return (state & (state - 1)) == 0 && (state & states_of(run->interface, unit_has_begun(&run->unit))) != 0;
+}
+
+static bool event_may_be_pending(const saved_run *run) {
+    return run->interface == CO_SIMULATION_WITH_EVENT_MODE && unit_has_begun(&run->unit);
+}
+
+static bool phase_suits_contact(const tdmf_mode *mode) {
+    const bool of_contact = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
+    return of_contact == tdmf_in_contact(mode) &&
+           (!of_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
+}
+
+/* Base 4, first letter most significant; see tdmf_stride. */
+static bool code_suits_word(const tdmf_stride *stride) {
+    int code = stride->word_code;
+    size_t left = strlen(stride->word);
+    if (code < 0 || strchr(stride->word, '~') != NULL) {
+        return code < 0 && left > 15;
+    }
+    while (left > 0 && stride->word[left - 1] == "|-0+"[code % 4]) {
+        --left;
+        code /= 4;
+    }
+    return left == 0 && code == 0;
+}
+
+static bool foot_suits_contact(const tdmf_model *model, const tdmf_motion *motion) {
+    const double *state = motion->state;
+    const double length = margin * model->scales.length;
+    const double speed = margin * model->scales.speed;
+    return motion->mode.contact == TDMF_CONTACT_FLIGHT ||
+           (fabs(state[TDMF_FOOT_Y]) <= length && fabs(state[TDMF_FOOT_VY]) <= speed &&
+            (motion->mode.contact != TDMF_CONTACT_STICK || fabs(state[TDMF_FOOT_VX]) <= speed));
+}
+
+static bool is_past(const tdmf_model *model, double time, double now) {
+    return time <= now + margin * fmax(fabs(now), model->scales.time);
+}
+
+static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_motion *motion) {
+    const tdmf_model *model = &run->unit.model;
+    const tdmf_record *record = &motion->record;
+    require(bytes, phase_suits_contact(&motion->mode), "hip.phase");
+    require(bytes, code_suits_word(&record->stride), "stride.word_code");
+    if (run->interface != MODEL_EXCHANGE) { /* there, time and states are the importer's */
+        require(bytes, foot_suits_contact(model, motion), "foot.y");
+        require(bytes, is_past(model, record->last_event_time, motion->time), "event.last_time");
+        require(bytes, is_past(model, record->open.start_time, motion->time), "the open stride's start time");
+        require(bytes, is_past(model, record->open.contact_start_time, motion->time),
+                "the contact's start time");
+    }
+}
+
+static void require_agreement_of_calls(transfer *bytes, const saved_run *run) {
+    require(bytes, call_state_suits_run(run), "the state of the call sequence");
+    require(bytes, !run->unit.event_is_pending || event_may_be_pending(run), "the pending event");
+}
+
+static void require_agreement_of_unit(transfer *bytes, const saved_run *run) {
+    const unit *unit = &run->unit;
+    require(bytes, unit_settings_obstacle(unit) == NULL, "solver.method");
+    require_agreement(bytes, run, &unit->motion);
+    if (unit->event_is_pending) {
+        require(bytes, unit->after_event.time == unit->motion.time, "the pending event");
+        require_agreement(bytes, run, &unit->after_event);
+    }
+}
+
+/* ---- a run -------------------------------------------------------------------------------------------- */
+
+size_t saved_run_size(void) {
+    saved_run run = {.interface = CO_SIMULATION_WITH_EVENT_MODE, .state = EVENT_MODE};
+    transfer bytes = {0};
+    run.unit.motion.mode.contact = TDMF_CONTACT_FLIGHT;
+    run.unit.event_is_pending = true;
+    pass_run(&bytes, &run);
+    return bytes.place;
+}
+
+void write_saved_run(saved_run *run, unsigned char *bytes) {
+    transfer target = {.target = bytes};
+    memset(bytes, 0, saved_run_size());
+    pass_run(&target, run);
+}
+
+const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *reason, size_t capacity) {
+    transfer source = {.source = bytes};
+    unit_reset(&run->unit);
+    pass_run(&source, run);
+    require_agreement_of_calls(&source, run);
+    if (source.refused == NULL && unit_has_begun(&run->unit)) {
+        const tdmf_refusal refusal = unit_prepare(&run->unit);
+        if (refusal.variable != NULL) {
+            return tdmf_refusal_text(&refusal, reason, capacity);
+        }
+        require_agreement_of_unit(&source, run);
+    }
+    if (source.refused != NULL) {
+        snprintf(reason, capacity, "%s is out of range or contradicts the rest", source.refused);
+        return reason;
+    }
+    return NULL;
+}

@@ -1,0 +1,23 @@
+/* What of a unit a saved state holds, as bytes without padding or pointer, and what each field may be. */
+#ifndef TDMF_UNIT_SAVED_FIELDS_H
+#define TDMF_UNIT_SAVED_FIELDS_H
+
+#include "instance.h"
+
+/* A run with what it belongs to. */
+typedef struct {
+    interface_kind interface;
+    call_state state;
+    unit unit;
+} saved_run;
+
+/* How many bytes every run takes. */
+size_t saved_run_size(void);
+
+void write_saved_run(saved_run *run, unsigned char *bytes);
+
+/* Reads the bytes and checks each field, however they came about: whatever is accepted may be gone on with.
+ * NULL; or why they are refused, written into `reason`. */
+const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *reason, size_t capacity);
+
+#endif

@@ -1,0 +1,13 @@
+/* Serialized states as an attacker would make them: the header is 40 bytes of identification, 4 each of byte
+ * order and size, and 8 of the checksum of what follows. */
+#ifndef TDMF_TESTS_FORGE_H
+#define TDMF_TESTS_FORGE_H
+
+#include <stddef.h>
+
+enum { FORGE_BYTE_ORDER = 40, FORGE_SIZE = 44, FORGE_CHECKSUM = 48, FORGE_CONTENT = 56 };
+
+/* Makes the checksum that of the present content. */
+void forge_checksum(unsigned char *bytes, size_t size);
+
+#endif

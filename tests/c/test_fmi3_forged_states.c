@@ -1,0 +1,344 @@
+/* Serialized states that were changed and given a right checksum: what makes no sense is refused and changes
+ * nothing; whatever is accepted can be gone on with. Any FMI version and interface reads the same bytes. */
+#include "instance.h" /* before cmocka, which takes a name of it for a macro */
+
+#include "compare.h"
+#include "fmi3_importer.h"
+#include "forge.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+enum { BYTES = 8192 };
+
+typedef enum { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } kind;
+
+typedef struct {
+    fmi3Byte bytes[BYTES];
+    size_t size;
+} serialized;
+
+static fmi3Instance new_of_kind(kind kind) {
+    fmi3Instance instance = kind == EXCHANGE ? new_exchange() : new_stepper(kind == STEPS_WITH_EVENTS, true);
+    assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
+    return instance;
+}
+
+/* In the middle of a stance; with events, before one that is still to be taken. */
+static fmi3Instance new_on_its_way(kind kind) {
+    step_answer step = {false, false, false, 0.0};
+    update_answer answer;
+    fmi3Instance instance = new_of_kind(kind);
+    initialize3(instance);
+    if (kind != STEPS) {
+        assert_int_equal(update(instance, &answer), fmi3OK);
+    }
+    if (kind == EXCHANGE) {
+        assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
+        return instance;
+    }
+    if (kind == STEPS_WITH_EVENTS) {
+        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    }
+    assert_int_equal(do_step(instance, 0.0, 40.0, &step), fmi3OK);
+    assert_true(step.event == (kind == STEPS_WITH_EVENTS));
+    return instance;
+}
+
+static void serialize(fmi3Instance instance, serialized *state) {
+    fmi3FMUState saved = NULL;
+    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
+    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &state->size), fmi3OK);
+    assert_true(state->size <= BYTES);
+    assert_int_equal(fmi3SerializeFMUState(instance, saved, state->bytes, state->size), fmi3OK);
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+}
+
+static fmi3Status restore(fmi3Instance instance, const serialized *state) {
+    fmi3FMUState saved = NULL;
+    fmi3Status status = fmi3DeserializeFMUState(instance, state->bytes, state->size, &saved);
+    if (status == fmi3OK) {
+        status = fmi3SetFMUState(instance, saved);
+    } else {
+        assert_null(saved);
+    }
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    return status;
+}
+
+static void assert_unchanged(fmi3Instance instance, const serialized *before) {
+    serialized after;
+    serialize(instance, &after);
+    assert_int_equal(before->size, after.size);
+    assert_memory_equal(before->bytes, after.bytes, after.size);
+}
+
+static void assert_numbers(fmi3Instance instance) {
+    for (uint32_t i = 0; i < unit_variable_count; ++i) {
+        double value = 0.0;
+        if (unit_variables[i].type == VARIABLE_REAL && fmi3GetFloat64(instance, &i, 1, &value, 1) == fmi3OK) {
+            assert_true(!isnan(value));
+        }
+    }
+}
+
+/* Forged parameters may be as stiff as they like. */
+static void limit_steps(fmi3Instance instance) {
+    ((struct instance *)instance)->unit.solver.step_limit = 200;
+}
+
+/* Goes on a little, wherever the state says that the instance stands. */
+static void go_on(fmi3Instance instance, kind kind) {
+    step_answer step = {false, false, false, 0.0};
+    update_answer answer;
+    assert_numbers(instance);
+    limit_steps(instance);
+    const double time = get_float(instance, "time");
+    if (kind == EXCHANGE) {
+        fmi3EnterEventMode(instance);
+        update(instance, &answer);
+        assert_numbers(instance);
+        return;
+    }
+    if (do_step(instance, time, 1e-3, &step) == fmi3OK && step.event &&
+        fmi3EnterEventMode(instance) == fmi3OK) {
+        update(instance, &answer);
+    }
+    assert_numbers(instance);
+}
+
+/* ---- every field ----------------------------------------------------------------------------------------
+ */
+
+static const struct {
+    size_t size;
+    union {
+        int integer;
+        double number;
+        unsigned char bytes[8];
+    } value;
+} forgeries[] = {
+    {4, {.integer = 50000000}}, {4, {.integer = -1}},   {4, {.integer = INT_MAX}}, {4, {.integer = 3}},
+    {8, {.number = NAN}},       {8, {.number = 1e300}}, {8, {.number = -1e300}},   {8, {.number = 5e-324}},
+    {8, {.number = DBL_MAX}},   {8, {.number = 1e50}},  {1, {.integer = 2}},       {1, {.integer = 255}},
+};
+
+static void forge_everywhere(kind kind, long *refused, long *accepted) {
+    serialized good, bad;
+    fmi3Instance instance = new_on_its_way(kind);
+    serialize(instance, &good);
+    for (size_t f = 0; f < sizeof forgeries / sizeof forgeries[0]; ++f) {
+        for (size_t place = FORGE_CONTENT; place + forgeries[f].size <= good.size; ++place) {
+            bad = good;
+            memcpy(bad.bytes + place, forgeries[f].value.bytes, forgeries[f].size);
+            forge_checksum(bad.bytes, bad.size);
+            if (restore(instance, &bad) == fmi3OK) {
+                ++*accepted;
+                go_on(instance, kind);
+                assert_int_equal(restore(instance, &good), fmi3OK);
+            } else {
+                ++*refused;
+                assert_non_null(strstr(last_message, "refused"));
+                assert_unchanged(instance, &good);
+            }
+        }
+    }
+    fmi3FreeInstance(instance);
+}
+
+static void whatever_is_forged_is_refused_or_goes_on(void **unused) {
+    (void)unused;
+    for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
+        long refused = 0, accepted = 0;
+        forge_everywhere(kind, &refused, &accepted);
+        assert_true(refused > 2000 && accepted > 1000);
+    }
+}
+
+/* Of what is not a variable, too, but becomes one when a stride closes. */
+static void no_field_holds_what_is_not_a_number(void **unused) {
+    (void)unused;
+    serialized good, bad;
+    step_answer step;
+    const double nan = NAN;
+    long refused = 0;
+    fmi3Instance instance = new_on_its_way(STEPS);
+    serialize(instance, &good);
+    for (size_t place = FORGE_CONTENT; place + sizeof nan <= good.size; ++place) {
+        bad = good;
+        memcpy(bad.bytes + place, &nan, sizeof nan);
+        forge_checksum(bad.bytes, bad.size);
+        assert_int_equal(restore(instance, &good), fmi3OK);
+        refused += restore(instance, &bad) != fmi3OK;
+        limit_steps(instance);
+        do_step(instance, get_float(instance, "time"), 30.0, &step);
+        assert_numbers(instance);
+    }
+    assert_true(refused > 200);
+    fmi3FreeInstance(instance);
+}
+
+/* ---- single fields --------------------------------------------------------------------------------------
+ */
+
+/* Where a value stands in the bytes first; asserts that it does. */
+static size_t place_of(const serialized *state, const void *value, size_t size) {
+    size_t place = FORGE_CONTENT;
+    while (place + size < state->size && memcmp(state->bytes + place, value, size) != 0) {
+        ++place;
+    }
+    assert_memory_equal(state->bytes + place, value, size);
+    return place;
+}
+
+static void assert_refused(kind kind, serialized *state, const char *reason) {
+    serialized own;
+    fmi3Instance instance = new_on_its_way(kind);
+    forge_checksum(state->bytes, state->size);
+    serialize(instance, &own);
+    assert_int_equal(restore(instance, state), fmi3Discard);
+    assert_non_null(strstr(last_message, reason));
+    assert_unchanged(instance, &own);
+    go_on(instance, kind);
+    fmi3FreeInstance(instance);
+}
+
+static void save_on_its_way(kind kind, serialized *state) {
+    fmi3Instance instance = new_on_its_way(kind);
+    serialize(instance, state);
+    fmi3FreeInstance(instance);
+}
+
+static void replace_number(serialized *state, double from, double to) {
+    memcpy(state->bytes + place_of(state, &from, sizeof from), &to, sizeof to);
+}
+
+static void a_parameter_out_of_range_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    fmi3Instance instance = new_stepper(false, false);
+    assert_int_equal(set_float(instance, "body.mass", 1.25), fmi3OK);
+    assert_int_equal(set_float(instance, "leg.min_length", 0.0625), fmi3OK);
+    initialize3(instance);
+    serialize(instance, &state);
+    fmi3FreeInstance(instance);
+    serialized bad = state;
+    replace_number(&bad, 1.25, -1.25);
+    assert_refused(STEPS, &bad, "body.mass is out of range");
+    bad = state;
+    replace_number(&bad, 0.0625, 2.0); /* within its own range, but longer than the leg */
+    assert_refused(STEPS, &bad, "leg.min_length = 2 m is refused");
+}
+
+static void a_word_without_an_end_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    save_on_its_way(STEPS, &state);
+    const size_t place = place_of(&state, "+0-0+\0\0\0", 8);
+    memset(state.bytes + place, '+', 64);
+    assert_refused(STEPS, &state, "stride.word");
+}
+
+static void a_word_of_other_letters_or_code_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    save_on_its_way(STEPS, &state);
+    const size_t place = place_of(&state, "+0-0+\0\0\0", 8);
+    state.bytes[place + 1] = 'x';
+    assert_refused(STEPS, &state, "stride.word");
+    state.bytes[place + 1] = '-';
+    assert_refused(STEPS, &state, "stride.word_code");
+}
+
+static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    fmi3Instance instance = new_on_its_way(STEPS);
+    serialize(instance, &state);
+    const double last = get_float(instance, "event.last_time");
+    memcpy(state.bytes + place_of(&state, &last, sizeof last), &(double){41.0}, sizeof last);
+    fmi3FreeInstance(instance);
+    assert_refused(STEPS, &state, "event.last_time");
+}
+
+/* Sticks at 40 s, or moves on the ground; no foot in the air does either. */
+static void a_contact_in_the_air_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    fmi3Instance instance = new_stepper(false, false);
+    step_answer step;
+    initialize3(instance);
+    assert_int_equal(do_step(instance, 0.0, 1.0, &step), fmi3OK);
+    serialize(instance, &state);
+    const double foot_y = get_float(instance, "foot.y");
+    assert_true(foot_y > 0.0);
+    assert_int_equal(do_step(instance, 1.0, 11.8, &step), fmi3OK);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
+    const size_t place = place_of(&state, &foot_y, sizeof foot_y);
+    serialize(instance, &state);
+    memcpy(state.bytes + place, &foot_y, sizeof foot_y);
+    fmi3FreeInstance(instance);
+    assert_refused(STEPS, &state, "foot.y");
+}
+
+/* The largest count there is: the run goes on as ever, and the counters stay where they are. */
+static void a_full_counter_stays_full(void **unused) {
+    (void)unused;
+    static const char *counters[] = {"event.count", "stride.count"};
+    for (int c = 0; c < 2; ++c) {
+        serialized good, full;
+        step_answer step;
+        fmi3Instance instance = new_on_its_way(STEPS), other = new_of_kind(STEPS);
+        serialize(instance, &good);
+        bool found = false;
+        for (size_t place = FORGE_CONTENT; place + 4 <= good.size && !found; ++place) {
+            full = good;
+            memcpy(full.bytes + place, &(int){INT_MAX}, sizeof(int));
+            forge_checksum(full.bytes, full.size);
+            found = restore(other, &full) == fmi3OK && get_int(other, counters[c]) == INT_MAX;
+        }
+        assert_true(found);
+        assert_int_equal(do_step(instance, 40.0, 60.0, &step), fmi3OK);
+        assert_int_equal(do_step(other, 40.0, 60.0, &step), fmi3OK);
+        assert_int_equal(get_int(other, counters[c]), INT_MAX);
+        assert_true(get_float(other, "leg.angle") == get_float(instance, "leg.angle"));
+        assert_true(get_float(other, "hip.work") == get_float(instance, "hip.work"));
+        fmi3FreeInstance(instance);
+        fmi3FreeInstance(other);
+    }
+}
+
+/* Every byte of the header is looked at, whether or not the checksum covers it. */
+static void a_header_that_is_not_ours_is_refused(void **unused) {
+    (void)unused;
+    serialized good;
+    save_on_its_way(STEPS, &good);
+    fmi3Instance instance = new_on_its_way(STEPS);
+    for (size_t i = 0; i < FORGE_CONTENT; ++i) {
+        serialized bad = good;
+        bad.bytes[i] = (fmi3Byte)(bad.bytes[i] ^ 0x10);
+        assert_int_equal(restore(instance, &bad), fmi3Discard);
+        assert_non_null(strstr(last_message, i < FORGE_BYTE_ORDER ? "another version"
+                                             : i < FORGE_CHECKSUM ? "another kind of machine"
+                                                                  : "changed"));
+        assert_unchanged(instance, &good);
+    }
+    fmi3FreeInstance(instance);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whatever_is_forged_is_refused_or_goes_on),
+        cmocka_unit_test(no_field_holds_what_is_not_a_number),
+        cmocka_unit_test(a_parameter_out_of_range_is_refused),
+        cmocka_unit_test(a_word_without_an_end_is_refused),
+        cmocka_unit_test(a_word_of_other_letters_or_code_is_refused),
+        cmocka_unit_test(a_time_of_the_past_that_lies_ahead_is_refused),
+        cmocka_unit_test(a_contact_in_the_air_is_refused),
+        cmocka_unit_test(a_full_counter_stays_full),
+        cmocka_unit_test(a_header_that_is_not_ours_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
