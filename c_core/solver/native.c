@@ -314,8 +314,7 @@ static tdmf_outcome advance(march *march, bool one_stride) {
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march;
-    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, false)
-                                                                      : TDMF_REFUSED;
+    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, false) : TDMF_REFUSED;
 }
 
 static tdmf_stride_outcome advance_a_stride(march *march) {

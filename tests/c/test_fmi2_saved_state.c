@@ -155,6 +155,7 @@ static void bytes_that_are_no_state_are_refused(void **unused) {
     const size_t size = serialize(component, good);
     fmi2FreeInstance(component);
     assert_bytes_refused(good, size - 1, "bytes are no state");
+    assert_bytes_refused(good, size + 1, "bytes are no state");
     assert_bytes_refused(good, 0, "bytes are no state");
     memcpy(bad, good, sizeof bad);
     bad[size - 9] = (fmi2Byte)(bad[size - 9] ^ 1);
@@ -340,20 +341,49 @@ static void restoring_replaces_parameters_and_what_follows_from_them(void **unus
     fmi2FreeInstance(heavy);
 }
 
-/* What was set since is forgotten with the rest, rates of inputs and counters too. */
+static void ramp(fmi2Component component, const char *name, double rate) {
+    const fmi2ValueReference reference = reference_of(name);
+    const fmi2Integer order = 1;
+    assert_int_equal(fmi2SetRealInputDerivatives(component, &reference, 1, &order, &rate), fmi2OK);
+}
+
+/* Rates of inputs, the stop time and the counters of work go with the run. */
+static void ramps_and_the_stop_time_are_saved(void **unused) {
+    (void)unused;
+    fmi2Byte bytes[BYTES];
+    fmi2Component component = new_slave(), other = new_slave();
+    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2True, 20.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    step(component, 11.0);
+    ramp(component, "hip.external_torque", 1e-3);
+    ramp(component, "ground.friction", -1e-2);
+    restore(other, bytes, serialize(component, bytes));
+    step(component, 9.0);
+    step(other, 9.0);
+    assert_same(component, other);
+    assert_true(get_real(other, "hip.external_torque") != 0.0 && get_real(other, "ground.friction") < 0.6);
+    assert_true(get_real(other, "hip.external_torque") == get_real(component, "hip.external_torque"));
+    assert_true(get_real(other, "ground.friction") == get_real(component, "ground.friction"));
+    assert_int_equal(get_integer(other, "solver.steps"), get_integer(component, "solver.steps"));
+    assert_int_equal(get_integer(other, "solver.evaluations"), get_integer(component, "solver.evaluations"));
+    assert_int_equal(fmi2DoStep(other, 20.0, 1.0, fmi2True), fmi2Error);
+    assert_non_null(strstr(last_message, "stop time"));
+    fmi2FreeInstance(component);
+    fmi2FreeInstance(other);
+}
+
+/* What was set since is forgotten with the rest. */
 static void restoring_undoes_everything(void **unused) {
     (void)unused;
     fmi2FMUstate saved = NULL, again = NULL;
-    const fmi2ValueReference torque = reference_of("hip.external_torque");
-    const fmi2Integer order = 1;
-    const fmi2Real rate = 1e-3;
     fmi2Byte bytes[2][BYTES];
     size_t size = 0;
     fmi2Component component = new_slave();
     initialize(component);
     step(component, 13.0);
     assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
-    assert_int_equal(fmi2SetRealInputDerivatives(component, &torque, 1, &order, &rate), fmi2OK);
+    ramp(component, "hip.external_torque", 1e-3);
     step(component, 5.0);
     assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
     assert_int_equal(fmi2GetFMUstate(component, &again), fmi2OK);
@@ -378,6 +408,7 @@ int main(void) {
         cmocka_unit_test(a_changed_run_of_model_exchange_is_resumed),
         cmocka_unit_test(a_state_from_before_the_start_takes_more_start_values),
         cmocka_unit_test(restoring_replaces_parameters_and_what_follows_from_them),
+        cmocka_unit_test(ramps_and_the_stop_time_are_saved),
         cmocka_unit_test(restoring_undoes_everything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

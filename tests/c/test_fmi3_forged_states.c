@@ -183,14 +183,21 @@ static void no_field_holds_what_is_not_a_number(void **unused) {
 /* ---- single fields --------------------------------------------------------------------------------------
  */
 
-/* Where a value stands in the bytes first; asserts that it does. */
-static size_t place_of(const serialized *state, const void *value, size_t size) {
+/* Where a value stands in the bytes for the n-th time, counted from 0; asserts that it does. */
+static size_t nth_place_of(const serialized *state, const void *value, size_t size, int n) {
     size_t place = FORGE_CONTENT;
-    while (place + size < state->size && memcmp(state->bytes + place, value, size) != 0) {
-        ++place;
+    for (; place + size < state->size; ++place) {
+        n -= memcmp(state->bytes + place, value, size) == 0;
+        if (n < 0) {
+            break;
+        }
     }
     assert_memory_equal(state->bytes + place, value, size);
     return place;
+}
+
+static size_t place_of(const serialized *state, const void *value, size_t size) {
+    return nth_place_of(state, value, size, 0);
 }
 
 static void assert_refused(kind kind, serialized *state, const char *reason) {
@@ -237,8 +244,13 @@ static void a_word_without_an_end_is_refused(void **unused) {
     serialized state;
     save_on_its_way(STEPS, &state);
     const size_t place = place_of(&state, "+0-0+\0\0\0", 8);
-    memset(state.bytes + place, '+', 64);
-    assert_refused(STEPS, &state, "stride.word");
+    const size_t open = nth_place_of(&state, "+0-0+\0\0\0", 8, 1); /* at 40 s the next is written */
+    serialized bad = state;
+    memset(bad.bytes + place, '+', 64);
+    assert_refused(STEPS, &bad, "stride.word");
+    bad = state;
+    memset(bad.bytes + open, '+', 64);
+    assert_refused(STEPS, &bad, "the open stride's word");
 }
 
 static void a_word_of_other_letters_or_code_is_refused(void **unused) {
@@ -254,16 +266,39 @@ static void a_word_of_other_letters_or_code_is_refused(void **unused) {
 
 static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
     (void)unused;
-    serialized state;
+    static const char *const names[] = {"event.last_time", "apex.time"};
+    static const char *const reasons[] = {"event.last_time", "the open stride's start time"};
+    const double ahead = 41.0;
     fmi3Instance instance = new_on_its_way(STEPS);
-    serialize(instance, &state);
-    const double last = get_float(instance, "event.last_time");
-    memcpy(state.bytes + place_of(&state, &last, sizeof last), &(double){41.0}, sizeof last);
+    for (int i = 0; i < 2; ++i) {
+        serialized state;
+        serialize(instance, &state);
+        const double time = get_float(instance, names[i]);
+        const size_t place = nth_place_of(&state, &time, sizeof time, 2 * i); /* outputs come first */
+        memcpy(state.bytes + place, &ahead, sizeof ahead);
+        assert_refused(STEPS, &state, reasons[i]);
+    }
     fmi3FreeInstance(instance);
-    assert_refused(STEPS, &state, "event.last_time");
 }
 
-/* Sticks at 40 s, or moves on the ground; no foot in the air does either. */
+/* The event is at the time of the run, and what comes of it is checked as the run is. */
+static void an_event_elsewhere_is_refused(void **unused) {
+    (void)unused;
+    serialized good, bad;
+    fmi3Instance instance = new_on_its_way(STEPS_WITH_EVENTS);
+    serialize(instance, &good);
+    const double time = get_float(instance, "time");
+    const double later = nextafter(time, INFINITY), ahead = time + 1.0;
+    bad = good;
+    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 1), &later, sizeof later);
+    assert_refused(STEPS_WITH_EVENTS, &bad, "the pending event");
+    bad = good;
+    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 2), &ahead, sizeof ahead);
+    assert_refused(STEPS_WITH_EVENTS, &bad, "event.last_time");
+    fmi3FreeInstance(instance);
+}
+
+/* A foot that sticks, lifted to where it was in flight. */
 static void a_contact_in_the_air_is_refused(void **unused) {
     (void)unused;
     serialized state;
@@ -283,30 +318,125 @@ static void a_contact_in_the_air_is_refused(void **unused) {
     assert_refused(STEPS, &state, "foot.y");
 }
 
+static void a_call_state_that_the_interface_has_not_is_refused(void **unused) {
+    (void)unused;
+    static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, FAILED},
+                                         {EVENT_MODE, INSTANTIATED | INITIALIZATION_MODE, FAILED},
+                                         {CONTINUOUS_TIME_MODE, 0, FAILED}};
+    for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
+        for (int i = 0; i < 3; ++i) {
+            serialized state;
+            save_on_its_way(kind, &state);
+            memcpy(state.bytes + FORGE_CALL_STATE, &states[kind][i], sizeof(int));
+            assert_refused(kind, &state, "the state of the call sequence");
+        }
+    }
+}
+
+/* Before the start there is none either, nor anything that came of it. */
+static void an_event_is_pending_in_event_mode_only(void **unused) {
+    (void)unused;
+    static const int claims[][2] = {{CO_SIMULATION, STEP_MODE}, {MODEL_EXCHANGE, EVENT_MODE}};
+    const int before = INSTANTIATED;
+    serialized state;
+    for (int i = 0; i < 2; ++i) {
+        save_on_its_way(STEPS_WITH_EVENTS, &state);
+        memcpy(state.bytes + FORGE_CONTENT, claims[i], sizeof claims[i]);
+        assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
+    }
+    save_on_its_way(STEPS_WITH_EVENTS, &state);
+    memcpy(state.bytes + FORGE_CALL_STATE, &before, sizeof before);
+    assert_refused(STEPS_WITH_EVENTS, &state, "refused");
+}
+
+static void a_truth_that_is_neither_true_nor_false_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    save_on_its_way(STEPS_WITH_EVENTS, &state);
+    memset(state.bytes + FORGE_PENDING, 2, 1);
+    assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
+}
+
+static void a_phase_of_another_contact_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    fmi3Instance instance = new_on_its_way(STEPS);
+    serialize(instance, &state);
+    const int found[] = {get_enumeration(instance, "contact.mode"), get_enumeration(instance, "hip.phase")};
+    assert_int_equal(found[0], TDMF_CONTACT_FLIGHT);
+    const int wanted[] = {TDMF_CONTACT_FLIGHT, TDMF_PHASE_DRIVE};
+    memcpy(state.bytes + place_of(&state, found, sizeof found), wanted, sizeof wanted);
+    fmi3FreeInstance(instance);
+    assert_refused(STEPS, &state, "hip.phase");
+}
+
+static void work_that_no_run_has_done_is_refused(void **unused) {
+    (void)unused;
+    static const int64_t claims[] = {-1, INT64_MAX};
+    for (int i = 0; i < 2; ++i) {
+        serialized state;
+        fmi3Instance instance = new_on_its_way(STEPS);
+        serialize(instance, &state);
+        const int64_t steps = get_int(instance, "solver.steps");
+        memcpy(state.bytes + place_of(&state, &steps, sizeof steps), &claims[i], sizeof steps);
+        fmi3FreeInstance(instance);
+        assert_refused(STEPS, &state, "the steps done");
+    }
+}
+
+/* In `state`, the counter that reads so. */
+static void fill_counter(serialized *state, kind kind, const char *name) {
+    const serialized good = *state;
+    const int full = INT_MAX;
+    fmi3Instance instance = new_of_kind(kind);
+    size_t place = FORGE_CONTENT;
+    do {
+        assert_true(place + sizeof full <= good.size);
+        *state = good;
+        memcpy(state->bytes + place++, &full, sizeof full);
+        forge_checksum(state->bytes, state->size);
+    } while (restore(instance, state) != fmi3OK || get_int(instance, name) != full);
+    fmi3FreeInstance(instance);
+}
+
+/* Returns how many events there were. */
+static int run_to(fmi3Instance instance, kind kind, double end) {
+    int events = 0;
+    step_answer step = {.event = kind == STEPS_WITH_EVENTS};
+    for (double time = get_float(instance, "time"); time < end; time = step.time) {
+        if (step.event) {
+            update_answer answer;
+            ++events;
+            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+            assert_int_equal(update(instance, &answer), fmi3OK);
+            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+        }
+        assert_int_equal(do_step(instance, time, end - time, &step), fmi3OK);
+    }
+    return events;
+}
+
 /* The largest count there is: the run goes on as ever, and the counters stay where they are. */
 static void a_full_counter_stays_full(void **unused) {
     (void)unused;
     static const char *counters[] = {"event.count", "stride.count"};
-    for (int c = 0; c < 2; ++c) {
-        serialized good, full;
-        step_answer step;
-        fmi3Instance instance = new_on_its_way(STEPS), other = new_of_kind(STEPS);
-        serialize(instance, &good);
-        bool found = false;
-        for (size_t place = FORGE_CONTENT; place + 4 <= good.size && !found; ++place) {
-            full = good;
-            memcpy(full.bytes + place, &(int){INT_MAX}, sizeof(int));
-            forge_checksum(full.bytes, full.size);
-            found = restore(other, &full) == fmi3OK && get_int(other, counters[c]) == INT_MAX;
+    for (kind kind = STEPS; kind < KINDS; ++kind) {
+        for (int c = 0; c < 2; ++c) {
+            serialized state;
+            fmi3Instance instance = new_on_its_way(kind), other = new_of_kind(kind);
+            run_to(instance, kind, 41.0); /* no event is pending there */
+            serialize(instance, &state);
+            fill_counter(&state, kind, counters[c]);
+            assert_int_equal(restore(other, &state), fmi3OK);
+            const int events = run_to(instance, kind, 100.0);
+            assert_int_equal(run_to(other, kind, 100.0), events);
+            assert_true(events > 10 || kind == STEPS);
+            assert_int_equal(get_int(other, counters[c]), INT_MAX);
+            assert_true(get_float(other, "leg.angle") == get_float(instance, "leg.angle"));
+            assert_true(get_float(other, "hip.work") == get_float(instance, "hip.work"));
+            fmi3FreeInstance(instance);
+            fmi3FreeInstance(other);
         }
-        assert_true(found);
-        assert_int_equal(do_step(instance, 40.0, 60.0, &step), fmi3OK);
-        assert_int_equal(do_step(other, 40.0, 60.0, &step), fmi3OK);
-        assert_int_equal(get_int(other, counters[c]), INT_MAX);
-        assert_true(get_float(other, "leg.angle") == get_float(instance, "leg.angle"));
-        assert_true(get_float(other, "hip.work") == get_float(instance, "hip.work"));
-        fmi3FreeInstance(instance);
-        fmi3FreeInstance(other);
     }
 }
 
@@ -336,6 +466,12 @@ int main(void) {
         cmocka_unit_test(a_word_without_an_end_is_refused),
         cmocka_unit_test(a_word_of_other_letters_or_code_is_refused),
         cmocka_unit_test(a_time_of_the_past_that_lies_ahead_is_refused),
+        cmocka_unit_test(an_event_elsewhere_is_refused),
+        cmocka_unit_test(a_call_state_that_the_interface_has_not_is_refused),
+        cmocka_unit_test(an_event_is_pending_in_event_mode_only),
+        cmocka_unit_test(a_truth_that_is_neither_true_nor_false_is_refused),
+        cmocka_unit_test(a_phase_of_another_contact_is_refused),
+        cmocka_unit_test(work_that_no_run_has_done_is_refused),
         cmocka_unit_test(a_contact_in_the_air_is_refused),
         cmocka_unit_test(a_full_counter_stays_full),
         cmocka_unit_test(a_header_that_is_not_ours_is_refused),
