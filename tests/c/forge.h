@@ -12,7 +12,8 @@ enum {
     FORGE_CHECKSUM = 48,
     FORGE_CONTENT = 56,
     FORGE_CALL_STATE = 60,
-    FORGE_PENDING = 64
+    FORGE_BEGUN = 64,
+    FORGE_PENDING = 65
 };
 
 /* Makes the checksum that of the present content. */

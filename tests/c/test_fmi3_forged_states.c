@@ -320,9 +320,9 @@ static void a_contact_in_the_air_is_refused(void **unused) {
 
 static void a_call_state_that_the_interface_has_not_is_refused(void **unused) {
     (void)unused;
-    static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, FAILED},
-                                         {EVENT_MODE, INSTANTIATED | INITIALIZATION_MODE, FAILED},
-                                         {CONTINUOUS_TIME_MODE, 0, FAILED}};
+    static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, INSTANTIATED},
+                                         {EVENT_MODE, STEP_MODE | FAILED, INITIALIZATION_MODE},
+                                         {CONTINUOUS_TIME_MODE, 0, INSTANTIATED}};
     for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
         for (int i = 0; i < 3; ++i) {
             serialized state;
@@ -338,6 +338,7 @@ static void an_event_is_pending_in_event_mode_only(void **unused) {
     (void)unused;
     static const int claims[][2] = {{CO_SIMULATION, STEP_MODE}, {MODEL_EXCHANGE, EVENT_MODE}};
     const int before = INSTANTIATED;
+    const unsigned char begun = 0;
     serialized state;
     for (int i = 0; i < 2; ++i) {
         save_on_its_way(STEPS_WITH_EVENTS, &state);
@@ -346,7 +347,23 @@ static void an_event_is_pending_in_event_mode_only(void **unused) {
     }
     save_on_its_way(STEPS_WITH_EVENTS, &state);
     memcpy(state.bytes + FORGE_CALL_STATE, &before, sizeof before);
+    memcpy(state.bytes + FORGE_BEGUN, &begun, sizeof begun);
     assert_refused(STEPS_WITH_EVENTS, &state, "refused");
+}
+
+/* Running without having begun, and begun without running. */
+static void a_run_in_a_state_that_it_cannot_be_in_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    save_on_its_way(STEPS, &state);
+    state.bytes[FORGE_BEGUN] = 0;
+    assert_refused(STEPS, &state, "the state of the call sequence");
+    fmi3Instance instance = new_of_kind(STEPS);
+    serialize(instance, &state);
+    fmi3FreeInstance(instance);
+    const int running = STEP_MODE;
+    memcpy(state.bytes + FORGE_CALL_STATE, &running, sizeof running);
+    assert_refused(STEPS, &state, "the state of the call sequence");
 }
 
 static void a_truth_that_is_neither_true_nor_false_is_refused(void **unused) {
@@ -469,6 +486,7 @@ int main(void) {
         cmocka_unit_test(an_event_elsewhere_is_refused),
         cmocka_unit_test(a_call_state_that_the_interface_has_not_is_refused),
         cmocka_unit_test(an_event_is_pending_in_event_mode_only),
+        cmocka_unit_test(a_run_in_a_state_that_it_cannot_be_in_is_refused),
         cmocka_unit_test(a_truth_that_is_neither_true_nor_false_is_refused),
         cmocka_unit_test(a_phase_of_another_contact_is_refused),
         cmocka_unit_test(work_that_no_run_has_done_is_refused),

@@ -222,25 +222,12 @@ static void a_changed_run_of_fmi3_goes_on_in_fmi2(void **unused) {
     }
 }
 
-static void an_instance_after_an_error_is_not_saved(void **unused) {
-    (void)unused;
-    for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
-        fmi3FMUState saved = NULL;
-        fmi3Instance instance = new_of_kind(kind);
-        assert_int_equal(fmi3ExitInitializationMode(instance), fmi3Error);
-        assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3Error);
-        assert_null(saved);
-        fmi3FreeInstance(instance);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_changed_run_is_resumed),
         cmocka_unit_test(a_saved_state_holds_all_of_a_unit),
         cmocka_unit_test(a_state_from_before_the_start_takes_more_start_values),
         cmocka_unit_test(a_changed_run_of_fmi3_goes_on_in_fmi2),
-        cmocka_unit_test(an_instance_after_an_error_is_not_saved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
