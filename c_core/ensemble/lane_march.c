@@ -135,7 +135,7 @@ static void leave_lane(march *march, crew *crew, int lane, bool at_event, bool l
         march->work.strides += runner->end->strides - strides;
         ++march->work.events;
     } else {
-        tdmf_runner_give_up(runner, late ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
+        tdmf_runner_give_up(runner, late ? TDMF_FATE_UNDECIDED : TDMF_FATE_UNSOLVED);
     }
     crew->aboard[lane] = NOBODY;
     crew->live[lane] = 0;

@@ -35,7 +35,7 @@ typedef struct {
     real size; /* of the step */
     int order;
     choice live;
-    double due_below; /* in a guard's scale */
+    real due_below; /* in a guard's scale */
     real power[SERIES_TERMS], second[SERIES_TERMS],
         third[SERIES_TERMS]; /* of t^k and its derivatives at the end */
     /* The guard that a lane looks at, if any. */
@@ -69,7 +69,7 @@ static inline void set_powers(real power[SERIES_TERMS], real t, int order) {
     }
 }
 
-static inline void search_within(lane_search *search, real size, int order, choice live, double due_below) {
+static inline void search_within(lane_search *search, real size, int order, choice live, real due_below) {
     search->size = size;
     search->order = order;
     search->live = live;

@@ -207,7 +207,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     const real longest = longest_flight_step(&m->law, m->length, order);
     const real size =
         smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
-    search_within(&search, size, order, live, due_below(tolerance));
+    search_within(&search, size, order, live, due_below(tolerance) * m->frame.patience);
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
     watch_length(&search, &m->frame, f->length, order);
@@ -248,18 +248,18 @@ static inline void watch_lift_off(lane_search *search, const standing_member *m,
 /* mu f_y + f_x and mu f_y - f_x. */
 static inline void watch_cone(lane_search *search, const standing_member *m, const ground_series *g,
                               int order) {
-    const real room = m->friction * (g->press[0] - spread_of(search, g->press, order - 1)) -
-                      (real_abs(g->pull[0]) + spread_of(search, g->pull, order - 1));
+    const real room = m->cone_normal * (g->press[0] - spread_of(search, g->press, order - 1)) -
+                      m->cone_tangential * (real_abs(g->pull[0]) + spread_of(search, g->pull, order - 1));
     const choice near = search->live & ~(room > 0.0);
     if (!any(near)) {
         return;
     }
     for (int edge = 0; edge < 2; ++edge) {
-        const double sign = edge == 0 ? -1.0 : 1.0;
-        const real start = m->friction * g->press[0] + sign * g->pull[0];
+        const real tangential = edge == 0 ? -m->cone_tangential : m->cone_tangential;
+        const real start = m->cone_normal * g->press[0] + tangential * g->pull[0];
         real distance[SERIES_TERMS];
         for (int k = 0; k < order; ++k) {
-            distance[k] = m->friction * g->press[k] + sign * g->pull[k];
+            distance[k] = m->cone_normal * g->press[k] + tangential * g->pull[k];
         }
         const guard_series cone = {distance, real_of(1.0), start, order - 1};
         watch(search, edge == 0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near,
@@ -367,7 +367,7 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
     const real size =
         smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
-    search_within(&search, size, order, live, due_below(tolerance));
+    search_within(&search, size, order, live, due_below(tolerance) * m->frame.patience);
     watch_standing_leg(&search, m, g, order);
     if (grazes) {
         watch_graze(&search, m, g, order);

@@ -14,6 +14,7 @@ typedef struct {
 /* What does not. */
 typedef struct {
     real time_left; /* when the runner came; its stride is given up then */
+    real patience;  /* with guards that are due, see crossing.h */
     real min_length, damping, gravity;
     real length_scale, time_scale, speed_scale, force_scale, energy_scale;
 } member_frame;
@@ -36,7 +37,7 @@ typedef struct {
     real angle; /* graze: theta */
     member_frame frame;
     ground_coefficients law;
-    real friction;                   /* mu */
+    real cone_normal, cone_tangential;
     real slip_sign;                  /* of u */
     real drives;                     /* above 0 until mid-stance */
     real kp, kd, target, stance_law; /* graze: the laws that the torque lies between */

@@ -1,6 +1,8 @@
 /* A runner between lanes: what it takes along, and the events it meets. */
 #include "runner.h"
 
+#include "cone.h"
+#include "crossing.h"
 #include "scalar_series.h"
 #include "step.h"
 #include "tdmf_slip/automaton.h"
@@ -28,6 +30,7 @@ static void open_stride(tdmf_runner *runner) {
     runner->events_left = event_limit;
     runner->span = 0.0;
     runner->steps_in_span = 0.0;
+    runner->events_at_once = 0;
 }
 
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
@@ -82,6 +85,7 @@ static member_frame frame_of(const tdmf_runner *runner) {
     const tdmf_model *model = runner->its_case->model;
     const member_frame frame = {
         .time_left = longest_stride * model->scales.time - (runner->motion.time - runner->stride_began),
+        .patience = tdmf_patience(runner->events_at_once),
         .min_length = model->parameters.leg.min_length,
         .damping = model->parameters.leg.damping,
         .gravity = model->parameters.gravity,
@@ -124,6 +128,7 @@ static standing_member standing_fields(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     const tdmf_parameters *p = &model->parameters;
     const bool retracts = mode->phase == TDMF_PHASE_RETRACT;
+    const tdmf_cone cone = tdmf_cone_of(runner->its_case->inputs.ground.friction);
     const standing_member m = {
         .now = progress_of(runner),
         .frame = frame_of(runner),
@@ -134,7 +139,8 @@ static standing_member standing_fields(const tdmf_runner *runner) {
         .vy = chart->start.vy,
         .foot_x = chart->start.foot_x,
         .foot_vx = chart->start.foot_vx,
-        .friction = runner->its_case->inputs.ground.friction,
+        .cone_normal = cone.normal,
+        .cone_tangential = cone.tangential,
         .slip_sign = tdmf_slip_sign(mode),
         /* A leg that has wound past a half turn passes upright no more. */
         .drives = mode->phase == TDMF_PHASE_DRIVE && chart->turn == 0.0 ? 1.0 : 0.0,
@@ -254,16 +260,33 @@ static bool close_stride(tdmf_runner *runner) {
 
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
+    const double time = motion->time;
     disembark(runner, fields);
+    runner->events_at_once = motion->time > time ? 1 : runner->events_at_once + 1;
     tdmf_run run = {
         runner->its_case->model, &runner->its_case->inputs, motion->time, motion->state, &motion->mode,
         &motion->record};
-    tdmf_take_transitions(&run);
-    if (motion->mode.fallen || --runner->events_left <= 0) {
-        tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
+    const bool resolved = tdmf_take_transitions(&run);
+    if (motion->mode.fallen) {
+        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
+    }
+    if (!resolved || --runner->events_left <= 0 || runner->events_at_once >= TDMF_CHAIN_LIMIT) {
+        tdmf_runner_give_up(runner, TDMF_FATE_UNSOLVED);
         return false;
     }
     return motion->record.stride.count == runner->end->strides || close_stride(runner);
+}
+
+static tdmf_fate fate_of(tdmf_outcome outcome) {
+    switch (outcome) {
+    case TDMF_FELL:
+        return TDMF_FATE_FELL;
+    case TDMF_ARRIVED: /* where a stride takes too long */
+        return TDMF_FATE_UNDECIDED;
+    default:
+        return TDMF_FATE_UNSOLVED;
+    }
 }
 
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
@@ -272,8 +295,7 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const tdmf_stride_outcome stride =
         tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
     if (!stride.closed) {
-        const bool solved = stride.outcome == TDMF_FELL || stride.outcome == TDMF_ARRIVED;
-        tdmf_runner_give_up(runner, solved ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
+        tdmf_runner_give_up(runner, fate_of(stride.outcome));
         return false;
     }
     return close_stride(runner);

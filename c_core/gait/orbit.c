@@ -67,11 +67,19 @@ static double error_of(const tdmf_model *model, const double section[TDMF_SECTIO
 
 /* What a stride that has not closed makes of a search. */
 static tdmf_orbit_outcome why_not(const tdmf_return *stride) {
-    if (!stride->began_at_apex || stride->outcome.outcome == TDMF_REFUSED) {
+    if (!stride->began_at_apex) {
         return TDMF_ORBIT_NO_START;
     }
-    const bool solved = stride->outcome.outcome == TDMF_FELL || stride->outcome.outcome == TDMF_ARRIVED;
-    return solved ? TDMF_ORBIT_FELL : TDMF_ORBIT_UNSOLVED;
+    switch (stride->outcome.outcome) {
+    case TDMF_REFUSED:
+        return TDMF_ORBIT_NO_START;
+    case TDMF_FELL:
+        return TDMF_ORBIT_FELL;
+    case TDMF_ARRIVED:
+        return TDMF_ORBIT_NO_STRIDE;
+    default:
+        return TDMF_ORBIT_UNSOLVED;
+    }
 }
 
 /* The stride from a section into the orbit. */

@@ -1,6 +1,7 @@
 /* Guards of the automaton, each a pure number that is positive until its event is due. */
 #include "tdmf_slip/automaton.h"
 
+#include "cone.h"
 #include "leg.h"
 #include "tdmf_slip/hip.h"
 
@@ -82,9 +83,11 @@ static void guard_contact(const tdmf_model *model, const tdmf_inputs *inputs, co
         guards[TDMF_GUARD_MID_STANCE] = armed(state[TDMF_LEG_ANGLE], 1.0);
     }
     if (mode->contact == TDMF_CONTACT_STICK) {
-        const double limit = inputs->ground.friction * force.fy;
-        guards[TDMF_GUARD_SLIP_ONSET_POSITIVE] = armed(limit + force.fx, scales->force);
-        guards[TDMF_GUARD_SLIP_ONSET_NEGATIVE] = armed(limit - force.fx, scales->force);
+        const tdmf_cone cone = tdmf_cone_of(inputs->ground.friction);
+        const double limit = cone.normal * force.fy;
+        const double pull = cone.tangential * force.fx;
+        guards[TDMF_GUARD_SLIP_ONSET_POSITIVE] = armed(limit + pull, scales->force);
+        guards[TDMF_GUARD_SLIP_ONSET_NEGATIVE] = armed(limit - pull, scales->force);
     } else {
         guards[TDMF_GUARD_SLIP_VELOCITY_ZERO] =
             armed(tdmf_slip_sign(mode) * state[TDMF_FOOT_VX], scales->speed);
@@ -165,10 +168,13 @@ static void rate_contact(const tdmf_model *model, const tdmf_inputs *inputs,
         rates[TDMF_GUARD_MID_STANCE] = state[TDMF_LEG_ANGLE_RATE];
     }
     if (mode->contact == TDMF_CONTACT_STICK) {
-        const double limit_rate = inputs->ground.friction * rate.fy +
-                                  input_rates->friction * tdmf_leg_sticking_force(model, torque, leg).fy;
-        rates[TDMF_GUARD_SLIP_ONSET_POSITIVE] = (limit_rate + rate.fx) / scales->force;
-        rates[TDMF_GUARD_SLIP_ONSET_NEGATIVE] = (limit_rate - rate.fx) / scales->force;
+        const tdmf_ground_force force = tdmf_leg_sticking_force(model, torque, leg);
+        const tdmf_cone cone = tdmf_cone_of(inputs->ground.friction);
+        const tdmf_cone cone_rate = tdmf_cone_rate(inputs->ground.friction, input_rates->friction);
+        const double limit_rate = cone.normal * rate.fy + cone_rate.normal * force.fy;
+        const double pull_rate = cone.tangential * rate.fx + cone_rate.tangential * force.fx;
+        rates[TDMF_GUARD_SLIP_ONSET_POSITIVE] = (limit_rate + pull_rate) / scales->force;
+        rates[TDMF_GUARD_SLIP_ONSET_NEGATIVE] = (limit_rate - pull_rate) / scales->force;
     } else {
         rates[TDMF_GUARD_SLIP_VELOCITY_ZERO] =
             tdmf_slip_sign(mode) * derivatives[TDMF_FOOT_VX] / scales->speed;

@@ -4,6 +4,7 @@
  * A polynomial is zero a little after its guard: what it finds due is due to the model beyond rounding. */
 #include "crossing.h"
 
+#include "cone.h"
 #include "first_root.h"
 #include "tdmf_slip/hip.h"
 
@@ -18,6 +19,7 @@ static const double zero_power = 1e-14;
 
 typedef struct {
     const tdmf_step *step;
+    double patience;
     tdmf_crossing first;
 } search;
 
@@ -81,7 +83,8 @@ static tdmf_polynomial derivative(const double *c, double factor, int order) {
 /* Notes the first time at which the polynomial, in units of `scale`, falls to `floor`. */
 static void watch(search *search, tdmf_guard guard, const tdmf_polynomial *p, double scale, double floor) {
     const double to = fmin(search->step->size, search->first.at.time);
-    note(search, guard, tdmf_first_root(p, &search->step->reach, 1.0, floor * scale, 0.0, to));
+    note(search, guard,
+         tdmf_first_root(p, &search->step->reach, 1.0, search->patience * floor * scale, 0.0, to));
 }
 
 static void watch_length(search *search, const double *length) {
@@ -206,15 +209,18 @@ static void watch_mid_stance(search *search) {
     watch(search, TDMF_GUARD_MID_STANCE, &ahead, 2.0 * g->length[0], beyond);
 }
 
-/* mu f_y + sign f_x. */
+/* mu f_y + sign f_x, by the weights of the largest friction in the step. */
 static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
                        double sign) {
     const ground_series *g = &search->step->series.ground;
-    tdmf_polynomial room = scaled(g->press, inputs->ground.friction, search->step->order - 1);
-    add(&room, g->pull, -sign);
+    const double friction = inputs->ground.friction;
+    const double weight =
+        tdmf_cone_of(fmax(friction, friction + rates->friction * search->step->size)).tangential;
+    tdmf_polynomial room = scaled(g->press, weight * friction, search->step->order - 1);
+    add(&room, g->pull, -sign * weight);
     if (rates->friction != 0.0) {
         for (int k = 1; k <= room.order; ++k) {
-            room.c[k] += rates->friction * g->press[k - 1];
+            room.c[k] += weight * rates->friction * g->press[k - 1];
         }
     }
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
@@ -335,8 +341,8 @@ static void watch_graze(search *search, const tdmf_input_rates *rates, const tdm
 /* ---- all ---------------------------------------------------------------------------------------------- */
 
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
-                                  const tdmf_input_rates *rates, const tdmf_mode *mode) {
-    search search = {step, {{INFINITY, false}, TDMF_GUARD_COUNT}};
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode, double patience) {
+    search search = {step, patience, {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);
     } else if (mode->contact == TDMF_CONTACT_GRAZE) {

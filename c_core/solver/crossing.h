@@ -11,11 +11,17 @@ typedef struct {
     tdmf_guard guard;
 } tdmf_crossing;
 
-/* The first time within the step at which the mode, the phase or the clamp has to change. Without one, the
- * time up to which the step may be used: a law has a kink there, a guard is known no further, or the search
- * took too long; else infinity. */
+/* How much further below zero a guard has to be, the more events there were at one instant: where the model,
+ * whose rounding is another, has not found due what its series found, a search would stand there for ever. */
+static inline double tdmf_patience(int events_at_once) {
+    return events_at_once > 1 ? ldexp(1.0, events_at_once - 1) : 1.0;
+}
+
+/* The first time within the step at which the mode, the phase or the clamp has to change, guards being due
+ * `patience` times as far below zero as at first. Without one, the time up to which the step may be used: a
+ * law has a kink there, a guard is known no further, or the search took too long; else infinity. */
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
-                                  const tdmf_input_rates *rates, const tdmf_mode *mode);
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode, double patience);
 
 /* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back. In
  * contact only. */

@@ -28,6 +28,7 @@ typedef struct {
     /* Counted against TDMF_STIFFNESS_LIMIT. */
     double span;
     int steps_in_span, events_in_span;
+    int events_at_once; /* since the time went on */
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
     const tdmf_change *changes;
@@ -155,6 +156,9 @@ static bool take_transitions(march *march) {
     tdmf_motion *motion = march->motion;
     const tdmf_resolution taken = tdmf_resolve(march->model, &march->inputs, motion->time, motion->state,
                                                &motion->mode, &motion->record);
+    if (taken.unresolved) {
+        march->events_left = 0;
+    }
     return taken.state_changed || taken.mode_changed;
 }
 
@@ -181,11 +185,13 @@ static bool resolve(march *march, tdmf_guard guard) {
 /* Takes the event that is due after `elapsed`. */
 static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const tdmf_coordinates *reached) {
     tdmf_motion *motion = march->motion;
+    const double time = motion->time + elapsed;
+    march->events_at_once = time > motion->time ? 1 : march->events_at_once + 1;
+    --march->events_left;
     write_state(march, elapsed, reached);
-    motion->time += elapsed;
+    motion->time = time;
     move_inputs(march, elapsed);
     march->solver->events += resolve(march, guard);
-    --march->events_left;
     ++march->events_in_span;
     open_mode(march);
 }
@@ -195,6 +201,7 @@ static void go_on(march *march, double elapsed, const tdmf_coordinates *reached)
     motion->time = elapsed < march->until - motion->time ? motion->time + elapsed : march->until;
     tdmf_chart_shift(&march->chart, elapsed, reached);
     march->chart_is_ahead = true;
+    march->events_at_once = 0;
     move_inputs(march, elapsed);
 }
 
@@ -249,7 +256,8 @@ static tdmf_outcome advance_once(march *march) {
     }
     step->size = fmin(step->size, fmin(march->until - motion->time, time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
-    const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode);
+    const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode,
+                                                       tdmf_patience(march->events_at_once));
     const double end = fmin(step->size, crossing.at.time);
     const tdmf_coordinates reached = tdmf_step_at(step, end);
     if (!is_finite(&reached)) {
@@ -283,6 +291,7 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->order = tdmf_step_order(solver->relative_tolerance);
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
+    march->events_at_once = 0;
     march->count = 0;
     open_span(march);
     /* An input may have jumped since the last call. */
@@ -298,7 +307,8 @@ static tdmf_outcome advance(march *march, bool one_stride) {
     tdmf_outcome outcome = TDMF_ARRIVED;
     while (outcome == TDMF_ARRIVED && motion->time < march->until && !motion->mode.fallen &&
            !(one_stride && motion->record.stride.count > count)) {
-        outcome = march->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(march);
+        const bool may_go_on = march->events_left > 0 && march->events_at_once < TDMF_CHAIN_LIMIT;
+        outcome = may_go_on ? advance_once(march) : TDMF_TOO_MANY_EVENTS;
     }
     if (march->chart_is_ahead) {
         write_state(march, 0.0, &march->chart.start);

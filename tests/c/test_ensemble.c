@@ -328,14 +328,10 @@ static void reference_gaits_are_kept(void **state) {
     free(ends);
 }
 
-/* A runner that sinks into a stand closes no stride; the engine gives it up instead of waiting. */
-static void a_runner_that_comes_to_rest_is_given_up(void **state) {
-    tdmf_parameters parameters = tdmf_default_parameters();
+/* A runner's fate from an upright apex, by every instruction set. */
+static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
     tdmf_model model;
-    (void)state;
-    parameters.leg.damping = 2.0;
-    parameters.hip.touchdown_angle = 0.0;
-    assert_null(tdmf_model_create(&model, &parameters).variable);
+    assert_null(tdmf_model_create(&model, parameters).variable);
     const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 10}};
     tdmf_ensemble ensemble = {.cases = &its_case,
@@ -348,10 +344,31 @@ static void a_runner_that_comes_to_rest_is_given_up(void **state) {
         ensemble.instructions = (tdmf_instructions)set;
         if (tdmf_has_instructions(ensemble.instructions)) {
             tdmf_ensemble_end *ends = run(&ensemble, NULL);
-            assert_int_equal(ends[0].fate, TDMF_FATE_FELL);
+            assert_int_equal(ends[0].fate, fate);
+            assert_int_equal(ends[0].gait, -1);
             free(ends);
         }
     }
+}
+
+/* It closes no stride; the engine gives it up instead of waiting. Driven by the hip, it tips over. */
+static void a_runner_that_sinks_into_a_stand_is_undecided(void **state) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    (void)state;
+    parameters.leg.damping = 2.0;
+    parameters.hip.touchdown_angle = 0.0;
+    assert_fate(&parameters, TDMF_FATE_FELL);
+    parameters.hip.stance_torque = 0.0;
+    assert_fate(&parameters, TDMF_FATE_UNDECIDED);
+}
+
+/* The hip's servo is so stiff that no step changes the time. */
+static void what_the_solver_does_not_get_through_is_no_fall(void **state) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    (void)state;
+    parameters.foot.mass = 1e-12;
+    parameters.hip.kp = parameters.hip.kd = 1e18;
+    assert_fate(&parameters, TDMF_FATE_UNSOLVED);
 }
 
 static void work_is_counted(void **state) {
@@ -411,7 +428,8 @@ int main(void) {
         cmocka_unit_test(energy_is_accounted_for),
         cmocka_unit_test(runners_settle_fall_or_do_not_start),
         cmocka_unit_test(reference_gaits_are_kept),
-        cmocka_unit_test(a_runner_that_comes_to_rest_is_given_up),
+        cmocka_unit_test(a_runner_that_sinks_into_a_stand_is_undecided),
+        cmocka_unit_test(what_the_solver_does_not_get_through_is_no_fall),
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(unsound_ensembles_are_refused),
     };

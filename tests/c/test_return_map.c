@@ -194,6 +194,33 @@ static void what_is_no_gait_is_said_to_be_none(void **state) {
     assert_int_equal(tdmf_settle(&solver, &model, &scene.inputs, 10, scene.section), 0);
 }
 
+/* Neither trouble of the solver nor a stand is a fall. */
+static void only_a_fall_is_called_one(void **state) {
+    scene_at_apex scene = at_gait(&reference_gaits[2]);
+    tdmf_model model;
+    (void)state;
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    for (int limit = 0; limit < 3; ++limit) {
+        tdmf_solver few_steps = tdmf_solver_default(), few_events = tdmf_solver_default();
+        few_steps.step_limit = few_events.event_limit = limit;
+        const tdmf_orbit tired = tdmf_find_orbit(&few_steps, &model, &scene.inputs, scene.section, NULL);
+        assert_int_equal(tired.outcome, TDMF_ORBIT_UNSOLVED);
+        assert_int_equal(tired.stride.outcome.outcome, TDMF_TOO_MANY_STEPS);
+        const tdmf_orbit busy = tdmf_find_orbit(&few_events, &model, &scene.inputs, scene.section, NULL);
+        assert_int_equal(busy.outcome, TDMF_ORBIT_UNSOLVED);
+        assert_int_equal(busy.stride.outcome.outcome, TDMF_TOO_MANY_EVENTS);
+    }
+    /* It sinks into a stand, upright, and stays there. */
+    const double stand[TDMF_SECTION_COUNT] = {1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+    tdmf_solver solver = tdmf_solver_default();
+    scene.parameters.hip.stance_torque = 0.0;
+    scene.parameters.leg.damping = 2.0;
+    scene.parameters.hip.touchdown_angle = 0.0;
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, stand, NULL).outcome,
+                     TDMF_ORBIT_NO_STRIDE);
+}
+
 static void linear_systems_are_solved(void **state) {
     /* The first pivot is zero, so that rows have to be exchanged. */
     double a[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {
@@ -216,6 +243,7 @@ int main(void) {
         cmocka_unit_test(what_is_too_much_is_refused),
         cmocka_unit_test(gaits_are_found_to_rounding),
         cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
+        cmocka_unit_test(only_a_fall_is_called_one),
         cmocka_unit_test(linear_systems_are_solved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -50,8 +50,8 @@ typedef struct {
 
 typedef enum {
     TDMF_FATE_SETTLED,   /* on a gait */
-    TDMF_FATE_FELL,      /* or closed no more stride, standing still */
-    TDMF_FATE_UNDECIDED, /* neither within the strides allowed */
+    TDMF_FATE_FELL,      /* the body or the leg is down */
+    TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
     TDMF_FATE_UNSOLVED   /* the solver could not follow it: too stiff, or too many steps or events */
 } tdmf_fate;

@@ -11,9 +11,10 @@ extern "C" {
 typedef enum {
     TDMF_ORBIT_FOUND,
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
-    TDMF_ORBIT_FELL,      /* the runner falls, or closes no stride, from where the search got to */
+    TDMF_ORBIT_FELL,      /* the runner falls from the guess */
     TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused */
-    TDMF_ORBIT_UNSOLVED   /* the solver could not follow the runner: see stride.outcome */
+    TDMF_ORBIT_UNSOLVED,  /* the solver could not follow the runner: see stride.outcome */
+    TDMF_ORBIT_NO_STRIDE  /* no stride closes from the guess within 1e4 sqrt(m/k), as where it stands still */
 } tdmf_orbit_outcome;
 
 /* A gait and its stride. Values other than the outcome are those of the last apex tried. */
@@ -34,8 +35,8 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                            const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
 
-/* Runs up to `strides` strides from an apex and writes the last one into `section`; less where the runner
- * falls. Returns how many were run. */
+/* Runs up to `strides` strides from an apex and writes the last one into `section`; less where one does not
+ * close: tdmf_find_orbit from there says why. Returns how many were run. */
 int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
                 double section[TDMF_SECTION_COUNT]);
 

@@ -1,0 +1,179 @@
+/* Friction so large that a user means "never slips": the foot then slips just before it leaves the ground,
+ * where the edge of the cone is known to mu times the rounding of a force. */
+#include "compare.h"
+#include "integrate.h"
+#include "scene.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/orbit.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
+enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF_A_STRIDE = 500 };
+
+static const tdmf_input_rates held = {0.0, 0.0};
+
+static tdmf_motion motion_of(const runner *runner) {
+    tdmf_motion motion = {.time = runner->time, .mode = runner->mode, .record = runner->record};
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    return motion;
+}
+
+static runner started(double friction) {
+    runner runner = runner_default(friction);
+    runner_start(&runner);
+    return runner;
+}
+
+/* f_y = |f_x|/mu + distance: the guard is as exact as the forces, on both edges. */
+static void the_cones_guard_rounds_like_the_forces(void **unused) {
+    (void)unused;
+    int compared = 0;
+    for (int i = 0; i < FRICTIONS; ++i) {
+        for (double angle = -1.0; angle < 1.1; angle += 0.25) {
+            runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 1e-9);
+            runner.inputs.ground.friction = frictions[i];
+            const tdmf_ground_force force = tdmf_sticking_force(&runner.model, 0.0, runner.state);
+            const long double edge = fabsl((long double)force.fx) / (long double)frictions[i];
+            const double value = (double)((long double)force.fy - edge + (long double)TDMF_GUARD_MARGIN);
+            const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);
+            const double negative = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
+            assert_close(fmin(positive, negative), value, 1e-3 * TDMF_GUARD_MARGIN);
+            ++compared;
+        }
+    }
+    assert_int_equal(compared, FRICTIONS * 9);
+}
+
+/* A foot that cannot slip but for an instant: the stride differs from that at 1e6 by what 1/mu makes of it.
+ */
+static void every_stride_closes_in_few_steps(void **unused) {
+    (void)unused;
+    double periods[FRICTIONS];
+    for (int i = 0; i < FRICTIONS; ++i) {
+        const runner runner = started(frictions[i]);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        for (int stride = 0; stride < STRIDES; ++stride) {
+            const int64_t steps = solver.steps;
+            const tdmf_stride_outcome outcome =
+                tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e9, &motion);
+            assert_true(outcome.closed);
+            assert_true(solver.steps - steps < STEPS_OF_A_STRIDE);
+            assert_string_equal(motion.record.stride.word, "0+");
+        }
+        periods[i] = motion.record.stride.period;
+    }
+    for (int i = 0; i < FRICTIONS; ++i) {
+        assert_relatively_close(periods[i], periods[FRICTIONS - 1], 1e-9 + 1e-3 / frictions[i]);
+    }
+}
+
+static void the_two_solvers_agree(void **unused) {
+    (void)unused;
+    if (!tdmf_cvode_is_available()) {
+        return;
+    }
+    for (int i = 0; i < FRICTIONS; ++i) {
+        const runner runner = started(frictions[i]);
+        tdmf_motion native = motion_of(&runner), cvode = native;
+        tdmf_solver solver = tdmf_solver_default();
+        assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 110.0, &native),
+                         TDMF_ARRIVED);
+        assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held, 110.0, &cvode),
+                         TDMF_ARRIVED);
+        assert_int_equal(native.record.event_count, cvode.record.event_count);
+        assert_int_equal(native.record.stride.count, 4);
+        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+            assert_close(native.state[k], cvode.state[k], 1e-6);
+        }
+    }
+}
+
+/* The period is that which runs of the unit by CVODE settle to. */
+static void the_gait_of_a_light_foot_is_found(void **unused) {
+    (void)unused;
+    const double degree = 0.017453292519943295;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_model model;
+    double state[TDMF_STATE_COUNT];
+    solver.relative_tolerance = 1e-13;
+    parameters.foot.mass = 0.02;
+    parameters.hip.touchdown_angle = 49.6715 * degree;
+    inputs.ground.friction = 1000.0;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_default_state(state);
+    const tdmf_point com = tdmf_center_of_mass(&model, state);
+    double section[TDMF_SECTION_COUNT] = {com.y,
+                                          com.vx,
+                                          state[TDMF_LEG_LENGTH],
+                                          state[TDMF_LEG_ANGLE],
+                                          state[TDMF_LEG_LENGTH_RATE],
+                                          state[TDMF_LEG_ANGLE_RATE]};
+    assert_int_equal(tdmf_settle(&solver, &model, &inputs, 400, section), 400);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &inputs, section, NULL);
+    assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
+    assert_string_equal(orbit.stride.stride.word, "0+");
+    assert_relatively_close(orbit.stride.stride.period, 25.36965, 3e-7);
+}
+
+/* Lanes and one by one end alike, and nobody falls. */
+static void ensembles_keep_running(void **unused) {
+    (void)unused;
+    enum { RUNNERS = 64 };
+    static double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble_case cases[FRICTIONS];
+    int case_of[RUNNERS];
+    tdmf_ensemble_end ends[TDMF_INSTRUCTIONS_COUNT][RUNNERS];
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    for (int i = 0; i < FRICTIONS; ++i) {
+        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 20}};
+        cases[i] = its_case;
+        cases[i].inputs.ground.friction = frictions[i];
+    }
+    for (int i = 0; i < RUNNERS; ++i) {
+        const double near[TDMF_SECTION_COUNT] = {1.30 + 0.001 * i, 0.95, 1.0, 0.93, 0.0, 0.195};
+        memcpy(starts[i], near, sizeof near);
+        case_of[i] = i % FRICTIONS;
+    }
+    tdmf_ensemble ensemble = {.cases = cases,
+                              .case_count = FRICTIONS,
+                              .case_of = case_of,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = RUNNERS,
+                              .relative_tolerance = 1e-11,
+                              .threads = 1};
+    int sets = 0;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(ensemble.instructions)) {
+            continue;
+        }
+        ++sets;
+        assert_true(tdmf_run_ensemble(&ensemble, ends[set], NULL));
+        for (int i = 0; i < RUNNERS; ++i) {
+            assert_int_equal(ends[set][i].fate, TDMF_FATE_UNDECIDED);
+            assert_int_equal(ends[set][i].strides, 20);
+            assert_relatively_close(ends[set][i].time, ends[TDMF_ONE_BY_ONE][i].time, 1e-8);
+        }
+    }
+    assert_true(sets > 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_cones_guard_rounds_like_the_forces),
+        cmocka_unit_test(every_stride_closes_in_few_steps),
+        cmocka_unit_test(the_two_solvers_agree),
+        cmocka_unit_test(the_gait_of_a_light_foot_is_found),
+        cmocka_unit_test(ensembles_keep_running),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
