@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import blocks, progress
+from . import blocks, ensemble, progress
 from .basin import STARTS_AT_ONCE, fates
 from .errors import InputError
 from .orbit import Orbit, Runner
@@ -42,6 +42,8 @@ class Volume:
     settled: int
     box: float
     """The box's own volume, in the section's scales."""
+    unsolved: int = 0
+    """Starts whose run the solver did not get through; they count as not settled."""
 
     @property
     def share(self) -> float:
@@ -66,6 +68,7 @@ class Volume:
         estimate, low, high = self.volume
         return {
             "samples": self.samples,
+            "unsolved": self.unsolved,
             "share": self.share,
             "share_interval": list(self.interval),
             "volume": estimate,
@@ -92,10 +95,10 @@ class Drawing:
         return self.runner.scales * source.uniform(low, high, size=(self.count, len(COORDINATES)))
 
 
-def count_settled(drawing: Drawing) -> int:
-    """How many of a block's starts settle."""
+def count_fates(drawing: Drawing) -> np.ndarray:
+    """How many of a block's starts have each of `ensemble.FATES`."""
     ends = fates(drawing.runner, drawing.apex, drawing.starts())
-    return int(np.count_nonzero(ends["fate"] == 0))
+    return np.bincount(ends["fate"], minlength=len(ensemble.FATES))
 
 
 def volume(
@@ -125,21 +128,22 @@ def volume(
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
     runner = Runner(gait.runner.values)
     drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
-    settled = 0
+    counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
         progress.bar("volume", samples, "starts", show_progress) as bar,
-        blocks.run(count_settled, drawings, scheduler=scheduler, workers=workers) as results,
+        blocks.run(count_fates, drawings, scheduler=scheduler, workers=workers) as results,
     ):
         for number, found in results:
-            settled += found
+            counted += found
             bar.update(counts[number])
     low, high = np.array(list(BOX.values())).T
-    return Volume(samples, settled, float(np.prod(high - low)))
+    fate = dict(zip(ensemble.FATES, counted.tolist(), strict=True))
+    return Volume(samples, fate["settled"], float(np.prod(high - low)), fate["unsolved"])
 
 
 @dataclass(frozen=True)
 class Robustness:
-    """The largest disturbances at an apex that a runner recovers from, each by itself.
+    """The largest disturbances at an apex that a runner is known to recover from, each by itself.
 
     Infinite where the largest that is tried, `FARTHEST`, is recovered from.
     """

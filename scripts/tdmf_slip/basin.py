@@ -171,6 +171,7 @@ def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
     data = resumed(path, blank, "slice")
     if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
         raise InputError(f"{path}: holds fates that are none; allowed: another file name")
+    data["fate"].attrs = blank["fate"].attrs
     return data
 
 

@@ -23,7 +23,7 @@ LEAST_TOLERANCE = 1e-30
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
 FATES = ("settled", "fell", "undecided", "no_start", "unsolved")
-"""By the library's numbers."""
+"""By the library's numbers. Unsolved is what the solver did not get through: it may fall or not."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,8 @@ def run(
         cases: parameters, inputs and gaits.
         starts: apices, one to a row, in the order of `section.COORDINATES`.
         case_of: the number of each runner's case; by default all have the first.
-        most_strides: a runner that has closed as many is undecided.
+        most_strides: a runner that has closed as many is undecided, as is one whose stride takes longer than
+            1e4 sqrt(m/k).
         near: distance from a gait's apex, over the scales, at which a runner counts as settled.
         tolerance: relative tolerance of a step.
         threads: by default one for each processor. Results do not depend on it.

@@ -267,7 +267,7 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
     Raises:
         InputError: the guess is no apex, the start values are not in flight, `along` is unknown, or the
             friction is 0.
-        RunError: the runner falls, or no gait is near.
+        RunError: the runner falls, no gait is near, or the solver does not get through a stride.
     """
     check_has_gaits(runner.values["ground.friction"])
     log = ffi.new("tdmf_event_log *")
@@ -278,7 +278,7 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
         ran = c.tdmf_settle(solver, runner.model, runner.inputs, SETTLING_STRIDES, section)
     found = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, _change(along))
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise RunError(_why_not(runner, found, section, ran))
+        raise RunError(_why_not(runner, found, ran))
     log.count = 0
     c.tdmf_return_map(solver, runner.model, runner.inputs, found.section, np.inf, False, ffi.NULL, 0)
     return _orbit(runner, found, log, along)
@@ -316,17 +316,14 @@ def _change(along: str | None) -> object:
     return change
 
 
-def _why_not(runner: Runner, found: object, section: object, ran: int) -> str:
+def _why_not(runner: Runner, found: object, ran: int) -> str:
     where = f"no gait at friction {runner.values['ground.friction']:g}"
-    if ran < SETTLING_STRIDES:
-        last = c.tdmf_return_map(
-            runner.solver(), runner.model, runner.inputs, section, np.inf, False, ffi.NULL, 0
+    if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
+        why = _end_text(found.stride)
+        settling = ran < SETTLING_STRIDES
+        return f"{where}: " + (
+            f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
         )
-        return f"{where}: {_end_text(last)}, after {ran} strides"
-    if found.outcome == c.TDMF_ORBIT_NO_START:
-        return f"{where}: the guess is no apex above the ground"
-    if found.outcome in (c.TDMF_ORBIT_FELL, c.TDMF_ORBIT_UNSOLVED):
-        return f"{where}: from the apex that was tried, {_end_text(found.stride)}"
     return (
         f"{where}: Newton's method stopped after {found.iterations} iterations "
         f"with the next apex {found.error:.2g} of its scales away"

@@ -1,5 +1,6 @@
 """Volumes and robustness: estimates that can be checked by other means."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -30,6 +31,13 @@ def test_the_largest_disturbances_are_where_recovery_ends(gait):
             apex = gait.apex.copy()
             apex[COORDINATES.index(axis)] += distance
             assert settles(gait, apex) == recovers
+
+
+def test_starts_that_the_solver_does_not_get_through_are_counted(gait):
+    stiff = Runner({**gait.runner.values, "foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18})
+    found = attraction.volume(dataclasses.replace(gait, runner=stiff), 20, workers=1)
+    assert (found.settled, found.unsolved) == (0, found.as_json()["unsolved"])
+    assert 0 < found.unsolved <= 20
 
 
 def test_the_interval_of_a_volume_is_wilsons():

@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, load, reference, section
+from tdmf_slip import InputError, RunError, ensemble, load, reference, section
 from tdmf_slip import sweep as sweeps
 from tdmf_slip.borders import borders_between
 from tdmf_slip.continuation import gaits_over
@@ -274,6 +274,42 @@ def test_a_grid_without_gaits_says_why(command):
 def test_bad_ranges_are_refused(text):
     with pytest.raises(InputError, match="--friction"):
         values_of(text, "linear", "--friction")
+
+
+def test_a_light_foot_that_never_slips_has_a_gait(unit):
+    """Stick ends where the ground force does, up to the friction times rounding; no event is found twice.
+
+    The period is that which runs of the unit by CVODE settle to.
+    """
+    light = {"foot.mass": 0.02, "hip.touchdown_angle": "49.6715 deg", "ground.friction": 1000.0}
+    orbit = find_orbit(Runner.of(light, unit))
+    assert (orbit.word, orbit.stable) == ("0+", True)
+    assert orbit.period == pytest.approx(25.36965, rel=3e-7)
+
+
+def test_friction_without_bound_has_the_gait_of_no_slip(runner):
+    """What the friction changes vanishes with its inverse."""
+    never = find_orbit(runner.but(FRICTION, 1e6))
+    for friction in (1e3, 1e4, 1e5):
+        orbit = find_orbit(runner.but(FRICTION, friction))
+        assert orbit.word == never.word == "0+"
+        assert orbit.period == pytest.approx(never.period, rel=1e-3 / friction)
+
+
+def test_trouble_of_the_solver_is_not_called_a_fall(unit):
+    """A servo so stiff that no step changes the time; whether the runner falls is not known."""
+    stiff = Runner.of({"foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18}, unit)
+    apex = [1.34, 0.95, 1.0, 0.93, 0.0, 0.2]
+    for search in (
+        lambda: find_orbit(stiff),
+        lambda: find_orbit(stiff, apex),
+        lambda: stride_from(stiff, apex, FRICTION),
+    ):
+        with pytest.raises(RunError, match=r"too stiff|no step") as trouble:
+            search()
+        assert "fell" not in str(trouble.value)
+    ends, _ = ensemble.run([ensemble.Case(stiff)], np.array([apex]), most_strides=3)
+    assert ensemble.FATES[ends["fate"][0]] == "unsolved"
 
 
 def test_gait_command(command):
