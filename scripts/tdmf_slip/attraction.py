@@ -30,6 +30,7 @@ FARTHEST = 5.0
 COARSE, REFINEMENTS = 500, 2
 """Tries along the line, and how often the interval between two of them is divided again."""
 EDGE_TOLERANCE = 1e-8
+"""Relative tolerance of a step there: a stride errs by less than a hundredth of what the tries are apart."""
 SAMPLES = 4000
 """Starts drawn for each of many gaits."""
 

@@ -4,8 +4,9 @@ import datetime
 import os
 import platform
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from importlib.metadata import version
 
 import numpy as np
@@ -15,14 +16,14 @@ from .errors import RunError
 from .instance import opened
 from .library import c, ffi
 from .orbit import Runner
-from .section import COORDINATES, scales, start_values
+from .section import COORDINATES, start_values
 from .simulation import checked
 from .text import table
 from .unit import Unit, load
 
 FRICTION = 0.6
 ACCURACIES = (1e-8, 1e-5)
-"""Wanted of the apex after one stride, over its scales."""
+"""Wanted of the apex after one stride, over its scales, from the gait's apex and all around it."""
 TOLERANCES = tuple(digit * 10.0**-power for power in range(3, 13) for digit in (10, 5, 2))
 REPEATS = 5
 STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
@@ -31,10 +32,11 @@ ALONE = ", integrators alone"
 """Without the transitions between modes, which a user of heyoka writes in Python."""
 RUNNERS, STRIDES_EACH = 4096, 4
 SPREAD = 0.05
-"""Of the ensemble's starts about the gait's apex, either way; all make the gait's word."""
+"""Of starts about the gait's apex, either way; all make the gait's word."""
 JUDGED = 64
-"""Runners by which the ensemble's error is judged."""
+"""Starts by which each solver's error is judged, besides the gait's apex."""
 TIGHT = 1e-13
+"""Tolerance of the native solver that the others are held against."""
 ONE, MANY = "one runner", "ensemble, on one processor"
 
 
@@ -47,7 +49,7 @@ class Measurement:
     accuracy: float
     tolerance: float
     error: float
-    """Of the apex after one stride, the largest coordinate over its scale; the worst runner's."""
+    """Of the apex after one stride, the largest coordinate over its scale; from the worst of the starts."""
     evaluations: float | None
     """Of the right-hand side, or of a coefficient of its series, a stride; None where nobody says."""
     microseconds: float
@@ -158,89 +160,41 @@ def _fastest(work: Callable[[], object], repeats: int = REPEATS) -> float:
     return min(times)
 
 
-# ---- one runner -------------------------------------------------------------------------------------------
-
-
-def starts(unit: Unit, solver: str, tolerance: float) -> dict[str, float | int]:
-    """Start values of a run from the gait's apex by a solver of the unit."""
-    methods = unit.variables["solver.method"].items
-    return {
-        **start_values(unit, known_gait()["apex"]),
-        "ground.friction": FRICTION,
-        "solver.method": {name: number for number, name in methods.items()}[solver],
-        "solver.relative_tolerance": tolerance,
-    }
-
-
-def stride_error(unit: Unit, solver: str, tolerance: float) -> float:
-    """Error of the apex after one stride by a solver of the unit."""
-    gait = known_gait()
-    with opened(unit, "cs") as runner:
-        runner.start(starts(unit, solver, tolerance))
-        runner.advance(0.0, 1.001 * gait["period"])
-        found = runner.read(f"apex.{name}" for name in COORDINATES).values()
-        pairs = zip(found, gait["apex"], scales(unit), strict=True)
-        return max(abs(value - known) / scale for value, known, scale in pairs)
-
-
-def measure_unit(unit: Unit, solver: str, effort: float) -> Iterator[Measurement]:
-    """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
-    strides = max(1, round(effort * STRIDES[solver]))
-    duration = strides * known_gait()["period"]
-    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(unit, solver, t)):
-        times, evaluations = [], 0
-        for _ in range(REPEATS):
-            with opened(unit, "cs") as runner:
-                runner.start(starts(unit, solver, tolerance))
-                start = time.perf_counter()
-                runner.advance(0.0, duration)
-                times.append(time.perf_counter() - start)
-                evaluations = runner.value("solver.evaluations")
-        yield Measurement(
-            ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
-        )
-
-
-def measure_peer(peer_of: type, strides: int) -> Iterator[Measurement]:
-    """Time a peer that makes one stride at a time."""
-    apex = np.array(known_gait()["apex"])
-    with interrupts.held():  # a compiler may lose one
-        peer_of(max(TOLERANCES)).stride(apex)
-
-    def error_at(tolerance: float) -> float:
-        return float(np.max(np.abs(peer_of(tolerance).stride(apex) - apex)))
-
-    for accuracy, tolerance, error in loosest(peer_of.name, error_at):
-        peer = peer_of(tolerance)
-        peer.stride(apex)
-        counted = getattr(peer, "evaluations", None)
-        alone, whole = [], []
-        for _ in range(REPEATS):
-            peer.seconds = 0.0
-            whole.append(_fastest(lambda peer=peer: [peer.stride(apex) for _ in range(strides)], 1))
-            alone.append(peer.seconds)
-        for name, seconds in ((peer_of.name, min(whole)), (peer_of.name + ALONE, min(alone))):
-            if seconds > 0.0:
-                yield Measurement(ONE, name, accuracy, tolerance, error, counted, 1e6 * seconds / strides)
-
-
-# ---- ensembles --------------------------------------------------------------------------------------------
+# ---- starts -----------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class Crowd:
-    """The ensemble that is run: starts about the gait's apex."""
+    """Runners that start about the gait's apex."""
 
     case: ensemble.Case
     starts: np.ndarray
 
-    def ends(self, instructions: str, tolerance: float, *, judged: bool) -> np.ndarray:
-        """Apices after one stride."""
-        chosen = self.starts[:JUDGED] if judged else self.starts
-        ends, _ = ensemble.run(
-            [self.case], chosen, most_strides=1, tolerance=tolerance, threads=1, instructions=instructions
-        )
-        return ends["apex"]
+    @cached_property
+    def judged(self) -> np.ndarray:
+        """The starts by which errors are judged: the gait's apex, and some about it."""
+        return np.vstack([known_gait()["apex"], self.starts[:JUDGED]])
+
+    @cached_property
+    def exact(self) -> np.ndarray:
+        """What one stride from each of them comes to, by the native solver at `TIGHT`."""
+        return self.ends("one by one", TIGHT)
+
+    def ends(self, instructions: str, tolerance: float) -> np.ndarray:
+        """What one stride of the ensemble engine from each of them comes to, see `ensemble.run`."""
+        return ensemble.run(
+            [self.case],
+            self.judged,
+            most_strides=1,
+            tolerance=tolerance,
+            threads=1,
+            instructions=instructions,
+        )[0]
+
+    def error(self, apices: np.ndarray) -> float:
+        """The largest difference from the exact apices, over the scales; infinite where one is no number."""
+        differences = np.abs(apices - self.exact["apex"]) / self.case.runner.scales
+        return float(np.max(np.where(np.isnan(differences), np.inf, differences)))
 
     def run(
         self, instructions: str | None, tolerance: float, threads: int, effort: float
@@ -272,12 +226,82 @@ def crowd(unit: Unit) -> Crowd:
     return Crowd(ensemble.Case(runner), np.array(known_gait()["apex"]) + spread)
 
 
-def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
-    """Time the engine by one instruction set, in one thread."""
-    exact = many.ends("one by one", TIGHT, judged=True)
+# ---- one runner -------------------------------------------------------------------------------------------
+
+
+def starts(unit: Unit, solver: str, tolerance: float, apex: Sequence[float]) -> dict[str, float | int]:
+    """Start values of a run from an apex by a solver of the unit."""
+    methods = unit.variables["solver.method"].items
+    return {
+        **start_values(unit, apex),
+        "ground.friction": FRICTION,
+        "solver.method": {name: number for number, name in methods.items()}[solver],
+        "solver.relative_tolerance": tolerance,
+    }
+
+
+def stride_error(unit: Unit, many: Crowd, solver: str, tolerance: float) -> float:
+    """Error of the apex after one stride by a solver of the unit, from the worst start."""
+    names = [f"apex.{name}" for name in COORDINATES]
+    apices = []
+    for apex, exact in zip(many.judged, many.exact, strict=True):
+        with opened(unit, "cs") as runner:
+            runner.start(starts(unit, solver, tolerance, apex))
+            runner.advance(0.0, 1.001 * exact["time"])
+            apices.append(list(runner.read(names).values()))
+    return many.error(np.array(apices))
+
+
+def measure_unit(unit: Unit, many: Crowd, solver: str, effort: float) -> Iterator[Measurement]:
+    """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
+    strides = max(1, round(effort * STRIDES[solver]))
+    duration = strides * known_gait()["period"]
+    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(unit, many, solver, t)):
+        times, evaluations = [], 0
+        for _ in range(REPEATS):
+            with opened(unit, "cs") as runner:
+                runner.start(starts(unit, solver, tolerance, known_gait()["apex"]))
+                start = time.perf_counter()
+                runner.advance(0.0, duration)
+                times.append(time.perf_counter() - start)
+                evaluations = runner.value("solver.evaluations")
+        yield Measurement(
+            ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
+        )
+
+
+def measure_peer(peer_of: type, many: Crowd, strides: int) -> Iterator[Measurement]:
+    """Time a peer that makes one stride at a time."""
+    apex = np.array(known_gait()["apex"])
+    with interrupts.held():  # a compiler may lose one
+        peer_of(max(TOLERANCES)).stride(apex)
 
     def error_at(tolerance: float) -> float:
-        return float(np.max(np.abs(many.ends(instructions, tolerance, judged=True) - exact)))
+        peer = peer_of(tolerance)
+        return many.error(np.array([peer.stride(start) for start in many.judged]))
+
+    for accuracy, tolerance, error in loosest(peer_of.name, error_at):
+        peer = peer_of(tolerance)
+        peer.stride(apex)
+        counted = getattr(peer, "evaluations", None)
+        alone, whole = [], []
+        for _ in range(REPEATS):
+            peer.seconds = 0.0
+            whole.append(_fastest(lambda peer=peer: [peer.stride(apex) for _ in range(strides)], 1))
+            alone.append(peer.seconds)
+        for name, seconds in ((peer_of.name, min(whole)), (peer_of.name + ALONE, min(alone))):
+            if seconds > 0.0:
+                yield Measurement(ONE, name, accuracy, tolerance, error, counted, 1e6 * seconds / strides)
+
+
+# ---- ensembles --------------------------------------------------------------------------------------------
+
+
+def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
+    """Time the engine by one instruction set, in one thread."""
+
+    def error_at(tolerance: float) -> float:
+        return many.error(many.ends(instructions, tolerance)["apex"])
 
     for accuracy, tolerance, error in loosest(instructions, error_at):
         seconds, work = many.run(instructions, tolerance, 1, effort)
@@ -300,13 +324,14 @@ def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
     """
     from .peers.heyoka_peer import BatchPeer
 
-    exact = many.ends("one by one", TIGHT, judged=True)
+    full = -(-len(many.judged) // BatchPeer.lanes) * BatchPeer.lanes  # the last batch is filled up
+    judged = np.resize(many.judged, (full, len(COORDINATES))).reshape(-1, BatchPeer.lanes, len(COORDINATES))
     batches = many.starts[:JUDGED].reshape(-1, BatchPeer.lanes, len(COORDINATES))
 
     def error_at(tolerance: float) -> float:
         peer = BatchPeer(tolerance)
-        found = np.concatenate([peer.strides(batch) for batch in batches])
-        return float(np.max(np.abs(found - exact)))
+        found = np.concatenate([peer.strides(batch) for batch in judged])
+        return many.error(found[: len(many.judged)])
 
     for accuracy, tolerance, error in loosest(BatchPeer.name, error_at):
         peer = BatchPeer(tolerance)
@@ -331,7 +356,7 @@ def measure_scaling(many: Crowd, threads: int, effort: float) -> float:
 # ---- all --------------------------------------------------------------------------------------------------
 
 
-def _peers(effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
+def _peers(many: Crowd, effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
     """What may not be installed, by name."""
 
     def of(name: str) -> Iterator[Measurement]:
@@ -341,7 +366,7 @@ def _peers(effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measureme
             from .peers.numba_peer import Peer
         else:
             from .peers.scipy_peer import Peer
-        yield from measure_peer(Peer, max(1, round(effort * STRIDES[name])))
+        yield from measure_peer(Peer, many, max(1, round(effort * STRIDES[name])))
 
     for name in ("heyoka", "numba", "scipy"):
         yield name, lambda name=name: of(name)
@@ -365,10 +390,10 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
     sets = ensemble.instruction_sets()
     jobs = [
         *(
-            (solver, lambda solver=solver: measure_unit(unit, solver, effort))
+            (solver, lambda solver=solver: measure_unit(unit, many, solver, effort))
             for solver in ("native", "cvode")
         ),
-        *_peers(effort),
+        *_peers(many, effort),
         *((name, lambda name=name: measure_lanes(many, name, effort)) for name in reversed(sets)),
         ("heyoka", lambda: measure_batches(many, effort)),
     ]

@@ -16,8 +16,8 @@ ROOT_ACCURACY = 1e-11
 """Of the parameter where a test function of the gait is zero, over the larger of the values around."""
 CLOSE_TO_BORDER = 1e-7
 """Distance at which a straight line through two durations is exact, likewise."""
-BEYOND = 1e-8
-"""Distance from a border at which the word beyond is read, likewise."""
+SURE = 1e-10
+"""Distance from a border at which the words on both sides are read, likewise: so far it may be off."""
 MOST_LOOKS = 100
 MOST_BORDERS = 100
 
@@ -83,10 +83,9 @@ def _border(family: Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
         if vanishing is not None:
             near, value = vanishing
             if abs(near - value) <= CLOSE_TO_BORDER * size:
-                beyond = value + np.copysign(min(BEYOND * size, 0.5 * abs(high - value)), high - low)
-                reached = family.orbit(beyond, outside.apex)
-                if reached.word != inside.word:
-                    return value, reached
+                short, beyond = _sides(family, inside, outside, value)
+                if short.word == inside.word != beyond.word:
+                    return value, beyond
             elif looks % 2 == 0 and min(low, high) < value + 0.1 * (near - value) < max(low, high):
                 look = value + 0.1 * (near - value)
         tried = family.orbit(look, _between(inside, outside, look, name))
@@ -97,6 +96,14 @@ def _border(family: Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
             outside = tried
     words = f"{inside.word} and {outside.word}"
     raise RunError(f"border between {words} not located near {name} = {low:g}")
+
+
+def _sides(family: Family, inside: Orbit, outside: Orbit, value: float) -> tuple[Orbit, Orbit]:
+    """The gaits just short of a value and just beyond it, on the way from one gait to another."""
+    low, high = inside.runner.values[family.name], outside.runner.values[family.name]
+    step = np.copysign(SURE * max(abs(low), abs(high)), high - low)
+    places = np.clip([value - step, value + step], min(low, high), max(low, high))
+    return family.orbit(places[0], inside.apex), family.orbit(places[1], outside.apex)
 
 
 def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> np.ndarray:
@@ -119,6 +126,6 @@ def _vanishing_point(
         for (_, duration), (_, before) in zip(near.letters, far.letters, strict=True)
         if duration != before
     ]
-    slack = BEYOND * abs(at)  # the border may lie on a gait already tried, or beside it by rounding
+    slack = SURE * abs(at)  # the border may lie on a gait already tried, or beside it by rounding
     within = [root for root in roots if min(low, high) - slack <= root <= max(low, high) + slack]
     return (at, min(within, key=lambda root: abs(root - at))) if within else None

@@ -16,8 +16,12 @@ from .library import c, ffi
 from .orbit import Runner
 from .section import COORDINATES
 
-TOLERANCE = 2e-7
-"""Relative tolerance of a step: a stride then errs by less than 1e-8."""
+TOLERANCE = 2e-10
+"""Relative tolerance of a step by default."""
+ACCURACY = 1e-8
+"""By which a stride errs at the most at `TOLERANCE`: its apex over the scales of the section; its time,
+distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in `attraction.BOX`, and by
+runners whose parameters differ from the default ones by factors of up to e."""
 LEAST_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
 NEAR = 1e-2

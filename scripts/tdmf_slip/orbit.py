@@ -15,7 +15,8 @@ from .section import COORDINATES, apex_of
 from .unit import Unit, load
 
 TOLERANCE = 1e-13
-"""Relative tolerance of the native solver: a gait is then found to 1e-12."""
+"""Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
+so is the gait itself, unless it is very sensitive, as near a fold."""
 SETTLING_STRIDES = 400
 LETTERS = {2: "0", 3: "+", 4: "-"}
 """Of the gait word, by contact mode."""

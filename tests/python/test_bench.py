@@ -4,14 +4,17 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import bench, ensemble, load
+from tdmf_slip import bench, ensemble
 
 PEERS = ("native", "cvode", "heyoka", "numba", "scipy")
 
 
 @pytest.fixture(scope="module")
 def measured():
-    return bench.bench(effort=0.01)
+    """Judged by fewer starts than users have, which is faster."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(bench, "JUDGED", 16)
+        return bench.bench(effort=0.01)
 
 
 def test_all_solvers_are_measured_at_both_accuracies(measured):
@@ -47,9 +50,32 @@ def test_a_peer_that_is_missing_is_named(monkeypatch):
     assert "numba is not installed" in without.as_text()
 
 
+def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
+    many = bench.crowd(unit)
+    apex, others = many.judged[0], many.judged[1:]
+    assert len(others) == 64
+    np.testing.assert_array_equal(apex, bench.known_gait()["apex"])
+    away = np.abs(others - apex)
+    assert away.max() <= 0.05 and (away.max(axis=0) > 0.04).all()
+    spoiled = many.exact["apex"].copy()
+    assert many.error(spoiled) == 0.0
+    spoiled[-1, 0] = np.nan
+    assert many.error(spoiled) == np.inf
+
+
+def test_a_tolerance_that_is_found_is_good_from_everywhere(unit):
+    """The gait itself asks for less than its neighbours do."""
+    many = bench.crowd(unit)
+    for found in bench.measure_unit(unit, many, "native", 0.01):
+        assert found.error == bench.stride_error(unit, many, "native", found.tolerance) <= found.accuracy
+        lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
+        assert lanes == pytest.approx(found.error, rel=1e-3)
+
+
 @pytest.mark.parametrize("solver", ["native", "cvode"])
-def test_a_tighter_tolerance_errs_less(solver):
-    assert bench.stride_error(load(), solver, 1e-10) < bench.stride_error(load(), solver, 1e-5)
+def test_a_tighter_tolerance_errs_less(unit, solver):
+    many = bench.crowd(unit)
+    assert bench.stride_error(unit, many, solver, 1e-10) < bench.stride_error(unit, many, solver, 1e-5)
 
 
 def test_the_ensemble_makes_the_gaits_word(unit):
@@ -59,7 +85,16 @@ def test_the_ensemble_makes_the_gaits_word(unit):
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
 
-def test_bench_command(command):
+def test_bench_command(command, measured, monkeypatch):
+    asked = []
+
+    def remembered(*, effort, show_progress):
+        asked.append((effort, show_progress))
+        return measured
+
+    assert command("bench", "--effort", 0)[0] == 2
+    monkeypatch.setattr(bench, "bench", remembered)
     status, out, _ = command("bench", "--effort", 0.01, "--json")
     assert status == 0 and json.loads(out)["threads"] >= 1
-    assert command("bench", "--effort", 0)[0] == 2
+    assert command("bench", "--effort", 0.02)[1].startswith("one runner, to 1e-08; ratios to native")
+    assert asked == [(0.01, True), (0.02, True)]

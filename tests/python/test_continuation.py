@@ -145,6 +145,30 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
             assert special.as_json()["between"] == list(special.between)
 
 
+@pytest.mark.parametrize(
+    ("preset", "name", "end"),
+    [
+        ({}, "hip.stance_torque", 0.3),
+        ({}, "leg.damping", 0.4),
+        ({}, "leg.damping", 0.06),
+        ("human", FRICTION, 0.2),
+    ],
+)
+def test_a_border_is_where_the_word_changes(unit, preset, name, end):
+    """To 3e-10 of the parameter, also where a duration ends as a square root does; seen by words alone."""
+    runner = Runner.of(read_parameters(preset) if preset else preset, unit)
+    branch = trace(runner, name, find_orbit(runner), end, largest_step=0.1)
+    met = [special for special in branch.specials if special.kind == "word border"]
+    assert len(met) == len(branch.borders) >= 2
+    for border, special in zip(branch.borders, met, strict=True):
+        words = {
+            find_orbit(runner.but(name, border.value * (1.0 + off)), special.orbit.apex).word
+            for off in (-3e-10, 3e-10)
+        }
+        assert words == {border.before, border.after}
+        assert special.orbit.word == border.after and special.value == border.value
+
+
 class Torn(Family):
     """Gaits between two others are not found."""
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, ensemble, orbit
+from tdmf_slip import InputError, attraction, basin, ensemble, orbit
 from tdmf_slip.orbit import Runner
 
 
@@ -34,6 +34,81 @@ def test_every_instruction_set_ends_alike(gaits, starts):
             np.testing.assert_array_equal(found[name], native[name])
         for name in ("apex", "time", "distance", "work", "damper_loss", "friction_loss", "impact_loss"):
             np.testing.assert_allclose(found[name], native[name], rtol=1e-8, atol=1e-8)
+
+
+CHANGED = ("leg.stiffness", "leg.damping", "hip.kp", "hip.kd", "gravity", "foot.mass", "hip.stance_torque")
+FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
+
+
+def crowds(unit, size):
+    """Cases, starts and case numbers: around the published gaits, all over the box, and of other runners."""
+    rng = np.random.default_rng(11)
+    orbits = [orbit.find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
+    cases = [ensemble.Case(Runner(gait.runner.values)) for gait in orbits]
+    numbers = np.arange(size) % len(orbits)
+    near = np.array([orbits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
+    low, high = np.array(list(attraction.BOX.values())).T
+    yield "near", cases, near, numbers
+    yield "box", cases, rng.uniform(low, high, (size, 6)), numbers
+    others = []
+    for factors in np.exp(rng.uniform(-1.0, 1.0, (size // 4, len(CHANGED)))):
+        values = dict(orbits[2].runner.values)
+        values |= {name: factor * values[name] for name, factor in zip(CHANGED, factors, strict=True)}
+        values |= {"ground.friction": rng.uniform(0.1, 2.0), "hip.touchdown_angle": rng.uniform(0.3, 1.0)}
+        others.append(ensemble.Case(Runner(values)))
+    wild = orbits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))
+    yield "other runners", others, wild, np.arange(len(others))
+
+
+def errors(cases, starts, numbers, tolerance, instructions):
+    """The largest of each stride that closes: of apex, time, distance and energies, over their scales."""
+
+    def run(tolerance, instructions):
+        return ensemble.run(
+            cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=instructions, threads=2
+        )[0]
+
+    exact, found = run(1e-13, "one by one"), run(tolerance, instructions)
+    np.testing.assert_array_equal(found["strides"], exact["strides"])
+    np.testing.assert_array_equal(found["word_code"], exact["word_code"])
+    scales = np.array([case.runner.scales for case in cases])[numbers]
+    length, time = scales[:, 0], 1.0 / scales[:, 5]
+    energy = np.array([case.runner.values["leg.stiffness"] for case in cases])[numbers] * length**2
+    worst = np.max(np.abs(found["apex"] - exact["apex"]) / scales, axis=1)
+    units = {"time": time, "distance": length, "work": energy, "damper_loss": energy}
+    for name, scale in (units | {"friction_loss": energy, "impact_loss": energy}).items():
+        worst = np.maximum(worst, np.abs(found[name] - exact[name]) / scale)
+    return worst[exact["strides"] == 1]
+
+
+@pytest.mark.parametrize("instructions", ensemble.instruction_sets())
+def test_every_stride_keeps_the_promised_accuracy(unit, instructions):
+    """All of them, not most."""
+    compared = 0
+    for name, *crowd in crowds(unit, 2000):
+        worst = errors(*crowd, ensemble.TOLERANCE, instructions)
+        assert np.mean(worst <= ensemble.ACCURACY) == 1.0, f"{name}: {worst.max():.1e}"
+        compared += len(worst)
+    assert compared > 3500
+
+
+def test_a_map_keeps_the_promised_accuracy(unit):
+    fastest = ensemble.instruction_sets()[-1]
+    allowed = {"near": basin.ACCURACY / 20.0, "box": basin.ACCURACY}
+    compared = 0
+    for name, cases, starts, numbers in crowds(unit, 2000):
+        if name not in allowed:
+            continue
+        scales = np.array([case.runner.scales for case in cases])[numbers]
+        apices = [
+            ensemble.run(
+                cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=kind, threads=2
+            )[0]["apex"]
+            for tolerance, kind in ((basin.TOLERANCE, fastest), (1e-13, "one by one"))
+        ]
+        assert np.max(np.abs(apices[0] - apices[1]) / scales) <= allowed[name], name
+        compared += 1
+    assert compared == len(allowed)
 
 
 def test_runners_settle_on_their_own_gait(gaits, starts):

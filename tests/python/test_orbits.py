@@ -40,9 +40,9 @@ def test_gait_agrees_with_the_reference(runner, known):
     assert orbit.word == known["word"]
     assert orbit.error < 1e-12
     for name in ("period", "speed", "work", "cost_of_transport"):
-        assert orbit.stride[name] == pytest.approx(known[name], rel=1e-10)
-    assert orbit.liftoff_angle == pytest.approx(known["liftoff_angle"], rel=1e-10)
-    assert orbit.apex == pytest.approx(known["apex"], abs=1e-10)
+        assert orbit.stride[name] == pytest.approx(known[name], rel=1e-11)
+    assert orbit.liftoff_angle == pytest.approx(known["liftoff_angle"], rel=1e-11)
+    assert orbit.apex == pytest.approx(known["apex"], abs=1e-11)
 
 
 @pytest.mark.parametrize("friction", EIGENVALUES)

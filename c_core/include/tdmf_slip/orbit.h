@@ -29,9 +29,9 @@ typedef struct {
 /* Scales of the section's coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m). */
 void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COUNT]);
 
-/* Newton's method on the return map from a guess, down to rounding: a gait to 1e-12 of the scales where the
- * solver's tolerance is as tight. Iterations that make the error larger are shortened. `change` may be NULL.
- */
+/* Newton's method on the return map from a guess, down to rounding: where the solver's tolerance is as tight,
+ * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
+ * Iterations that make the error larger are shortened. `change` may be NULL. */
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                            const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
 
