@@ -1,11 +1,17 @@
-/* Exact derivatives: of state derivatives and outputs by states and inputs, and of outputs by time. */
+/* Exact derivatives: of state derivatives and outputs by states and inputs, and of outputs along the run.
+ *
+ * Knowns are, in a run, its states and inputs; before its start all that the start follows from, which is
+ * what has a start value (FMI 2.0, section 2.2.8, and 3.0, 2.4.8: inputs, and variables with initial =
+ * exact). Time is one always, though nothing depends on it but the instants of events. */
 #include "instance.h"
 
 #include <math.h>
 #include <string.h>
 
-static bool is_known(const unit_variable *variable) {
-    return variable->storage == STORED_STATE || variable->storage == STORED_INPUT;
+static bool is_known(const instance *instance, const unit_variable *variable) {
+    return variable->storage == STORED_STATE || variable->storage == STORED_INPUT ||
+           variable->storage == STORED_TIME ||
+           (variable->settable_before_start && !unit_has_begun(&instance->unit));
 }
 
 static bool is_unknown(const unit_variable *variable) {
@@ -15,8 +21,9 @@ static bool is_unknown(const unit_variable *variable) {
 
 static const unit_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
     const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
-    if (variable != NULL && !is_known(variable)) {
-        refuse(instance, call, "%s is neither a state nor an input", variable->name);
+    if (variable != NULL && !is_known(instance, variable)) {
+        refuse(instance, call, "%s is neither a state nor an input%s", variable->name,
+               variable->settable_before_start ? ", and the run has begun" : "");
         return NULL;
     }
     return variable;
@@ -58,6 +65,18 @@ static bool may_begin(const instance *instance, const char *call, const uint32_t
     return true;
 }
 
+/* `present` is what present_unit gave. */
+static void look_along(const instance *instance, const unit *present, unit *direction, unit_view *change) {
+    if (unit_has_begun(&instance->unit)) {
+        unit_look_along(present, direction, change);
+        return;
+    }
+    unit_look_along_start(&instance->unit, present, direction, change);
+    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
+        direction->motion.state[i] = 0.0; /* a start sets these to zero */
+    }
+}
+
 call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],
                                    size_t unknown_count, const uint32_t knowns[], size_t known_count,
                                    const double seeds[], double values[]) {
@@ -81,7 +100,7 @@ call_status directional_derivative(instance *instance, const char *call, const u
         }
         unit_set_number(&direction, known, unit_get_number(&direction, NULL, known) + seeds[i]);
     }
-    unit_look_along(present, &direction, &change);
+    look_along(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         values[i] = unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -89,14 +108,14 @@ call_status directional_derivative(instance *instance, const char *call, const u
 }
 
 /* How the unknowns together, weighted by the seeds, change with one known. */
-static double sensitivity(const unit *present, const uint32_t unknowns[], size_t unknown_count,
-                          uint32_t known, const double seeds[]) {
+static double sensitivity(const instance *instance, const unit *present, const uint32_t unknowns[],
+                          size_t unknown_count, uint32_t known, const double seeds[]) {
     unit direction;
     unit_view change;
     double sum = 0.0;
     memset(&direction, 0, sizeof direction);
     unit_set_number(&direction, &unit_variables[known], 1.0);
-    unit_look_along(present, &direction, &change);
+    look_along(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         sum += seeds[i] * unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -120,7 +139,7 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
     call_status status = CALL_OK;
     const unit *present = present_unit(instance, call, &preview, &status);
     for (size_t i = 0; present != NULL && i < known_count; ++i) {
-        values[i] = sensitivity(present, unknowns, unknown_count, knowns[i], seeds);
+        values[i] = sensitivity(instance, present, unknowns, unknown_count, knowns[i], seeds);
     }
     return status;
 }

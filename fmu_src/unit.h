@@ -77,6 +77,11 @@ void unit_look(const unit *unit, unit_view *view);
  * the seed. Discrete outputs do not change. */
 void unit_look_along(const unit *unit, const struct unit *direction, unit_view *change);
 
+/* The same at the start of a run, for all that a start follows from: the seed is in the direction's
+ * parameters, inputs, states and time. `given` is the unit before unit_start, `started` the one after. */
+void unit_look_along_start(const unit *given, const struct unit *started, const struct unit *direction,
+                           unit_view *change);
+
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
 void unit_flow(const unit *unit, struct unit *direction);
 

@@ -140,9 +140,10 @@ static double vary_guard(const direction *d, tdmf_guard guard) {
 }
 
 /* The impact map differentiated: `d_state` is that of the state before. */
-static void vary_impact(const tdmf_inputs *inputs, const tdmf_side *before, const tdmf_side *after,
-                        const tdmf_change *change, double d_state[TDMF_STATE_COUNT]) {
-    const double *x = before->state;
+static void vary_impact(const tdmf_inputs *inputs, const double before[TDMF_STATE_COUNT],
+                        const double after[TDMF_STATE_COUNT], const tdmf_change *change,
+                        double d_state[TDMF_STATE_COUNT]) {
+    const double *x = before;
     const double sine = sin(x[TDMF_LEG_ANGLE]);
     const double cosine = cos(x[TDMF_LEG_ANGLE]);
     const double r = x[TDMF_LEG_LENGTH];
@@ -166,8 +167,8 @@ static void vary_impact(const tdmf_inputs *inputs, const tdmf_side *before, cons
         d_vx = d_state[TDMF_FOOT_VX] - copysign(1.0, vx) * d_change;
     }
     const double d_relative_vx = d_body_vx - d_vx;
-    const double along_after = after->state[TDMF_LEG_LENGTH_RATE];
-    const double angle_rate_after = after->state[TDMF_LEG_ANGLE_RATE];
+    const double along_after = after[TDMF_LEG_LENGTH_RATE];
+    const double angle_rate_after = after[TDMF_LEG_ANGLE_RATE];
     d_state[TDMF_FOOT_Y] = 0.0;
     d_state[TDMF_FOOT_VX] = d_vx;
     d_state[TDMF_FOOT_VY] = 0.0;
@@ -203,7 +204,7 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
         varied.state[i] += before->derivatives[i] * shift;
     }
     if (impact) {
-        vary_impact(inputs, before, after, change, varied.state);
+        vary_impact(inputs, before->state, after->state, change, varied.state);
     }
     if ((impact || tdmf_in_contact(&before->mode)) && !tdmf_in_contact(&after->mode)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
@@ -212,5 +213,33 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
         varied.state[i] -= after->derivatives[i] * shift;
     }
     keep_on_ground(&after->mode, varied.state);
+    return varied;
+}
+
+/* Of m_f (|v-|^2 - |v+|^2)/2. */
+static double vary_impact_loss(const tdmf_model *model, const double before[TDMF_STATE_COUNT],
+                               const double after[TDMF_STATE_COUNT], const tdmf_change *change,
+                               const double d_before[TDMF_STATE_COUNT],
+                               const double d_after[TDMF_STATE_COUNT]) {
+    const double vx = before[TDMF_FOOT_VX];
+    const double vy = before[TDMF_FOOT_VY];
+    const double vx_after = after[TDMF_FOOT_VX];
+    return 0.5 * change->parameters.foot.mass * ((vx - vx_after) * (vx + vx_after) + vy * vy) +
+           model->parameters.foot.mass *
+               (vx * d_before[TDMF_FOOT_VX] - vx_after * d_after[TDMF_FOOT_VX] + vy * d_before[TDMF_FOOT_VY]);
+}
+
+tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const double given[TDMF_STATE_COUNT],
+                                     const double started[TDMF_STATE_COUNT], const tdmf_change *change,
+                                     const double state_direction[TDMF_STATE_COUNT]) {
+    tdmf_start_variation varied = {0};
+    double *d_state = varied.variation.state;
+    memcpy(d_state, state_direction, TDMF_MECHANICAL_COUNT * sizeof *d_state);
+    varied.variation.liftoff_angle = d_state[TDMF_LEG_ANGLE];
+    if (given[TDMF_FOOT_Y] == 0.0 && given[TDMF_FOOT_VY] < 0.0) {
+        vary_impact(inputs, given, started, change, d_state);
+        varied.impact_loss = vary_impact_loss(model, given, started, change, state_direction, d_state);
+    }
     return varied;
 }

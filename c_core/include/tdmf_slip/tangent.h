@@ -1,4 +1,5 @@
-/* Exact directional derivatives: how the right-hand side and the outputs change with state and inputs. */
+/* Exact directional derivatives: how the right-hand side and the outputs change with state, inputs and
+ * parameters. */
 #ifndef TDMF_SLIP_TANGENT_H
 #define TDMF_SLIP_TANGENT_H
 
@@ -7,12 +8,15 @@
 #include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
+#include "tdmf_slip/variation.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Changes of everything that follows continuously from state and inputs, per unit of the direction. */
+/* Changes of everything that follows continuously from state, inputs and parameters, per unit of the
+ * direction.
+ */
 typedef struct {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_point body, com;
@@ -21,12 +25,12 @@ typedef struct {
     tdmf_energy energy;
 } tdmf_tangent;
 
-/* The derivative along a direction in state and inputs, in the present mode (theta_LO and clamp held). Where
- * the hip's power is zero, positive work counts as not changing; a frozen run has derivatives that do not
- * change. */
+/* The derivative along a direction in parameters and inputs (`change`), state and theta_LO (`variation`), in
+ * the present mode, clamp held. Where the hip's power is zero, positive work counts as not changing; a frozen
+ * run has derivatives that do not change. */
 tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                const double state[TDMF_STATE_COUNT], const tdmf_inputs *input_direction,
-                                const double state_direction[TDMF_STATE_COUNT]);
+                                const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                const tdmf_variation *variation);
 
 #ifdef __cplusplus
 }

@@ -38,6 +38,19 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_mo
                                               const tdmf_change *changes, tdmf_variation *variations,
                                               int count);
 
+/* What a start makes of a change of the values that it was given. */
+typedef struct {
+    tdmf_variation variation; /* of state and theta_LO */
+    double impact_loss;       /* of record.impact_loss */
+} tdmf_start_variation;
+
+/* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
+ * the foot moved down at the ground. The mode that it found is held. */
+tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const double given[TDMF_STATE_COUNT],
+                                     const double started[TDMF_STATE_COUNT], const tdmf_change *change,
+                                     const double state_direction[TDMF_STATE_COUNT]);
+
 #ifdef __cplusplus
 }
 #endif

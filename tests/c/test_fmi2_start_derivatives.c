@@ -1,0 +1,337 @@
+/* Directional derivatives before the run begins: all that follows from the start values, by each of them,
+ * against differences of what the unit itself says of start values that are a little off. Both versions. */
+#include "compare.h"
+#include "fmi2_importer.h"
+#include "fmi3_importer.h"
+
+#include "unit.h"
+#include "variables.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_VARIABLES = 160, SETTINGS = 8 };
+
+/* A start, and the knowns by which nothing is differentiable there: a step either way makes another mode of
+ * it. Names end with NULL. An external torque keeps the hip's power from zero, where positive work has a
+ * kink. */
+typedef struct {
+    const char *what;
+    struct {
+        const char *name;
+        double value;
+    } settings[SETTINGS];
+    int contact, phase;
+    const char *edges[9];
+} start;
+
+#define FOOT(y_value, vx_value, vy_value)                                                                    \
+    {"foot.y", y_value}, {"foot.vx", vx_value}, {                                                            \
+        "foot.vy", vy_value                                                                                  \
+    }
+
+static const start starts[] = {
+    {"at an apex",
+     {{"gravity", 0.02}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_PLACE,
+     {"foot.vy", "leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "body.mass", "foot.mass",
+      NULL}},
+    {"rising, the leg swung back, the clamp open",
+     {FOOT(0.5, 0.3, 1.0), {"leg.angle", -0.6}, {"leg.angle_rate", -1.0}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_RETRACT,
+     {NULL}},
+    {"rising, the clamp closed",
+     {FOOT(0.5, 0.3, 0.2), {"leg.angle", -0.6}, {"leg.angle_rate", 3.0}, {"hip.external_torque", 0.01}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_RETRACT,
+     {NULL}},
+    {"falling", {FOOT(0.5, 0.3, -0.4)}, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, {NULL}},
+    {"an impact, then slip forward",
+     {FOOT(0.0, 1.2, -0.3), {"leg.length", 0.9}, {"leg.angle", 0.4}, {"hip.external_torque", 0.01}},
+     TDMF_CONTACT_SLIP_POSITIVE,
+     TDMF_PHASE_DRIVE,
+     {"foot.y", NULL}},
+    {"an impact, then slip backward",
+     {FOOT(0.0, -1.2, -0.3), {"leg.length", 0.9}, {"leg.angle", -0.4}, {"hip.external_torque", 0.01}},
+     TDMF_CONTACT_SLIP_NEGATIVE,
+     TDMF_PHASE_COAST,
+     {"foot.y", NULL}},
+    {"an impact, then stick",
+     {FOOT(0.0, 0.1, -0.5), {"leg.length", 0.8}, {"leg.angle", 0.2}, {"leg.length_rate", 0.1}},
+     TDMF_CONTACT_STICK,
+     TDMF_PHASE_DRIVE,
+     {"foot.y", NULL}},
+    {"slip, put on the ground",
+     {FOOT(0.0, 0.8, 0.0), {"leg.length", 0.8}, {"leg.angle", 0.4}, {"leg.length_rate", 0.1}},
+     TDMF_CONTACT_SLIP_POSITIVE,
+     TDMF_PHASE_DRIVE,
+     {"foot.y", "foot.vy", NULL}},
+    {"stick, put on the ground",
+     {FOOT(0.0, 0.0, 0.0), {"leg.length", 0.8}, {"leg.angle", -0.2}, {"hip.external_torque", 0.01}},
+     TDMF_CONTACT_STICK,
+     TDMF_PHASE_COAST,
+     {"foot.y", "foot.vx", "foot.vy", NULL}},
+    {"a light foot on a stiff leg, falling",
+     {FOOT(0.5, 0.3, -0.4), {"foot.mass", 1e-6}, {"leg.stiffness", 1e5}, {"leg.damping", 30.0}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_PLACE,
+     {NULL}},
+    {"a light foot on a stiff leg, after an impact",
+     {FOOT(0.0, 1.2, -0.3), {"foot.mass", 1e-6}, {"leg.stiffness", 1e5}, {"leg.length", 0.99}},
+     TDMF_CONTACT_SLIP_POSITIVE,
+     TDMF_PHASE_DRIVE,
+     {"foot.y", NULL}},
+    {"a heavy foot on Earth, in stick after an impact",
+     {FOOT(0.0, 0.1, -2.0),
+      {"foot.mass", 70.0},
+      {"body.mass", 80.0},
+      {"leg.stiffness", 2e4},
+      {"gravity", 9.81}},
+     TDMF_CONTACT_STICK,
+     TDMF_PHASE_DRIVE,
+     {"foot.y", NULL}},
+};
+
+static bool is_edge(const start *start, const char *name) {
+    for (int i = 0; start->edges[i] != NULL; ++i) {
+        if (strcmp(start->edges[i], name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_known(const unit_variable *variable) {
+    return variable->type == VARIABLE_REAL && variable->settable_before_start;
+}
+
+/* Real states, derivatives and outputs. */
+static bool is_unknown(const unit_variable *variable) {
+    return variable->type == VARIABLE_REAL &&
+           (variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
+            variable->storage == STORED_OUTPUT);
+}
+
+static fmi2Component begun(const start *start, double time) {
+    fmi2Component component = new_instance();
+    for (int i = 0; i < SETTINGS && start->settings[i].name != NULL; ++i) {
+        assert_int_equal(set_real(component, start->settings[i].name, start->settings[i].value), fmi2OK);
+    }
+    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, time, fmi2False, 0.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_int_equal(get_integer(component, "contact.mode"), start->contact);
+    assert_int_equal(get_integer(component, "hip.phase"), start->phase);
+    return component;
+}
+
+static void read_unknowns(fmi2Component component, double values[MOST_VARIABLES]) {
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const fmi2ValueReference reference = (fmi2ValueReference)i;
+        if (is_unknown(&unit_variables[i])) {
+            assert_int_equal(fmi2GetReal(component, &reference, 1, &values[i]), fmi2OK);
+        }
+    }
+}
+
+/* By central differences of fourth order; `noise` is what rounding makes of them. */
+static void differences(fmi2Component component, const char *known, double values[MOST_VARIABLES],
+                        double noise[MOST_VARIABLES]) {
+    static const double weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
+    static const int places[] = {-2, -1, 1, 2};
+    const double at = get_real(component, known);
+    const double step = at == 0.0 ? 1e-4 : 1e-4 * fabs(at);
+    memset(values, 0, MOST_VARIABLES * sizeof *values);
+    memset(noise, 0, MOST_VARIABLES * sizeof *noise);
+    for (int k = 0; k < 4; ++k) {
+        double found[MOST_VARIABLES];
+        assert_int_equal(set_real(component, known, at + places[k] * step), fmi2OK);
+        read_unknowns(component, found);
+        for (size_t i = 0; i < unit_variable_count; ++i) {
+            if (is_unknown(&unit_variables[i])) {
+                values[i] += weights[k] * found[i] / step;
+                noise[i] = fmax(noise[i], fabs(found[i]) / step);
+            }
+        }
+    }
+    assert_int_equal(set_real(component, known, at), fmi2OK);
+}
+
+/* Compares a column; returns how many entries are not zero. */
+static int compare_column(fmi2Component component, const start *start, fmi2ValueReference known) {
+    double values[MOST_VARIABLES], noise[MOST_VARIABLES];
+    int nonzero = 0;
+    double largest = 0.0;
+    differences(component, unit_variables[known].name, values, noise);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (unit_variables[i].storage == STORED_DERIVATIVE) {
+            largest = fmax(largest, noise[i]); /* of large forces in balance on a light foot */
+        }
+    }
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const fmi2ValueReference unknown = (fmi2ValueReference)i;
+        const double one = 1.0;
+        double exact = 0.0;
+        if (!is_unknown(&unit_variables[i])) {
+            continue;
+        }
+        assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &exact),
+                         fmi2OK);
+        const double rounding = unit_variables[i].storage == STORED_DERIVATIVE ? largest : noise[i];
+        const double tolerance = 1e-8 * fabs(exact) + 1e-13 * rounding;
+        if (!(fabs(values[i] - exact) <= tolerance)) {
+            fail_msg("%s: %s by %s is %.12g, by differences %.12g", start->what, unit_variables[i].name,
+                     unit_variables[known].name, exact, values[i]);
+        }
+        nonzero += exact != 0.0 ? 1 : 0;
+    }
+    return nonzero;
+}
+
+static void they_are_those_of_the_start_values(void **state) {
+    (void)state;
+    assert_true(unit_variable_count <= MOST_VARIABLES);
+    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+        fmi2Component component = begun(&starts[k], 0.0);
+        int columns = 0, nonzero = 0, edges = 0;
+        for (size_t j = 0; j < unit_variable_count; ++j) {
+            if (is_known(&unit_variables[j]) && is_edge(&starts[k], unit_variables[j].name)) {
+                ++edges;
+            } else if (is_known(&unit_variables[j])) {
+                nonzero += compare_column(component, &starts[k], (fmi2ValueReference)j);
+                ++columns;
+            }
+        }
+        assert_int_equal(columns + edges, 23); /* 12 parameters, a tolerance, 2 inputs, 8 states */
+        assert_true(nonzero > 30);
+        fmi2FreeInstance(component);
+    }
+}
+
+static void by_time_they_are_those_of_the_instants(void **state) {
+    const fmi2ValueReference time = reference_of("time");
+    const double one = 1.0, seconds[] = {-1.0, 3.0};
+    (void)state;
+    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+        double values[2][MOST_VARIABLES];
+        int nonzero = 0;
+        for (int side = 0; side < 2; ++side) {
+            fmi2Component component = begun(&starts[k], seconds[side]);
+            read_unknowns(component, values[side]);
+            fmi2FreeInstance(component);
+        }
+        fmi2Component component = begun(&starts[k], 1.0);
+        for (size_t i = 0; i < unit_variable_count; ++i) {
+            const fmi2ValueReference unknown = (fmi2ValueReference)i;
+            double exact = 0.0;
+            if (is_unknown(&unit_variables[i])) {
+                assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &time, 1, &one, &exact),
+                                 fmi2OK);
+                assert_close(exact, (values[1][i] - values[0][i]) / 4.0, 1e-13);
+                nonzero += exact != 0.0 ? 1 : 0;
+            }
+        }
+        assert_int_equal(nonzero, k == 0 ? 2 : 1); /* event.last_time and, at an apex, apex.time */
+        fmi2FreeInstance(component);
+    }
+}
+
+/* In a run nothing depends on time but through the states. */
+static void by_time_nothing_changes_in_a_run(void **state) {
+    const fmi2ValueReference time = reference_of("time");
+    const double one = 1.0;
+    int compared = 0;
+    (void)state;
+    fmi2Component component = new_instance();
+    start_running(component);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const fmi2ValueReference unknown = (fmi2ValueReference)i;
+        double exact = 1.0;
+        if (is_unknown(&unit_variables[i])) {
+            assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &time, 1, &one, &exact),
+                             fmi2OK);
+            assert_true(exact == 0.0);
+            ++compared;
+        }
+    }
+    assert_true(compared > 40);
+    fmi2FreeInstance(component);
+}
+
+/* FMI 3.0, and the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
+static void fmi3_gives_the_same_both_ways_round(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+        fmi3ValueReference knowns[MOST_VARIABLES], unknowns[MOST_VARIABLES];
+        double seeds[MOST_VARIABLES], weights[MOST_VARIABLES], along[MOST_VARIABLES], back[MOST_VARIABLES];
+        size_t known_count = 0, unknown_count = 0;
+        double forward = 0.0, backward = 0.0, size = 0.0;
+        fmi2Component old = begun(&starts[k], 0.0);
+        fmi3Instance instance = new_exchange();
+        for (int i = 0; i < SETTINGS && starts[k].settings[i].name != NULL; ++i) {
+            assert_int_equal(set_float(instance, starts[k].settings[i].name, starts[k].settings[i].value),
+                             fmi3OK);
+        }
+        assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
+        for (size_t i = 0; i < unit_variable_count; ++i) {
+            if (is_known(&unit_variables[i]) || unit_variables[i].storage == STORED_TIME) {
+                seeds[known_count] = sin((double)i);
+                knowns[known_count++] = (fmi3ValueReference)i;
+            }
+            if (is_unknown(&unit_variables[i])) {
+                weights[unknown_count] = cos((double)i);
+                unknowns[unknown_count++] = (fmi3ValueReference)i;
+            }
+        }
+        assert_int_equal(fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
+                                                      seeds, known_count, along, unknown_count),
+                         fmi3OK);
+        assert_int_equal(fmi3GetAdjointDerivative(instance, unknowns, unknown_count, knowns, known_count,
+                                                  weights, unknown_count, back, known_count),
+                         fmi3OK);
+        for (size_t i = 0; i < unknown_count; ++i) {
+            forward += weights[i] * along[i];
+            size += fabs(weights[i] * along[i]);
+        }
+        for (size_t j = 0; j < known_count; ++j) {
+            backward += seeds[j] * back[j];
+            size += fabs(seeds[j] * back[j]);
+        }
+        assert_close(forward, backward, 1e-12 * size);
+        assert_int_equal(fmi2GetDirectionalDerivative(old, (const fmi2ValueReference *)unknowns,
+                                                      unknown_count, (const fmi2ValueReference *)knowns,
+                                                      known_count, seeds, back),
+                         fmi2OK);
+        assert_memory_equal(back, along, unknown_count * sizeof *back);
+        fmi2FreeInstance(old);
+        fmi3FreeInstance(instance);
+    }
+}
+
+static void start_values_are_no_knowns_of_a_run(void **state) {
+    const fmi2ValueReference unknown = reference_of("body.y"), mass = reference_of("body.mass"),
+                             output = reference_of("body.x");
+    const double one = 1.0;
+    double value = 0.0;
+    (void)state;
+    fmi2Component component = new_instance();
+    start_running(component);
+    assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &mass, 1, &one, &value), fmi2Error);
+    assert_non_null(strstr(last_message, "body.mass is neither a state nor an input, and the run has begun"));
+    assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &output, 1, &one, &value),
+                     fmi2Error);
+    assert_int_equal(fmi2GetDirectionalDerivative(component, &mass, 1, &unknown, 1, &one, &value), fmi2Error);
+    fmi2FreeInstance(component);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(they_are_those_of_the_start_values),
+        cmocka_unit_test(by_time_they_are_those_of_the_instants),
+        cmocka_unit_test(by_time_nothing_changes_in_a_run),
+        cmocka_unit_test(fmi3_gives_the_same_both_ways_round),
+        cmocka_unit_test(start_values_are_no_knowns_of_a_run),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
