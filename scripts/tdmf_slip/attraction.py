@@ -9,9 +9,10 @@ import numpy as np
 
 from . import blocks, ensemble, progress
 from .basin import STARTS_AT_ONCE, fates
-from .errors import InputError
-from .orbit import Orbit, Runner
+from .errors import check_kind
+from .orbit import Orbit, Runner, check_orbit
 from .section import COORDINATES
+from .simulation import checked_whole
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -31,6 +32,7 @@ COARSE, REFINEMENTS = 500, 2
 """Tries along the line, and how often the interval between two of them is divided again."""
 EDGE_TOLERANCE = 1e-8
 """Relative tolerance of a step there: a stride errs by less than a hundredth of what the tries are apart."""
+MOST_SAMPLES = 100_000_000
 SAMPLES = 4000
 """Starts drawn for each of many gaits."""
 
@@ -122,10 +124,11 @@ def volume(
         show_progress: a bar on stderr.
 
     Raises:
-        InputError: no samples.
+        InputError: no gait, no samples, or no seed.
     """
-    if samples < 1:
-        raise InputError(f"samples {samples}: allowed: 1 or more")
+    check_orbit(gait, "gait")
+    samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
+    seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
     runner = Runner(gait.runner.values)
     drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
@@ -163,7 +166,12 @@ class Robustness:
 
 
 def robustness(gait: Orbit) -> Robustness:
-    """How far the region of attraction reaches from the gait's apex, without gap, in height and speed."""
+    """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
+
+    Raises:
+        InputError: no gait.
+    """
+    check_orbit(gait, "gait")
     reach = functools.partial(_reach, gait)
     return Robustness(
         push_forward=reach("com_speed", 1.0),
@@ -202,7 +210,12 @@ class Attraction:
 
 
 def measure(gait: Orbit) -> Attraction:
-    """All of it for one gait, by one thread."""
+    """All of it for one gait, by one thread.
+
+    Raises:
+        InputError: no gait.
+    """
+    check_orbit(gait, "gait")
     return Attraction(
         gait.friction,
         gait.word,
@@ -215,6 +228,13 @@ def measure(gait: Orbit) -> Attraction:
 def measure_all(
     gaits: Sequence[Orbit], *, scheduler: str | None = None, workers: int | None = None
 ) -> list[Attraction]:
-    """`measure` for many gaits, side by side; see `blocks.run`."""
+    """`measure` for many gaits, side by side; see `blocks.run`.
+
+    Raises:
+        InputError: not gaits in a list.
+    """
+    check_kind(gaits, Sequence, "gaits", "Orbits in a list, as find_orbit gives")
+    for gait in gaits:
+        check_orbit(gait, "gaits")
     with blocks.run(measure, gaits, scheduler=scheduler, workers=workers) as results:
         return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]

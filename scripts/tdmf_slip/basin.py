@@ -1,6 +1,7 @@
 """The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
 
-from collections.abc import Sequence
+import reprlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,8 +10,8 @@ import xarray
 
 from . import blocks, ensemble, progress
 from .errors import InputError
-from .files import write_dataset
-from .orbit import Orbit, Runner
+from .files import check_place, write_dataset
+from .orbit import Orbit, Runner, check_orbit
 from .resume import resumed
 from .section import COORDINATES
 from .sweep import first_orbit
@@ -61,7 +62,7 @@ def fates(
     return ensemble.run([case], starts, most_strides=MOST_STRIDES, tolerance=tolerance, threads=1)[0]
 
 
-def stable_gait(runner: Runner, unit: Unit) -> Orbit:
+def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
     """The gait of a runner, if it attracts anything.
 
     Raises:
@@ -74,28 +75,35 @@ def stable_gait(runner: Runner, unit: Unit) -> Orbit:
     return gait
 
 
-def range_around(gait: Orbit, axis: str) -> str:
-    """A range A:B of a coordinate of the section that has the gait in it, and most of what it attracts.
+def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
+    """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
 
     Raises:
-        InputError: an unknown axis.
+        InputError: an unknown axis, or no gait.
     """
-    _check_axes((axis,))
+    check_axes((axis,))
+    check_orbit(gait, "gait")
     index = COORDINATES.index(axis)
     here, scale = gait.apex[index], gait.runner.scales[index]
     low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
-    return f"{low:.6g}:{high:.6g}"
+    return float(f"{low:.6g}"), float(f"{high:.6g}")
 
 
-def _check_axes(axes: Sequence[str]) -> None:
-    if any(axis not in COORDINATES for axis in axes):
-        raise InputError(f"axes {', '.join(axes)}: allowed: two of {', '.join(COORDINATES)}")
+def check_axes(axes: Sequence[str]) -> None:
+    """Refuse names that are not those of coordinates of the section.
+
+    Raises:
+        InputError: one is not.
+    """
+    wrong = next((axis for axis in axes if axis not in COORDINATES), None)
+    if wrong is not None:
+        raise InputError(f"axes: {wrong!r} is not allowed; allowed: {', '.join(COORDINATES)}")
 
 
 def basin(
-    runner: Runner,
+    runner: Runner | Mapping[str, object],
     axes: tuple[str, str],
-    ranges: tuple[Sequence[float], Sequence[float]],
+    ranges: tuple[Sequence[float | str], Sequence[float | str]],
     *,
     path: Path | str | None = None,
     scheduler: str | None = None,
@@ -109,9 +117,9 @@ def basin(
     block, and a file of the same slice is gone on with.
 
     Args:
-        runner: parameters and friction.
+        runner: parameters and friction, or start values by name.
         axes: two names of `section.COORDINATES`.
-        ranges: values along each.
+        ranges: values along each, numbers or texts like `70 deg`.
         path: of a NetCDF file.
         scheduler: of a Dask cluster, see `blocks.run`. The result does not depend on who computes it.
         workers: processes on this machine, by default one for each processor.
@@ -127,12 +135,12 @@ def basin(
         InputError: an unknown axis, the file holds another slice, or the gait is unstable.
         RunError: there is no gait.
     """
-    unit = load() if unit is None else unit
-    _check_slice(axes, ranges)
+    unit, runner = load(unit), Runner.of(runner)
+    path = None if path is None else check_place(path, (".nc",), "path")
+    axes, ranges = _checked_slice(axes, ranges, unit)
     gait = stable_gait(runner, unit)
     data = _blank(gait, axes, ranges, unit)
     if path is not None:
-        path = Path(path)
         data = _resumed(path, data)
     missing = [row for row in range(len(ranges[0])) if (data["fate"].values[row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(ranges[1]))
@@ -160,13 +168,18 @@ def basin(
     return data
 
 
-def _check_slice(axes: tuple[str, str], ranges: tuple[Sequence[float], Sequence[float]]) -> None:
-    _check_axes(axes)
-    if len(set(axes)) != 2:
+def _checked_slice(axes: object, ranges: object, unit: Unit) -> tuple[tuple[str, str], list[np.ndarray]]:
+    for what, pair in (("axes", axes), ("ranges", ranges)):
+        if not isinstance(pair, Sequence | np.ndarray) or isinstance(pair, str) or len(pair) != 2:
+            raise InputError(f"{what} = {reprlib.repr(pair)} is not allowed; allowed: a pair")
+    check_axes(axes)
+    if axes[0] == axes[1]:
         raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
-    for axis, values in zip(axes, ranges, strict=True):
-        if not np.size(values) or not np.isfinite(values).all():
-            raise InputError(f"range of {axis}: {values!r}: allowed: finite numbers, one or more")
+    variables = [unit.variables[f"apex.{axis}"] for axis in axes]
+    return tuple(axes), [
+        variable.values_of(values, f"range of {axis}")
+        for variable, axis, values in zip(variables, axes, ranges, strict=True)
+    ]
 
 
 def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:

@@ -8,7 +8,7 @@ import xarray
 
 from . import blocks, progress
 from .errors import InputError, TdmfSlipError
-from .simulation import DEFAULT_TOLERANCE, simulate
+from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, checked, checked_whole, simulate
 from .unit import Unit, load
 
 
@@ -77,8 +77,12 @@ def run(
     Raises:
         InputError: an empty table, rows with different names, or a value that is not allowed.
     """
-    unit = load() if unit is None else unit
-    names = list(table[0]) if table else []
+    unit = load(unit)
+    unit.require_interface(interface)
+    checked_whole("strides", strides, 1, MOST_STRIDES)
+    checked("relative_tolerance", relative_tolerance, *TOLERANCES)
+    rows = isinstance(table, Sequence) and all(isinstance(row, Mapping) for row in table)
+    names = list(table[0]) if rows and table else []
     if not names or any(list(row) != names for row in table):
         raise InputError("table: allowed: one or more rows, all with the same names in the same order")
     jobs = [

@@ -385,7 +385,7 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         RunError: a solver does not reach the wanted error.
     """
     checked("effort", effort, 1e-3, 1e3)
-    unit = load() if unit is None else unit
+    unit = load(unit)
     many = crowd(unit)
     sets = ensemble.instruction_sets()
     jobs = [

@@ -46,8 +46,8 @@ def run(
         RunError: a block killed every worker that tried it, the cluster cannot run the work, the scheduler
             is gone, or no process can be started.
     """
-    if workers is not None and workers < 1:
-        raise InputError(f"workers {workers}: allowed: 1 or more")
+    if workers is not None and (not isinstance(workers, int) or workers < 1):
+        raise InputError(f"workers {workers!r}: allowed: a whole number, 1 or more")
     if workers is not None and scheduler is not None:
         raise InputError("workers and scheduler: allowed: one of them, a scheduler has workers of its own")
     here = min(workers or os.cpu_count() or 1, max(1, len(blocks)))

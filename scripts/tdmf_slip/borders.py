@@ -3,14 +3,14 @@
 How long it lasts is zero there, and that is what is solved for.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from .errors import RunError
 from .family import Family
-from .orbit import Orbit, Runner
+from .orbit import Orbit, Runner, check_orbit
 
 ROOT_ACCURACY = 1e-11
 """Of the parameter where a test function of the gait is zero, over the larger of the values around."""
@@ -36,12 +36,17 @@ class Border:
         return {name: self.value, "from": self.before, "to": self.after}
 
 
-def borders_between(runner: Runner, name: str, first: Orbit, last: Orbit) -> list[Border]:
+def borders_between(
+    runner: Runner | Mapping[str, object], name: str, first: Orbit, last: Orbit
+) -> list[Border]:
     """All changes of the word from one gait to another of the same branch, in order.
 
     Raises:
+        InputError: the name is that of no parameter or input, or the gaits are none.
         RunError: a gait between them cannot be found.
     """
+    check_orbit(first, "first")
+    check_orbit(last, "last")
     return [border for border, _ in crossings(Family(runner, name), first, last)]
 
 

@@ -8,6 +8,7 @@ import contextlib
 import os
 import signal
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -18,10 +19,35 @@ from .events import as_json
 from .gait import DEFAULT_TOLERANCE as GAIT_TOLERANCE
 from .gait_commands import basin_command, figures_command, gait_command, sweep_command
 from .inputs import read_tables
-from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, json_text, start_values
-from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, Run, simulate
-from .unit import INTERFACES, load
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    file_values,
+    json_text,
+    refuse_given,
+    start_values,
+    values_given,
+)
+from .parameters import read_gait
+from .simulation import (
+    DEFAULT_STRIDES,
+    DEFAULT_TOLERANCE,
+    INTERVALS,
+    MOST_STRIDES,
+    TIMES,
+    TOLERANCES,
+    Run,
+    simulate,
+)
+from .text import columns, quantity
+from .unit import INTERFACES, Unit, load
 from .version import __version__
+
+SOLVER_TOLERANCE = "solver.relative_tolerance"
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -30,7 +56,7 @@ def commands() -> None:
     """Run the legged runner whose foot can slip, through its FMI unit."""
 
 
-@commands.command("simulate")
+@commands.command("simulate", cls=Command)
 @click.option(
     "--interface",
     type=click.Choice(list(INTERFACES)),
@@ -38,18 +64,21 @@ def commands() -> None:
     show_default=True,
     help="FMI interface: Model Exchange or Co-Simulation.",
 )
-@click.option("--stop-time", type=float, metavar="SECONDS", help="Stop at this time.")
+@click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Stop at this time.")
 @click.option(
     "--strides",
-    type=int,
+    type=Number(1, MOST_STRIDES, whole=True),
     metavar="N",
     help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
 )
-@click.option(
-    "--friction", type=float, metavar="MU", help="Friction of the ground; short for ground.friction."
-)
+@FRICTION_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
+@click.option(
+    "--from-gait",
+    metavar="FILE",
+    help="Begin on the gait that `tdmf-slip gait --json` wrote to a file, with its parameters; -: to stdin.",
+)
 @click.option(
     "--inputs",
     type=click.Path(path_type=Path),
@@ -58,14 +87,13 @@ def commands() -> None:
 )
 @click.option(
     "--tolerance",
-    type=float,
-    default=DEFAULT_TOLERANCE,
-    show_default=True,
-    help="Relative tolerance of CVODE.",
+    type=Number(*TOLERANCES),
+    help="Relative tolerance: of CVODE in Model Exchange; in Co-Simulation the tighter of it and "
+    f"solver.relative_tolerance holds.  [default: {DEFAULT_TOLERANCE:g}]",
 )
 @click.option(
     "--output-interval",
-    type=float,
+    type=Number(*INTERVALS),
     metavar="SECONDS",
     help="Time between recorded rows.  [default: a tenth of sqrt(m/k)]",
 )
@@ -83,8 +111,9 @@ def simulate_command(
     friction: float | None,
     settings: tuple[str, ...],
     parameters: str | None,
+    from_gait: str | None,
     inputs: Path | None,
-    tolerance: float,
+    tolerance: float | None,
     output_interval: float | None,
     output: Path | None,
     plot: Path | None,
@@ -96,8 +125,9 @@ def simulate_command(
     """
     if output is not None:
         files.check_place(output, files.WRITERS, "--output")
-        if inputs is not None and output.resolve() == inputs.resolve():
-            raise InputError(f"--output {output}: holds the inputs; allowed: another file name")
+        for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
+            if file and output.resolve() == file.resolve():
+                raise InputError(f"--output {output}: holds the {what}; allowed: another file name")
         if output.exists():
             from .resume import refuse_resumable  # xarray is slow to load
 
@@ -107,13 +137,26 @@ def simulate_command(
 
         files.check_place(plot, overview.FORMATS, "--plot")
     unit = load()
+    if parameters is not None and from_gait is not None:
+        raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
+    given = values_given(friction, settings)
+    base = file_values(unit, parameters)
+    if from_gait is not None:
+        base = unit.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
+    starts = start_values(unit, base, given)
+    _refuse_other_interface(unit, interface, given)
+    if interface == "cs" and tolerance is not None:
+        _refuse_loose(unit, starts, tolerance)
+    tables = read_tables(inputs, unit) if inputs is not None else {}
+    for name in tables:
+        refuse_given(given, name, "--inputs")
     run = simulate(
-        start_values(unit, parameters, friction, settings),
+        starts,
         stop_time=stop_time,
         strides=strides,
-        relative_tolerance=tolerance,
+        relative_tolerance=DEFAULT_TOLERANCE if tolerance is None else tolerance,
         output_interval=output_interval,
-        inputs=read_tables(inputs, unit) if inputs is not None else None,
+        inputs=tables,
         interface=interface,
         show_progress=True,
         unit=unit,
@@ -125,9 +168,13 @@ def simulate_command(
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
-@commands.command("validate")
+@commands.command("validate", cls=Command)
 @click.option(
-    "--tolerance", type=float, default=GAIT_TOLERANCE, show_default=True, help="Relative tolerance of CVODE."
+    "--tolerance",
+    type=Number(*TOLERANCES),
+    default=GAIT_TOLERANCE,
+    show_default=True,
+    help="Relative tolerance of CVODE.",
 )
 @click.option(
     "--pictures",
@@ -155,7 +202,7 @@ def validate_command(tolerance: float, pictures: Path | None, as_json_object: bo
         raise SystemExit(1)
 
 
-@commands.command("bench")
+@commands.command("bench", cls=Command)
 @click.option(
     "--effort",
     type=float,
@@ -170,6 +217,29 @@ def bench_command(effort: float, as_json_object: bool) -> None:
 
     measured = bench(effort=effort, show_progress=True)
     print(json_text(measured.as_json()) if as_json_object else measured.as_text())
+
+
+OF_INTERFACE = {"me": "Model Exchange: ", "cs": "Co-Simulation: "}
+"""How the unit's description of a variable begins that has a meaning in one interface only."""
+
+
+def _refuse_other_interface(unit: Unit, interface: str, given: Mapping[str, object]) -> None:
+    for other, beginning in OF_INTERFACE.items():
+        for name in given:
+            if other != interface and unit.variables[name].description.startswith(beginning):
+                raise InputError(
+                    f"--set {name}: has no meaning with --interface {interface}; "
+                    f"allowed: with --interface {other}"
+                )
+
+
+def _refuse_loose(unit: Unit, starts: Mapping[str, float | bool], tolerance: float) -> None:
+    tightest = starts.get(SOLVER_TOLERANCE, unit.start_of(SOLVER_TOLERANCE))
+    if tolerance > tightest:
+        raise InputError(
+            f"--tolerance = {tolerance:g}: in Co-Simulation the tighter of it and {SOLVER_TOLERANCE} = "
+            f"{tightest:g} holds; allowed: up to that, or --set {SOLVER_TOLERANCE}={tolerance:g}"
+        )
 
 
 def _run_object(run: Run) -> dict[str, object]:
@@ -187,22 +257,19 @@ def _run_object(run: Run) -> dict[str, object]:
 
 
 def _run_text(run: Run) -> str:
-    stride, units = run.stride, _stride_units(run)
+    stride = run.stride
     end = f"fell at t = {run.fall_time:g} s" if run.fallen else f"ran to t = {run.table['time'][-1]:g} s"
     lines = [f"{end}, {stride['count']} strides, {len(run.events)} events"]
     if stride["count"]:
-        lines.append("last stride:")
-        lines += [
-            f"  {name:18}{value if isinstance(value, str) else format(value, '.8g')}{units[name]}"
+        rows = {
+            f"  {name}": value
+            if isinstance(value, str)
+            else quantity(value, run.units.get(f"stride.{name}", ""), 8)
             for name, value in stride.items()
             if name not in ("count", "word_code")
-        ]
+        }
+        lines += ["last stride:", columns(rows)]
     return "\n".join([*lines, *(f"unit: {message}" for message in run.messages)])
-
-
-def _stride_units(run: Run) -> dict[str, str]:
-    units = {name: run.units.get(f"stride.{name}", "") for name in run.stride}
-    return {name: f" {unit}" if unit not in ("", "1") else "" for name, unit in units.items()}
 
 
 for command in (gait_command, sweep_command, basin_command, figures_command):

@@ -3,7 +3,7 @@
 A branch is followed by pseudo-arclength continuation on the exact Jacobian.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -11,12 +11,17 @@ import numpy as np
 
 from .bifurcations import Special, happenings
 from .borders import Border
-from .errors import InputError, RunError
+from .errors import InputError, RunError, check_kind
 from .family import Family, Point
-from .orbit import Orbit, Runner
+from .orbit import Orbit, Runner, check_orbit
+from .simulation import checked, checked_whole
+from .unit import load
 
 SHORTEST_STEP = 1e-7
 """Along the branch: where no step of this length finds a gait, the branch ends."""
+LARGEST_STEP = 1e9
+MOST_POINTS = 1_000_000
+"""Of a branch."""
 
 
 @dataclass(frozen=True)
@@ -34,22 +39,25 @@ class Branch:
 
 
 def gaits_over(
-    runner: Runner,
+    runner: Runner | Mapping[str, object],
     name: str,
-    values: Sequence[float],
+    values: Sequence[float | str],
     first: Orbit,
     step_finished: Callable[[], None] = lambda: None,
 ) -> Iterator[Orbit]:
     """The gait at each value in turn, each from the one before; steps in between where values are far apart.
 
     Raises:
+        InputError: the name is that of no parameter or input, a value is none, or `first` is no gait.
         RunError: the branch cannot be followed so far.
     """
     family = Family(runner, name)
+    check_orbit(first, "first")
+    check_kind(values, Iterable, "values", f"a row of values of {name}")
     at = family.value_of(first)
     orbit = first if first.along == name else family.orbit(at, first.apex)
     for value in values:
-        for part in _walk(family, orbit, at, value):
+        for part in _walk(family, orbit, at, family.runner.but(name, value).values[name]):
             orbit, at = part, family.value_of(part)
         yield orbit
         step_finished()
@@ -87,10 +95,10 @@ def _predicted(orbit: Orbit, step: float) -> np.ndarray:
 
 
 def trace(
-    runner: Runner,
+    runner: Runner | Mapping[str, object],
     name: str,
     first: Orbit,
-    end: float,
+    end: float | str,
     *,
     largest_step: float = 0.05,
     most_points: int = 1000,
@@ -111,10 +119,14 @@ def trace(
         step_finished: called after each gait.
 
     Raises:
-        InputError: no such parameter, or it has the value of `end` already.
+        InputError: no such parameter, it has the value of `end` already, or what is given is none.
         RunError: the first gait cannot be found again.
     """
-    start = Family(runner, name).value_of(first)
+    runner = Family(runner, name).runner
+    check_orbit(first, "first")
+    checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
+    checked_whole("most_points", most_points, 1, MOST_POINTS)
+    start, end = first.runner.values[name], load().find(name, "name").value_of(end, "end")
     if not abs(end - start) > 0.0:
         raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
     family = Family(runner.but(name, start), name)

@@ -5,13 +5,13 @@ ends["fate"] == ensemble.FATES.index("settled")
 """
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from numbers import Real
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, check_kind
 from .library import c, ffi
 from .orbit import Runner
 from .section import COORDINATES
@@ -32,11 +32,19 @@ FATES = ("settled", "fell", "undecided", "no_start", "unsolved")
 
 @dataclass(frozen=True)
 class Case:
-    """Whose parameters runners have, and what they may settle on."""
+    """Whose parameters runners have, and what they may settle on.
 
-    runner: Runner
+    Start values by name stand for the runner that they make.
+    """
+
+    runner: Runner | Mapping[str, object]
     gaits: Sequence[Sequence[float]] = field(default=())
     """Apices; without any, runners make the most strides or fall."""
+
+    def __post_init__(self) -> None:
+        """Make the runner; refuse gaits that are none."""
+        object.__setattr__(self, "runner", Runner.of(self.runner))
+        check_kind(self.gaits, (Sequence, np.ndarray), "gaits", f"rows of {', '.join(COORDINATES)}")
 
 
 @dataclass(frozen=True)
@@ -59,7 +67,7 @@ def instruction_sets() -> tuple[str, ...]:
 
 
 def run(
-    cases: Sequence[Case],
+    cases: Sequence[Case | Runner | Mapping[str, object]],
     starts: np.ndarray,
     case_of: np.ndarray | None = None,
     *,
@@ -72,7 +80,8 @@ def run(
     """Follow runners from their starts until they settle, fall, or have made the most strides.
 
     Args:
-        cases: parameters, inputs and gaits.
+        cases: parameters, inputs and gaits; a runner alone, or its start values, stand for a case without
+            gaits.
         starts: apices, one to a row, in the order of `section.COORDINATES`.
         case_of: the number of each runner's case; by default all have the first.
         most_strides: a runner that has closed as many is undecided, as is one whose stride takes longer than
@@ -92,8 +101,10 @@ def run(
         InputError: an array of another shape, or a value that is not allowed.
     """
     sections = _apices("starts", starts)
+    check_kind(cases, Sequence, "cases", "one or more cases in a list")
     if not len(cases):
         raise InputError("cases: none; allowed: one or more")
+    cases = [case if isinstance(case, Case) else Case(case) for case in cases]
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)

@@ -3,13 +3,13 @@
 Lengths along a branch are measured over the coordinates' scales and one of the parameter.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import InputError, RunError
-from .orbit import Orbit, Runner, find_orbit, stride_from
+from .errors import RunError
+from .orbit import Orbit, Runner, check_varied, find_orbit, stride_from
 
 NEWTON_ITERATIONS = 12
 NEWTON_CONVERGED = 1e-10
@@ -34,11 +34,14 @@ class Point:
 class Family:
     """Gaits of one runner by the value of a parameter."""
 
-    def __init__(self, runner: Runner, name: str) -> None:
-        """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1."""
-        if name not in runner.values:
-            raise InputError(f"parameter {name!r} is unknown")
-        self.runner = runner
+    def __init__(self, runner: Runner | Mapping[str, object], name: str) -> None:
+        """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1.
+
+        Raises:
+            InputError: no such parameter or input, or what is given makes no runner.
+        """
+        check_varied(name, "name")
+        self.runner = runner = Runner.of(runner)
         self.name = name
         self.scales = np.append(runner.scales, abs(runner.values[name]) or 1.0)
 

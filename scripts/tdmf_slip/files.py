@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import interrupts
-from .errors import InputError
+from .errors import InputError, check_kind
 from .simulation import Run
 from .unit import Unit
 
@@ -35,7 +35,6 @@ def whole(path: Path) -> Iterator[Path]:
 
 def _whole(path: Path) -> Iterator[Path]:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
         os.close(handle)
     except OSError as problem:
@@ -56,51 +55,60 @@ def _umask() -> int:
     return mask
 
 
-def check_place(path: Path, allowed: Iterable[str], what: str) -> None:
+def check_place(path: Path | str, allowed: Iterable[str], what: str) -> Path:
     """Refuse, before any work, a path whose suffix names no format or that cannot be written.
 
+    Returns:
+        The path.
+
     Raises:
-        InputError: either.
+        InputError: either, or its folder is not there.
     """
+    check_kind(path, (str, os.PathLike), what, "the path of a file")
+    path = Path(path)
     if path.suffix.lower() not in allowed:
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
+    if not path.parent.is_dir():
+        raise InputError(f"{what}: {path}: there is no folder {path.parent}; allowed: one that is there")
     check_folder(path.parent, what)
     try:
         is_folder = stat.S_ISDIR(path.stat().st_mode)
     except FileNotFoundError:
-        return
+        return path
     except OSError as problem:
         raise InputError(f"{what}: {path}: {problem.strerror}") from None
     if is_folder:
-        raise InputError(f"{what}: {path} is a folder")
+        raise InputError(f"{what}: {path} is a folder; allowed: the name of a file")
+    return path
 
 
 def check_folder(folder: Path, what: str) -> None:
     """Refuse, before any work, a folder that nothing can be written to.
 
-    One that is missing is made, and goes again: if the work fails, nothing is left.
+    One that is missing, in a folder that is there, is made, and goes again: if the work fails, nothing is
+    left.
 
     Raises:
         InputError: it cannot be made or written to.
     """
     try:
-        missing = [place for place in (folder, *folder.parents) if not place.exists()]
-        folder.mkdir(parents=True, exist_ok=True)
+        missing = not folder.exists()
+        folder.mkdir(exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):  # to ask for leave alone is not enough where root asks
             pass
-        for place in missing:
-            place.rmdir()
+        if missing:
+            folder.rmdir()
     except OSError as problem:
         raise InputError(f"{what}: {folder}: cannot be written to: {problem.strerror}") from problem
 
 
-def write_table(path: Path, run: Run, unit: Unit) -> None:
+def write_table(path: Path | str, run: Run, unit: Unit) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
 
     Raises:
         InputError: another suffix than .csv or .nc, or nothing can be written there.
     """
-    check_place(path, WRITERS, "output")
+    path = check_place(path, WRITERS, "output")
     with whole(path) as beside:
         WRITERS[path.suffix.lower()](beside, run, unit)
 

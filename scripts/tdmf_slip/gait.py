@@ -6,10 +6,11 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from . import progress
-from .errors import InputError, RunError
+from .errors import RunError, check_kind
 from .instance import Experiment, Instance, opened
 from .section import COORDINATES, scales, start_values
-from .simulation import TOLERANCES, checked, longest_time, time_unit
+from .simulation import MOST_STRIDES as MOST_OF_ALL
+from .simulation import TOLERANCES, checked, checked_whole, longest_time, time_unit
 from .unit import Unit, load
 
 DEFAULT_TOLERANCE = 1e-10
@@ -75,15 +76,16 @@ def periodic_gait(
         InputError: something given is not allowed; nothing was run.
         RunError: the runner fell, or did not settle.
     """
-    unit = load() if unit is None else unit
+    unit = load(unit)
+    check_kind(given or {}, Mapping, "given", "start values by name")
     wanted = {**(given or {}), **({} if friction is None else {"ground.friction": friction})}
     starts = unit.start_values(wanted, "start values")
-    if most_strides < 2 * WINDOW:
-        raise InputError(f"most_strides = {most_strides} is not allowed; allowed: {2 * WINDOW} or more")
+    most_strides = checked_whole("most_strides", most_strides, 2 * WINDOW, MOST_OF_ALL)
+    relative_tolerance = checked("relative_tolerance", relative_tolerance, *TOLERANCES)
     search = _Search(unit, starts, 1000.0 * relative_tolerance)
     experiment = Experiment(
         stop_time=longest_time(unit, starts, most_strides),
-        relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
+        relative_tolerance=relative_tolerance,
         output_interval=time_unit(unit, starts),
         start_values=starts,
     )

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .errors import InputError
+from .errors import InputError, check_kind
 from .unit import Unit
 
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
@@ -26,6 +26,7 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     """
     if not tables:
         return None
+    check_kind(tables, Mapping, "inputs", "pairs of times and values, by the names of inputs")
     checked = {name: _checked(unit, name, table, "inputs") for name, table in tables.items()}
     grid = _grid([times for times, _ in checked.values()])
     inputs = unit.names("input")
@@ -39,18 +40,20 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     return array
 
 
-def read_tables(path: Path, unit: Unit) -> InputTables:
+def read_tables(path: Path | str, unit: Unit) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
     Raises:
         InputError: unreadable, not such a file, or not inputs of the unit.
     """
+    path = Path(path)
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:  # Excel writes a mark at the beginning
             reader = csv.reader(file, strict=True)
             lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
     except (OSError, ValueError, csv.Error) as problem:
-        raise InputError(f"{path}: not a table of inputs: {problem}") from problem
+        reason = getattr(problem, "strerror", None) or problem
+        raise InputError(f"{path}: not a table of inputs: {reason}") from problem
     header = lines[0][1] if lines else []
     if header[:1] != ["time"] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
         raise InputError(

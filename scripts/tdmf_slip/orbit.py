@@ -3,13 +3,16 @@
 The C library does the work: one stride with its exact Jacobian, and Newton's method on it.
 """
 
-from collections.abc import Mapping, Sequence
+import difflib
+import reprlib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from numbers import Real
 
 import numpy as np
 
-from .errors import InputError, RunError
+from .errors import InputError, RunError, check_kind
 from .library import c, ffi
 from .section import COORDINATES, apex_of
 from .unit import Unit, load
@@ -47,6 +50,19 @@ STATES = (
 LOSSES = ("damper_loss", "friction_loss", "impact_loss")
 
 
+def _members(struct: object, group: str = "") -> Iterator[str]:
+    """Paths of the numbers in a C struct, which are the unit's names."""
+    for name, member in struct.fields:
+        if member.type.kind == "struct":
+            yield from _members(member.type, f"{group}{name}.")
+        else:
+            yield group + name
+
+
+VARIED = (*_members(ffi.typeof("tdmf_parameters")), *_members(ffi.typeof("tdmf_inputs")))
+"""Parameters and inputs: what a runner's motion depends on, beside its start."""
+
+
 @dataclass(frozen=True)
 class Runner:
     """Parameters, inputs and a start, as the C library takes them.
@@ -57,26 +73,40 @@ class Runner:
     values: Mapping[str, float]
     relative_tolerance: float = TOLERANCE
 
+    def __post_init__(self) -> None:
+        """Refuse values that are not all there."""
+        check_kind(self.values, Mapping, "values", "numbers by the unit's names")
+        missing = next((name for name in (*VARIED, *STATES) if name not in self.values), None)
+        if missing is not None:
+            raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
+
     @classmethod
-    def of(cls, given: Mapping[str, object] | None = None, unit: Unit | None = None) -> "Runner":
-        """The unit's own start values, and over them those given.
+    def of(cls, given: "Runner | Mapping[str, object] | None" = None, unit: Unit | None = None) -> "Runner":
+        """The unit's own start values, and over them those given; a runner is given back as it is.
+
+        What concerns runs of the unit only, as `solver.method` does, is left out.
 
         Raises:
-            InputError: a name or value that the unit refuses.
+            InputError: neither a runner nor a mapping, or a name or value that the unit refuses.
         """
-        unit = load() if unit is None else unit
+        if isinstance(given, cls):
+            return given
+        check_kind(given or {}, Mapping, "runner", "a Runner, or start values by name")
+        unit = load(unit)
         checked = unit.start_values(given or {}, "start values")
         names = [n for n, v in unit.variables.items() if v.settable and v.type == "Real"]
         return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
 
-    def but(self, name: str, value: float) -> "Runner":
-        """The same runner with another value.
+    def but(self, name: str, value: float | str) -> "Runner":
+        """The same runner with another value, a number or a text like `40 deg`.
 
         Raises:
-            InputError: the runner has no such value.
+            InputError: the runner has no such value, or it is neither.
         """
         if name not in self.values:
-            raise InputError(f"{name!r}: allowed: a name in the runner's values")
+            raise InputError(f"{name!r} is not a name in the runner's values{_near(name, self.values)}")
+        if not isinstance(value, Real):
+            value = load().find(name, "runner").value_of(value, "runner")
         return replace(self, values={**self.values, name: float(value)})
 
     def __reduce__(self) -> tuple:
@@ -118,9 +148,9 @@ class Runner:
     def solver(self, log: object = ffi.NULL) -> object:
         """A native solver, noting its events in `log`."""
         solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
-        if not 0 < self.relative_tolerance < 1:
+        if not isinstance(self.relative_tolerance, Real) or not 0 < self.relative_tolerance < 1:
             raise InputError(
-                f"relative_tolerance = {self.relative_tolerance} is not allowed; allowed: above 0, below 1"
+                f"relative_tolerance = {self.relative_tolerance!r} is not allowed; allowed: above 0, below 1"
             )
         solver.relative_tolerance = self.relative_tolerance
         solver.log = log
@@ -225,7 +255,7 @@ class Orbit:
         return tuple(found)
 
     def as_json(self) -> dict[str, object]:
-        """The gait as a plain object, eigenvalues as [re, im]."""
+        """The gait as a plain object, eigenvalues as [re, im], start values for a run that begins on it."""
         names = ("period", "length", "speed", "work", "cost_of_transport")
         return {
             "friction": self.friction,
@@ -235,7 +265,35 @@ class Orbit:
             "apex": [float(value) for value in self.apex],
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
             "stable": self.stable,
+            "start_values": self.start_values,
         }
+
+
+def check_orbit(given: object, what: str) -> None:
+    """Refuse what is no gait of the return map.
+
+    Raises:
+        InputError: it is something else.
+    """
+    check_kind(given, Orbit, what, "an Orbit, as find_orbit gives")
+
+
+def check_varied(name: object, what: str) -> None:
+    """Refuse a name that a gait cannot be followed along.
+
+    Raises:
+        InputError: it is that of neither a parameter nor an input of the model.
+    """
+    if name not in VARIED:
+        raise InputError(
+            f"{what} {name!r} is not allowed; allowed: a parameter or input of the model{_near(name, VARIED)}"
+        )
+
+
+def _near(name: object, names: Iterable[str]) -> str:
+    """A hint at names that may have been meant."""
+    near = difflib.get_close_matches(str(name), names, n=3, cutoff=0.5)
+    return f"; near matches: {', '.join(near)}" if near else ""
 
 
 def check_has_gaits(friction: float) -> None:
@@ -254,14 +312,22 @@ def check_has_gaits(friction: float) -> None:
 def _section(apex: Sequence[float]) -> object:
     if np.shape(apex) != (len(COORDINATES),):
         raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")
-    return ffi.new("double[6]", [float(value) for value in apex])
+    try:
+        return ffi.new("double[6]", [float(value) for value in apex])
+    except (TypeError, ValueError):
+        raise InputError(f"an apex {reprlib.repr(apex)}: allowed: six numbers") from None
 
 
-def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: str | None = None) -> Orbit:
+def find_orbit(
+    runner: Runner | Mapping[str, object],
+    guess: Sequence[float] | None = None,
+    *,
+    along: str | None = None,
+) -> Orbit:
     """The periodic gait near a guess, by Newton's method.
 
     Args:
-        runner: whose gait.
+        runner: whose gait; start values stand for the runner that they make.
         guess: an apex near the gait's; without one the runner runs from its start values first, to settle.
         along: a parameter or input by which the next apex is differentiated, too.
 
@@ -270,6 +336,7 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
             friction is 0.
         RunError: the runner falls, no gait is near, or the solver does not get through a stride.
     """
+    runner = Runner.of(runner)
     check_has_gaits(runner.values["ground.friction"])
     log = ffi.new("tdmf_event_log *")
     solver = runner.solver(log)
@@ -286,14 +353,14 @@ def find_orbit(runner: Runner, guess: Sequence[float] | None = None, *, along: s
 
 
 def stride_from(
-    runner: Runner, apex: Sequence[float], along: str
+    runner: Runner | Mapping[str, object], apex: Sequence[float], along: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """One stride from an apex: the next apex, the Jacobian, and the next apex's change along a parameter.
 
     Raises:
         RunError: no stride closes from there.
     """
-    section = _section(apex)
+    runner, section = Runner.of(runner), _section(apex)
     stride = c.tdmf_return_map(
         runner.solver(), runner.model, runner.inputs, section, np.inf, True, _change(along), 1
     )
@@ -311,9 +378,10 @@ def _change(along: str | None) -> object:
     """The unit direction of a parameter or input."""
     if along is None:
         return ffi.NULL
+    check_varied(along, "along")
     change = ffi.new("tdmf_change *")
-    if not _assign(change.parameters, {along: 1.0}) + _assign(change.inputs, {along: 1.0}):
-        raise InputError(f"along {along!r}: allowed: a parameter or input of the unit")
+    _assign(change.parameters, {along: 1.0})
+    _assign(change.inputs, {along: 1.0})
     return change
 
 
@@ -362,20 +430,14 @@ def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orb
     )
 
 
-def _assign(struct: object, values: Mapping[str, float]) -> int:
-    """Write values into the members of a struct whose paths are their names; others are left out.
-
-    Returns how many were written.
-    """
-    written = 0
+def _assign(struct: object, values: Mapping[str, float]) -> None:
+    """Write values into the members of a struct whose paths are their names; others are left out."""
     for name, value in values.items():
         owner, (*path, member) = struct, name.split(".")
         for step in path:
             owner = getattr(owner, step, None)
         if hasattr(owner, member):
             setattr(owner, member, value)
-            written += 1
-    return written
 
 
 def _check(refusal: object) -> None:

@@ -1,13 +1,16 @@
 """Parameter files: start values by variable name, in TOML or JSON."""
 
 import json
+import os
+import sys
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from .errors import InputError
+from .errors import InputError, check_kind
 
 PRESETS = Path(__file__).parent / "presets"
+GAIT = "what `tdmf-slip gait --json` prints"
 
 
 def preset_names() -> list[str]:
@@ -28,24 +31,63 @@ def read_parameters(name: str | Path) -> dict[str, object]:
     Raises:
         InputError: neither, unreadable, or not such a file.
     """
+    check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
     readers = {".toml": tomllib.loads, ".json": _loads_json}
+    if path.is_dir():
+        raise InputError(f"parameters {name}: is a folder; allowed: a .toml or .json file")
     if path.suffix not in readers:
         raise InputError(
             f"parameters {name}: neither a preset ({', '.join(preset_names())}) nor a .toml or .json file"
         )
     try:
-        content = readers[path.suffix](path.read_text(encoding="utf-8"))
-    except RecursionError:
-        raise InputError(f"parameters {path}: nested too deeply; allowed: groups of variables") from None
-    except (OSError, ValueError) as problem:  # TOMLDecodeError and JSONDecodeError are ValueErrors
-        raise InputError(f"parameters {path}: {problem}") from problem
-    if not isinstance(content, dict):
-        raise InputError(f"parameters {path}: found {type(content).__name__}; allowed: names with values")
-    try:
+        content = _parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
         return _keys_once(list(_flat(content)))  # a name may be given whole and nested
-    except ValueError as problem:
-        raise InputError(f"parameters {path}: {problem}") from None
+    except (OSError, ValueError) as problem:
+        raise InputError(f"parameters {path}: {_reason(problem)}") from None
+
+
+def read_gait(name: str) -> dict[str, object]:
+    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints.
+
+    Args:
+        name: path of the file; `-` is standard input.
+
+    Raises:
+        InputError: unreadable, or no such gait.
+    """
+    where = "standard input" if name == "-" else name
+    try:
+        if name == "-" and sys.stdin is None:
+            raise ValueError("is closed")
+        text = sys.stdin.read() if name == "-" else Path(name).read_text(encoding="utf-8")
+        content = _parsed(text, _loads_json, GAIT)
+    except (OSError, ValueError) as problem:
+        raise InputError(f"gait of {where}: {_reason(problem)}") from None
+    if not isinstance(content.get("start_values"), Mapping):
+        raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
+    return dict(content["start_values"])
+
+
+def _parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping:
+    """The names and values of a text, which is to be what `allowed` says.
+
+    Raises:
+        ValueError: there are none.
+    """
+    if not text.strip():
+        raise ValueError(f"is empty; allowed: {allowed}")
+    try:
+        content = loads(text)
+    except RecursionError:
+        raise ValueError(f"is nested too deeply; allowed: {allowed}") from None
+    if not isinstance(content, Mapping):
+        raise ValueError(f"found {type(content).__name__}; allowed: {allowed}")
+    return content
+
+
+def _reason(problem: OSError | ValueError) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
 
 
 def _loads_json(text: str) -> object:

@@ -4,11 +4,25 @@ import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
+import numpy as np
+
+from .errors import InputError
 from .unit import Unit
 
 COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length_rate", "leg_angle_rate")
 """Names in the unit's group `apex`; the horizontal position is dropped, the vertical velocity is zero."""
 
+MOVING = (
+    "body.mass",
+    "foot.mass",
+    "foot.y",
+    "foot.vx",
+    "leg.length",
+    "leg.angle",
+    "leg.length_rate",
+    "leg.angle_rate",
+)
+"""What a section follows from."""
 NOTHING: Mapping[str, float] = MappingProxyType({})
 
 
@@ -29,7 +43,13 @@ def apex_of(values: Mapping[str, float]) -> tuple[float, ...]:
 
     Args:
         values: states and masses, by the unit's names.
+
+    Raises:
+        InputError: one is missing.
     """
+    missing = next((name for name in MOVING if name not in values), None)
+    if missing is not None:
+        raise InputError(f"values: {missing} is missing; allowed: all of {', '.join(MOVING)}")
     length, angle = values["leg.length"], values["leg.angle"]
     length_rate, angle_rate = values["leg.length_rate"], values["leg.angle_rate"]
     rho = values["body.mass"] / (values["body.mass"] + values["foot.mass"])
@@ -51,7 +71,12 @@ def start_values(
         unit: the unit whose masses serve where `starts` has none.
         apex: the six coordinates, in the order of `COORDINATES` and the unit's units.
         starts: start values of the same run, for its masses.
+
+    Raises:
+        InputError: not six coordinates.
     """
+    if np.shape(apex) != (len(COORDINATES),):
+        raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")
     height, speed, length, angle, length_rate, angle_rate = apex
     mass, foot = value(unit, starts, "body.mass"), value(unit, starts, "foot.mass")
     rho = mass / (mass + foot)

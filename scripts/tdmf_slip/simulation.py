@@ -8,7 +8,7 @@ from numbers import Real
 import numpy as np
 
 from . import progress
-from .errors import InputError, RunError
+from .errors import InputError, RunError, check_kind
 from .events import MODE, PHASE, Event, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, opened
@@ -17,7 +17,10 @@ from .unit import Unit, load
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = 1e-14, 0.1
-"""From and to."""
+"""From and to; as the following."""
+TIMES = 1e-9, 1e9
+INTERVALS = 1e-12, 1e9
+MOST_STRIDES = 10**9
 POINTS_PER_TIME_UNIT = 10
 """Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
 between two points: 500 steps."""
@@ -79,7 +82,8 @@ def simulate(
         stop_time: s; the run begins at 0.
         strides: end at the apex that closes this many strides, in Co-Simulation at the next recorded row.
             With `stop_time`, whichever comes first; with neither, ten strides.
-        relative_tolerance: of CVODE; absolute tolerances follow from the unit's nominal values.
+        relative_tolerance: of CVODE, whose absolute tolerances follow from the unit's nominal values; in
+            Co-Simulation the tighter of it and `solver.relative_tolerance` holds.
         output_interval: s between recorded rows; by default a tenth of sqrt(m/k).
         inputs: tables by input name, see `inputs.InputTables`.
         variables: names to record; by default every numeric input and output.
@@ -92,7 +96,7 @@ def simulate(
         InputError: something given is not allowed, by this package or by the unit; nothing was run.
         RunError: the unit or FMPy failed, or the strides did not come about.
     """
-    unit = load() if unit is None else unit
+    unit = load(unit)
     starts = unit.start_values(start_values or {}, "start values")
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
@@ -132,7 +136,9 @@ def longest_time(unit: Unit, starts: Mapping[str, float | bool], strides: int) -
 def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
     if variables is None:
         return unit.names("input") + unit.names("output")
-    found = [unit.find(name, "variables") for name in variables]
+    check_kind(variables, Iterable, "variables", "names of variables in a list")
+    names = [variables] if isinstance(variables, str) else variables
+    found = [unit.find(name, "variables") for name in names]
     for variable in found:
         if variable.type == "String":
             raise InputError(
@@ -152,11 +158,22 @@ def checked(name: str, value: float, low: float, high: float) -> float:
     return float(value)
 
 
+def checked_whole(name: str, value: int, low: int, high: int) -> int:
+    """A whole number within its range.
+
+    Raises:
+        InputError: it is none, or beyond.
+    """
+    if not isinstance(value, Real) or not low <= value <= high or value % 1:
+        raise InputError(f"{name} = {value!r} is not allowed; allowed: a whole number from {low} to {high}")
+    return int(value)
+
+
 def _stop_time(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
-    if strides is not None and checked("strides", strides, 1, 1e9) % 1:
-        raise InputError(f"strides = {strides} is not allowed; allowed: a whole number from 1 on")
+    if strides is not None:
+        strides = checked_whole("strides", strides, 1, MOST_STRIDES)
     if stop_time is not None:
-        return checked("stop_time", stop_time, 1e-9, 1e9)
+        return checked("stop_time", stop_time, *TIMES)
     return longest_time(unit, starts, strides)
 
 
@@ -172,7 +189,7 @@ def _least_duration(unit: Unit, starts: Mapping, stop_time: float | None, stride
 
 def _check_rows(experiment: Experiment, duration: float) -> None:
     """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
-    interval = checked("output_interval", experiment.output_interval, 1e-12, 1e9)
+    interval = checked("output_interval", experiment.output_interval, *INTERVALS)
     if duration / interval > MOST_ROWS:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "

@@ -2,26 +2,35 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import xarray
+from tqdm import tqdm
 
 from . import blocks, progress
 from .borders import Border, crossings
 from .continuation import gaits_over
 from .errors import InputError, RunError, TdmfSlipError
 from .family import Family
-from .files import write_dataset
-from .orbit import LOSSES, STRIDE_QUANTITIES, Orbit, Runner, check_has_gaits, find_orbit
+from .files import check_place, write_dataset
+from .orbit import (
+    LOSSES,
+    STATES,
+    STRIDE_QUANTITIES,
+    Orbit,
+    Runner,
+    check_has_gaits,
+    check_varied,
+    find_orbit,
+)
+from .ranges import MOST_VALUES
 from .resume import resumed
 from .section import COORDINATES
 from .unit import Unit, load
 
 FRICTION = "ground.friction"
-MOST_VALUES = 1_000_000
-"""In a range, and in a grid."""
-SPACINGS = {"linear": np.linspace, "log": np.geomspace}
 UNITS: Mapping[str, str] = {
     "lambda_max": "1",
     "damper_loss": "J",
@@ -33,51 +42,43 @@ UNITS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class Sweep:
-    """Gaits at the values of a range, in its order, as far as the branch could be followed."""
+    """Gaits at the values of a range, where they were found."""
 
-    orbits: tuple[Orbit, ...]
+    frictions: tuple[float, ...]
+    """The range."""
+    gaits: tuple[Orbit | None, ...]
+    """At each friction; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
     problem: str | None
-    """What stopped the sweep, or kept a border from being located; or None."""
+    """Why gaits are missing, and what kept a border from being located; or None."""
+
+    @property
+    def orbits(self) -> tuple[Orbit, ...]:
+        """The gaits that were found, in the order of the range."""
+        return tuple(gait for gait in self.gaits if gait is not None)
 
     def as_json(self) -> dict[str, object]:
-        """The sweep as a plain object."""
+        """The sweep as a plain object; `missing` are the frictions without a gait."""
+        found = zip(self.frictions, self.gaits, strict=True)
         return {
             "gaits": [orbit.as_json() for orbit in self.orbits],
             "transitions": [border.as_json() for border in self.borders],
+            "missing": [friction for friction, gait in found if gait is None],
             "problem": self.problem,
         }
 
 
-def values_of(text: str, spacing: str, where: str) -> np.ndarray:
-    """The values that A:B:N stands for.
-
-    Raises:
-        InputError: it is not of that form, N is below 1, or the spacing cannot reach from A to B.
-    """
-    try:
-        first, last, count = text.split(":")
-        ends = float(first), float(last)
-        number = int(count)
-    except ValueError:
-        raise InputError(f"{where} {text}: allowed: A:B:N, two numbers and how many values") from None
-    if not 1 <= number <= MOST_VALUES or not np.all(np.abs(ends) < 1e100):
-        raise InputError(f"{where} {text}: allowed: finite A and B, and N from 1 to {MOST_VALUES}")
-    if spacing == "log" and min(ends) <= 0.0:
-        raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
-    return SPACINGS[spacing](*ends, number)
-
-
-def first_orbit(runner: Runner, unit: Unit | None = None) -> Orbit:
+def first_orbit(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
     """A gait of a runner: by settling from its start values, else along the friction from the unit's own.
 
     Raises:
         RunError: neither finds one.
     """
+    runner = Runner.of(runner)
     try:
         return find_orbit(runner, along=FRICTION)
     except RunError as problem:
-        unit = load() if unit is None else unit
+        unit = load(unit)
         home = unit.start_of(FRICTION)
         if runner.values[FRICTION] == home:
             raise
@@ -88,47 +89,109 @@ def first_orbit(runner: Runner, unit: Unit | None = None) -> Orbit:
             raise problem from None
 
 
-def sweep(runner: Runner, frictions: Sequence[float], *, show_progress: bool = False) -> Sweep:
+def sweep(
+    runner: Runner | Mapping[str, object], frictions: Sequence[float], *, show_progress: bool = False
+) -> Sweep:
     """The gait at each friction, each from the one before, and every change of the gait word between.
 
-    A branch that cannot be followed ends the sweep: what was found is kept, and `problem` says what happened.
-    It also says where a border could not be located; the sweep goes on then.
+    Where the first frictions have no gait, the sweep begins at the first that has one, and follows its branch
+    back as far as it goes; where a branch cannot be followed on, the sweep goes on with the next gait that is
+    found. `problem` says what happened. Changes of the word from one branch to another are no borders.
 
     Args:
-        runner: parameters and start; its friction does not matter.
+        runner: parameters and start, or start values by name; its friction does not matter.
         frictions: values in order.
         show_progress: a bar on stderr.
 
     Raises:
         InputError: a value is refused.
-        RunError: there is no gait at the first friction.
+        RunError: there is no gait at any of them; the message tells of the first.
     """
+    runner = Runner.of(runner)
+    frictions = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
     _check_frictions(runner, frictions)
-    orbits: list[Orbit] = []
+    return _sweep(runner, frictions, show_progress)
+
+
+def _sweep(runner: Runner, frictions: Sequence[float], show_progress: bool = False) -> Sweep:
+    gaits: list[Orbit | None] = [None] * len(frictions)
     borders: list[Border] = []
     problems: list[str] = []
+    end = 0
     with progress.bar("sweep", len(frictions), "gaits", show_progress) as bar:
-        first = first_orbit(runner.but(FRICTION, frictions[0]))
+        while end < len(frictions):
+            begin, first, why = _begin(runner, frictions, end, bar)
+            if first is None:
+                problems.append(why)
+                break
+            preceding, _ = _followed(runner, frictions[end:begin][::-1], first, bar)
+            following, lost = _followed(runner, frictions[begin:], first, bar)
+            branch = [*preceding[::-1], *following]
+            problems += [why] if end < begin - len(preceding) else []
+            problems += [lost] if lost else []
+            end = begin + len(following)
+            gaits[end - len(branch) : end] = branch
+            found, unknown = _borders(runner, branch)
+            borders += found
+            problems += unknown
+    if not any(gaits):
+        raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(frictions) > 1)]))
+    return Sweep(
+        frictions=tuple(float(friction) for friction in frictions),
+        gaits=tuple(gaits),
+        borders=tuple(borders),
+        problem="; ".join(dict.fromkeys(problems)) or None,
+    )
+
+
+def _begin(
+    runner: Runner, frictions: Sequence[float], start: int, bar: tqdm
+) -> tuple[int, Orbit | None, str | None]:
+    """Number of a friction with a gait, the first from `start` on; that gait; why the one at `start` is none.
+
+    While there is none yet, the longer search is made at both ends of the range: a branch that comes from
+    outside is met there.
+    """
+    why = None
+    for number in range(start, len(frictions)):
+        search = first_orbit if start == 0 and number in (0, len(frictions) - 1) else find_orbit
         try:
-            before = first
-            for orbit in gaits_over(runner, FRICTION, frictions, first):
-                orbits.append(orbit)
-                try:
-                    for border, _ in crossings(Family(runner, FRICTION), before, orbit):
-                        borders.append(border)
-                except RunError as unlocated:
-                    problems.append(str(unlocated))
-                before = orbit
-                bar.update()
-        except RunError as lost:
-            problems.append(str(lost))
-    return Sweep(tuple(orbits), tuple(borders), "; ".join(problems) or None)
+            return number, search(runner.but(FRICTION, frictions[number])), why
+        except RunError as problem:
+            why = why or str(problem)
+            bar.update()
+    return len(frictions), None, why
+
+
+def _followed(
+    runner: Runner, frictions: Sequence[float], first: Orbit, bar: tqdm
+) -> tuple[list[Orbit], str | None]:
+    """Gaits from one on, as far as the branch could be followed, and what stopped it."""
+    found: list[Orbit] = []
+    try:
+        for orbit in gaits_over(runner, FRICTION, frictions, first):
+            found.append(orbit)
+            bar.update()
+    except RunError as problem:
+        return found, str(problem)
+    return found, None
+
+
+def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
+    """All changes of the word, and why some are missing."""
+    borders: list[Border] = []
+    problems: list[str] = []
+    for before, after in pairwise(orbits):
+        try:
+            for border, _ in crossings(Family(runner, FRICTION), before, after):
+                borders.append(border)
+        except RunError as problem:
+            problems.append(str(problem))
+    return borders, problems
 
 
 def _check_frictions(runner: Runner, frictions: Sequence[float]) -> None:
     """Refuse, before any work, frictions at which there is no gait to follow."""
-    if not len(frictions):
-        raise InputError("frictions: none; allowed: one or more")
     for friction in frictions:
         _ = runner.but(FRICTION, friction).inputs
         check_has_gaits(friction)
@@ -171,10 +234,10 @@ def as_dataset(
 
 
 def grid(
-    runner: Runner,
+    runner: Runner | Mapping[str, object],
     frictions: Sequence[float],
     name: str,
-    values: Sequence[float],
+    values: Sequence[float | str],
     path: Path | str,
     *,
     scheduler: str | None = None,
@@ -189,9 +252,9 @@ def grid(
     the file's `problem`.
 
     Args:
-        runner: the other parameters and the start.
+        runner: the other parameters and the start, or start values by name.
         frictions: values along a row.
-        name: the second parameter or input.
+        name: the second parameter or input, or a state that the search for gaits starts with.
         values: one for each row.
         path: of the NetCDF file.
         scheduler: of a Dask cluster, see `blocks.run`. The result does not depend on who computes it.
@@ -202,10 +265,16 @@ def grid(
     Raises:
         InputError: a value is refused, or the file holds another sweep.
     """
-    unit = load() if unit is None else unit
-    coordinates = {name: np.asarray(values, dtype=float), FRICTION: np.asarray(frictions, dtype=float)}
+    unit, runner = load(unit), Runner.of(runner)
+    if name not in STATES:
+        check_varied(name, "name")
     if name == FRICTION:
         raise InputError(f"a grid over {FRICTION} and {name}: allowed: another parameter or input")
+    coordinates = {
+        name: unit.find(name, "values").values_of(values, "values"),
+        FRICTION: unit.find(FRICTION, "frictions").values_of(frictions, "frictions"),
+    }
+    values, frictions = coordinates.values()
     if len(frictions) * len(values) > MOST_VALUES:
         raise InputError(
             f"a grid of {len(frictions)} by {len(values)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
@@ -221,7 +290,7 @@ def grid(
     blank["done"] = (name,), np.zeros(len(values), dtype="i1")
     blank["problem"] = (name,), np.full(len(values), "", dtype=object)
     blank.attrs = attributes
-    path = Path(path)
+    path = check_place(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
     missing = np.flatnonzero(data["done"].values == 0)
     rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
@@ -250,10 +319,9 @@ class Row:
 
 
 def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
-    """The gait at each friction, None from where the branch cannot be followed; and why it cannot, or ""."""
+    """The gait at each friction, None where it was not found; and why not, or ""."""
     try:
-        found = sweep(row.runner, row.frictions)
+        found = _sweep(row.runner, row.frictions)
     except TdmfSlipError as problem:  # also start values that go with other rows only
         return [None] * len(row.frictions), str(problem)
-    rest = [None] * (len(row.frictions) - len(found.orbits))
-    return [*found.orbits, *rest], found.problem or ""
+    return list(found.gaits), found.problem or ""

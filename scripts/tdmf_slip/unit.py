@@ -9,17 +9,19 @@ import difflib
 import functools
 import math
 import os
+import reprlib
 import shutil
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import NoneType
 
 import fmpy
 import numpy as np
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from .errors import InputError, RunError
+from .errors import InputError, RunError, check_kind
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
 FILES = {2: "TDMF_SLIP.fmu", 3: "TDMF_SLIP_FMI3.fmu"}
@@ -36,7 +38,7 @@ def fmu_path(fmi: int = 2) -> Path:
     Raises:
         InputError: there is no such file, or no unit for that version.
     """
-    if fmi not in FILES:
+    if fmi not in tuple(FILES):
         raise InputError(f"fmi = {fmi!r} is not allowed; allowed: {', '.join(map(str, FILES))}")
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else Path(__file__).parent / FILES[2]
@@ -103,6 +105,24 @@ class Variable:
             raise self._refusal(given, where)
         return value
 
+    def values_of(self, given: object, where: str) -> np.ndarray:
+        """One or more values for this variable, each as `value_of` takes it, in an array.
+
+        Raises:
+            InputError: not a row of such values.
+        """
+        try:
+            if isinstance(given, str | Mapping):
+                raise TypeError
+            values = np.array([self.value_of(value, where) for value in given], dtype=float)
+        except TypeError:
+            raise InputError(
+                f"{where} = {reprlib.repr(given)} is not allowed; allowed: a row of values of {self.name}"
+            ) from None
+        if not len(values):
+            raise InputError(f"{where}: no values of {self.name}; allowed: one or more")
+        return values
+
     def _refusal(self, given: object, where: str, hint: str = "") -> InputError:
         shown = given if str(given).isprintable() else repr(given)
         return InputError(f"{where}: {self.name} = {shown} is not allowed; allowed: {self.allowed}{hint}")
@@ -168,6 +188,7 @@ class Unit:
         Raises:
             InputError: there is none; the message has the nearest names.
         """
+        check_kind(name, str, where, "a variable's name")
         if name in self.variables:
             return self.variables[name]
         near = difflib.get_close_matches(name, self.variables, n=3, cutoff=0.5)
@@ -180,6 +201,7 @@ class Unit:
         Raises:
             InputError: an unknown name, a variable that takes no start value, or a value out of range.
         """
+        check_kind(given, Mapping, where, "values by the names of variables")
         checked = {}
         for name, value in given.items():
             variable = self.find(name, where)
@@ -206,7 +228,7 @@ class Unit:
         Raises:
             InputError: no such interface, or this unit does not offer it.
         """
-        if interface not in INTERFACES:
+        if interface not in tuple(INTERFACES):
             raise InputError(f"interface {interface!r} is unknown; allowed: {', '.join(INTERFACES)}")
         offered = {
             "me": self.description.modelExchange is not None,
@@ -223,13 +245,18 @@ class Unit:
         return str(self.description.version or "")
 
 
-def load(path: Path | str | None = None) -> Unit:
+def load(path: Path | str | Unit | None = None) -> Unit:
     """The unit at `path`, or the one that `fmu_path` finds; read again only where the file has changed.
+
+    A unit that is loaded already is given back as it is.
 
     Raises:
         InputError: there is no such file.
         RunError: the file is no usable FMU.
     """
+    if isinstance(path, Unit):
+        return path
+    check_kind(path, (str, os.PathLike, NoneType), "unit", "a Unit, or the path of an FMU")
     path = fmu_path() if path is None else Path(path)
     try:
         return _load(path.resolve(), path.stat().st_mtime_ns)

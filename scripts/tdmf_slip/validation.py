@@ -114,7 +114,7 @@ def validate(
     Raises:
         RunError: a gait was not found.
     """
-    unit = load() if unit is None else unit
+    unit = load(unit)
     parameters: Mapping[str, object] = read_parameters("paper")
     gaits = [
         periodic_gait(

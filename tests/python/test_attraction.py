@@ -52,7 +52,7 @@ def test_a_volume_depends_on_its_seed_alone(gait):
     other = attraction.volume(gait, 5000, seed=1, workers=1)
     assert other != one
     assert abs(other.share - one.share) < 3.0 * (one.interval[1] - one.interval[0])
-    with pytest.raises(InputError, match="samples 0"):
+    with pytest.raises(InputError, match="samples = 0"):
         attraction.volume(gait, 0)
 
 

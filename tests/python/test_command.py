@@ -1,7 +1,9 @@
 """The command line as its users meet it: results on stdout, one message where something is wrong."""
 
 import csv
+import io
 import json
+import pathlib
 import signal
 import subprocess
 import sys
@@ -10,7 +12,7 @@ import time
 import netCDF4
 import pytest
 import tdmf_slip
-from tdmf_slip import reference
+from tdmf_slip import reference, section
 
 
 def test_json_is_one_object_and_nothing_else(command):
@@ -96,9 +98,9 @@ BAD = [
     (["--set", "body.mass=1\n2"], ["1\\n2"]),
     (["--set", "solver.method=1.5"], ["1.5", "native (1)"]),
     (["--set", "leg.length=0.01"], ["leg.length", "0.01", "0.05", "leg.min_length"]),
-    (["--stop-time", "-3"], ["stop_time", "-3"]),
-    (["--strides", "0"], ["strides", "0"]),
-    (["--tolerance", "0"], ["tolerance", "0"]),
+    (["--stop-time", "-3"], ["--stop-time", "-3"]),
+    (["--strides", "0"], ["--strides", "0"]),
+    (["--tolerance", "0"], ["--tolerance", "0"]),
     (["--stop-time", "1e8", "--output-interval", "0.1"], ["1,000,000,000", "10,000,000", "10 gives"]),
     (["--strides", "100", "--output-interval", "1e-7"], ["1,000,000,000", "10,000,000"]),
     (["--set", "solver.method=euler"], ["euler", "native (1)", "cvode (2)"]),
@@ -282,6 +284,32 @@ def test_validate_as_json(command):
     found = json.loads(out)
     assert status == 0 and found["passed"]
     assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 14
+
+
+def test_a_run_begins_on_the_gait_that_was_printed(command, monkeypatch):
+    """At human scale, off the preset's friction: its parameters and its apex go with it."""
+    gait = command("gait", "--parameters", "human", "--friction", 0.5, "--json")[1]
+    found = json.loads(gait)
+    pathlib.Path("gait.json").write_text(gait)
+    monkeypatch.setattr(sys, "stdin", io.StringIO(gait))
+    for name in ("gait.json", "-"):
+        run = json.loads(command("simulate", "--from-gait", name, "--strides", 1, "--json")[1])
+        assert run["stride"]["word"] == found["word"]
+        for quantity in ("period", "length", "work"):
+            assert run["stride"][quantity] == pytest.approx(found[quantity], rel=1e-5), quantity
+        apex = [run["apex"][name] for name in section.COORDINATES]
+        assert apex == pytest.approx(found["apex"], abs=1e-4)
+    pushed = command("simulate", "--from-gait", "gait.json", "--friction", 0.6, "--strides", 1, "--json")[1]
+    assert json.loads(pushed)["stride"]["period"] != pytest.approx(found["period"], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[1]", '{"gaits": []}', '{"start_values": {"mass": 1}}', "[" * 9999]
+)
+def test_what_is_no_gait_is_told(command, monkeypatch, text):
+    monkeypatch.setattr(sys, "stdin", io.StringIO(text))
+    status, out, said = command("simulate", "--from-gait", "-", "--strides", 1)
+    assert (status, out, len(said.strip().splitlines())) == (2, "", 1)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a full device is one of Linux")

@@ -12,7 +12,9 @@ from tdmf_slip.borders import borders_between
 from tdmf_slip.continuation import gaits_over
 from tdmf_slip.library import c, ffi
 from tdmf_slip.orbit import Runner, find_orbit, stride_from
-from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep, values_of
+from tdmf_slip.parameters import read_parameters
+from tdmf_slip.ranges import values_of
+from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep
 
 # Independent values: refined fixed points in extended precision, differenced there.
 EIGENVALUES = {
@@ -151,9 +153,15 @@ def test_a_grid_over_a_mass(runner, unit, tmp_path):
     found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", workers=1, unit=unit)
     assert not found["period"].isnull().any()
     found = grid(
-        runner, [0.6], "foot.y", [-0.1, runner.values["foot.y"]], tmp_path / "y.nc", workers=1, unit=unit
+        runner,
+        [0.6],
+        "leg.length",
+        [0.04, runner.values["leg.length"]],
+        tmp_path / "y.nc",
+        workers=1,
+        unit=unit,
     )
-    assert "foot.y = -0.1" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
+    assert "leg.length = 0.04" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
     assert list(found["done"].values) == [1, 1]
 
 
@@ -271,9 +279,9 @@ def test_a_grid_without_gaits_says_why(command):
 
 
 @pytest.mark.parametrize("text", ["1:2", "a:b:3", "1:2:0", "nan:1:3", "1:inf:4"])
-def test_bad_ranges_are_refused(text):
-    with pytest.raises(InputError, match="--friction"):
-        values_of(text, "linear", "--friction")
+def test_bad_ranges_are_refused(unit, text):
+    with pytest.raises(InputError, match=f"--friction {text}"):
+        values_of(text, "linear", unit.variables[FRICTION], "--friction")
 
 
 def test_a_light_foot_that_never_slips_has_a_gait(unit):
@@ -338,6 +346,34 @@ def test_sweep_that_breaks_off_keeps_what_it_found(command):
     assert status == 1
     assert len(json.loads(out)["gaits"]) == 2
     assert "of 4 gaits were found" in said
+
+
+def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
+    """At human scale, where the runner falls at 0.35: the same gaits from either end."""
+    answers = []
+    for span in ("0.35:0.8:4", "0.8:0.35:4"):
+        options = ("--parameters", "human", "--json", "--output", f"from_{span[:3]}.nc")
+        status, out, said = command("sweep", "--friction", span, *options)
+        found = json.loads(out)
+        assert status == 1 and "no gait at friction 0.3" in said and "3 of 4 gaits were found" in said
+        assert found["missing"] == pytest.approx([0.35])
+        answers.append({round(gait["friction"], 9): gait for gait in found["gaits"]})
+        on_file = xarray.load_dataset(options[-1])
+        assert on_file[FRICTION].size == 4 and int(on_file["period"].isnull().sum()) == 1
+        assert on_file["period"].sel({FRICTION: 0.35}, method="nearest").isnull()
+    assert len(answers[0]) == 3 and list(answers[0]) == list(answers[1])[::-1]
+    for friction, gait in answers[0].items():
+        assert gait["period"] == pytest.approx(answers[1][friction]["period"], rel=1e-10)
+
+
+def test_a_sweep_goes_on_beyond_a_gap(unit):
+    """At human scale; between gaits of different words, but of no common branch, there is no border."""
+    runner = Runner.of(read_parameters("human"), unit)
+    found = sweep(runner, [0.6, 0.3, 0.405])
+    assert [gait and gait.word for gait in found.gaits] == ["+0+", None, "+0-0+"]
+    assert "friction 0.3" in found.problem
+    assert found.borders == ()
+    assert [gait["friction"] for gait in found.as_json()["gaits"]] == [0.6, 0.405]
 
 
 def test_figures_come_with_their_data(command, tmp_path):

@@ -77,7 +77,7 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
     if not chosen:
         raise InputError(f"--only {only}: no such figure; allowed: {', '.join(known)}")
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(exist_ok=True)
     written = []
     with progress.bar("figures", len(chosen), "figures", show_progress) as bar:
         for name, figure in chosen.items():

@@ -25,6 +25,7 @@ def draw(folder: Path, gaits: Sequence[Gait], unit: Unit, show_progress: bool = 
     Raises:
         InputError: nothing can be written there.
     """
+    folder.mkdir(exist_ok=True)
     with progress.bar("pictures", len(gaits) + 7, "", show_progress) as bar:
         strides = {}
         for gait in gaits:

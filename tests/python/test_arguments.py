@@ -1,0 +1,204 @@
+"""Arguments of the Python functions: start values stand for a runner, and what is of another kind is told."""
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import (
+    InputError,
+    attraction,
+    basin,
+    batch,
+    blocks,
+    borders,
+    continuation,
+    ensemble,
+    gait,
+    inputs,
+    orbit,
+    parameters,
+    section,
+    sweep,
+)
+from tdmf_slip.orbit import Runner, find_orbit
+
+FRICTION = "ground.friction"
+START = {FRICTION: 0.2}
+AXES = ("com_height", "com_speed")
+RANGES = ([1.3, 1.4], [1.0, 1.1])
+
+
+@pytest.fixture(scope="module")
+def runner():
+    return Runner.of(START)
+
+
+@pytest.fixture(scope="module")
+def found(runner):
+    return find_orbit(runner)
+
+
+TAKE_A_RUNNER = {
+    "find_orbit": lambda given, found: find_orbit(given).apex,
+    "stride_from": lambda given, found: orbit.stride_from(given, found.apex, FRICTION)[0],
+    "Case": lambda given, found: ensemble.Case(given).runner.values,
+    "run": lambda given, found: ensemble.run([given], [found.apex], most_strides=2)[0]["apex"],
+    "first_orbit": lambda given, found: sweep.first_orbit(given).apex,
+    "sweep": lambda given, found: sweep.sweep(given, [0.3]).orbits[0].apex,
+    "grid": lambda given, found: (
+        sweep.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
+    ),
+    "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
+    "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
+    "trace": lambda given, found: continuation.trace(given, FRICTION, found, 0.21, most_points=2).values,
+    "basin": lambda given, found: basin.basin(given, AXES, RANGES, workers=1)["strides"].values,
+    "stable_gait": lambda given, found: basin.stable_gait(given).apex,
+    "fates": lambda given, found: basin.fates(given, found.apex, [found.apex])["strides"],
+}
+
+
+@pytest.mark.parametrize("name", TAKE_A_RUNNER)
+def test_start_values_stand_for_a_runner(runner, found, tmp_path, monkeypatch, name):
+    call = TAKE_A_RUNNER[name]
+    answers = []
+    for number, given in enumerate((runner, START)):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        answers.append(call(given, found))
+    if isinstance(answers[0], dict):
+        assert answers[0] == answers[1]
+    else:
+        np.testing.assert_array_equal(*answers)
+    for wrong in ("human", 3, found):
+        with pytest.raises(InputError, match=r"runner .*allowed"):
+            call(wrong, found)
+
+
+WRONG = [
+    lambda r, o: find_orbit(r, ["a"] * 6),
+    lambda r, o: find_orbit(r, o),
+    lambda r, o: find_orbit(r, along=3),
+    lambda r, o: find_orbit(r, along=[FRICTION]),
+    lambda r, o: Runner(START),
+    lambda r, o: Runner(3),
+    lambda r, o: Runner.of({3: 4}),
+    lambda r, o: r.but(FRICTION, "x"),
+    lambda r, o: r.but(FRICTION, None),
+    lambda r, o: r.but(FRICTION, [1, 2]),
+    lambda r, o: Runner(r.values, "x").solver(),
+    lambda r, o: ensemble.run(r, [o.apex], most_strides=2),
+    lambda r, o: ensemble.run(ensemble.Case(r), [o.apex], most_strides=2),
+    lambda r, o: ensemble.run(None, [o.apex], most_strides=2),
+    lambda r, o: ensemble.Case(r, o),
+    lambda r, o: sweep.sweep(r, 0.3),
+    lambda r, o: sweep.sweep(r, "0.3:1:3"),
+    lambda r, o: sweep.sweep(r, ["x"]),
+    lambda r, o: sweep.sweep(r, []),
+    lambda r, o: sweep.sweep(r, [[0.3]]),
+    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [], "g.nc"),
+    lambda r, o: sweep.grid(r, [0.3], "leg.damping", 0.2, "g.nc"),
+    lambda r, o: sweep.grid(r, [0.3], "leg.damping", ["x"], "g.nc"),
+    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [0.2], "missing/g.nc"),
+    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [0.2], 3),
+    lambda r, o: sweep.grid(r, [0.3], "solver.relative_tolerance", [0.2], "g.nc"),
+    lambda r, o: next(continuation.gaits_over(r, FRICTION, 0.3, o)),
+    lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], r)),
+    lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], o.apex)),
+    lambda r, o: borders.borders_between(r, FRICTION, r, o),
+    lambda r, o: continuation.trace(r, FRICTION, r, 0.3),
+    lambda r, o: continuation.trace(r, FRICTION, o, "x"),
+    lambda r, o: continuation.trace(r, FRICTION, o, float("nan")),
+    lambda r, o: continuation.trace(r, FRICTION, o, 0.2),
+    lambda r, o: continuation.trace(r, FRICTION, o, 0.3, most_points=0),
+    lambda r, o: continuation.trace(r, FRICTION, o, 0.3, largest_step=-1),
+    lambda r, o: basin.basin(r, AXES, RANGES[:1]),
+    lambda r, o: basin.basin(r, "com_height", RANGES),
+    lambda r, o: basin.basin(r, 3, RANGES),
+    lambda r, o: basin.basin(r, AXES, None),
+    lambda r, o: basin.basin(r, AXES, (1.0, 2.0)),
+    lambda r, o: basin.basin(r, AXES, ("1:2:3", "1:2:3")),
+    lambda r, o: basin.basin(r, AXES, ([1, "x"], [1])),
+    lambda r, o: basin.basin(r, AXES, ([[1, 2]], [1])),
+    lambda r, o: basin.basin(r, AXES, RANGES, path="missing/map.nc"),
+    lambda r, o: basin.basin(r, AXES, RANGES, path=3),
+    lambda r, o: basin.range_around(r, "com_height"),
+    lambda r, o: attraction.volume(r, 10),
+    lambda r, o: attraction.volume(o, 1.5),
+    lambda r, o: attraction.volume(o, float("nan")),
+    lambda r, o: attraction.volume(o, 10, seed=-1),
+    lambda r, o: attraction.robustness(START),
+    lambda r, o: attraction.measure(r),
+    lambda r, o: attraction.measure_all(o),
+    lambda r, o: attraction.measure_all([START]),
+    lambda r, o: tdmf_slip.simulate("human", stop_time=1),
+    lambda r, o: tdmf_slip.simulate(r, stop_time=1),
+    lambda r, o: tdmf_slip.simulate({None: 1}, stop_time=1),
+    lambda r, o: tdmf_slip.simulate(variables=3, stop_time=1),
+    lambda r, o: tdmf_slip.simulate(variables=[3], stop_time=1),
+    lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
+    lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
+    lambda r, o: tdmf_slip.simulate(unit=3, stop_time=1),
+    lambda r, o: tdmf_slip.periodic_gait(0.6, "human"),
+    lambda r, o: tdmf_slip.periodic_gait(0.6, r),
+    lambda r, o: tdmf_slip.periodic_gait(0.6, most_strides="x"),
+    lambda r, o: tdmf_slip.periodic_gait(0.6, relative_tolerance="x"),
+    lambda r, o: tdmf_slip.periodic_gait(START),
+    lambda r, o: tdmf_slip.read_parameters(3),
+    lambda r, o: parameters.read_gait("none.json"),
+    lambda r, o: tdmf_slip.load(3),
+    lambda r, o: tdmf_slip.fmu_path([2]),
+    lambda r, o: batch.run(START, strides=1),
+    lambda r, o: batch.run(iter([START]), strides=1),
+    lambda r, o: batch.run([3], strides=1),
+    lambda r, o: batch.run([START], strides=0),
+    lambda r, o: batch.run([START], strides=1, interface="x"),
+    lambda r, o: batch.run([START], strides=1, relative_tolerance=5),
+    lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load()),
+    lambda r, o: section.start_values(tdmf_slip.load(), [1, 2]),
+    lambda r, o: section.apex_of(START),
+    lambda r, o: blocks.run(abs, [1, 2], workers="x").__enter__(),
+]
+
+
+@pytest.mark.parametrize("number", range(len(WRONG)))
+def test_what_is_of_another_kind_is_told(runner, found, tmp_path, monkeypatch, number):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError) as told:
+        WRONG[number](runner, found)
+    assert len(str(told.value).splitlines()) == 1 and len(str(told.value)) < 400
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_wrong_name_is_told_with_the_nearest(runner, found):
+    for call in (
+        lambda: runner.but("leg.dampin", 1.0),
+        lambda: find_orbit(runner, along="leg.dampin"),
+        lambda: continuation.trace(runner, "leg.dampin", found, 1.0),
+        lambda: tdmf_slip.simulate({"leg.dampin": 1.0}),
+    ):
+        with pytest.raises(InputError, match=r"near matches: leg\.damping"):
+            call()
+
+
+def test_values_may_be_texts_with_a_unit(runner, found, tmp_path):
+    angle = "hip.touchdown_angle"
+    assert runner.but(angle, "42 deg").values[angle] == pytest.approx(np.radians(42.0))
+    last = next(continuation.gaits_over(runner, angle, ["40.5 deg"], found))
+    assert last.runner.values[angle] == pytest.approx(np.radians(40.5))
+    grid = sweep.grid(runner, [0.2], angle, ["39 deg", "40 deg"], tmp_path / "grid.nc", workers=1)
+    assert grid[angle].values == pytest.approx(np.radians([39.0, 40.0]))
+    data = basin.basin(runner, ("leg_angle", "com_speed"), (["70 deg"], [0.9]), workers=1)
+    assert data["leg_angle"].values == pytest.approx(np.radians([70.0]))
+
+
+def test_a_unit_may_be_given_as_it_is_or_by_its_path():
+    unit = tdmf_slip.load()
+    assert tdmf_slip.load(unit) is unit
+    assert tdmf_slip.simulate(unit=tdmf_slip.fmu_path(), stop_time=1).final["time"] == 1.0
+
+
+def test_start_values_of_a_gait_begin_on_it(found):
+    assert gait.QUANTITIES
+    run = tdmf_slip.simulate(found.start_values, strides=1)
+    assert run.stride["word"] == found.word
+    assert run.stride["period"] == pytest.approx(found.period, rel=1e-6)
