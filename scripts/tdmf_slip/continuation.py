@@ -6,6 +6,7 @@ A branch is followed by pseudo-arclength continuation on the exact Jacobian.
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from numbers import Real
 
 import numpy as np
 
@@ -126,7 +127,9 @@ def trace(
     check_orbit(first, "first")
     checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
     checked_whole("most_points", most_points, 1, MOST_POINTS)
-    start, end = first.runner.values[name], load().find(name, "name").value_of(end, "end")
+    start = first.runner.values[name]
+    if not isinstance(end, Real):
+        end = load().find(name, "name").value_of(end, "end")
     if not abs(end - start) > 0.0:
         raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
     family = Family(runner.but(name, start), name)
