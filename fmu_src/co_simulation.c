@@ -19,6 +19,9 @@ call_status step_on(instance *instance, const char *call, double time, double st
     if (!(step > 0.0 && isfinite(step) && isfinite(time + step))) {
         return refuse(instance, call, "the step is not a positive number");
     }
+    if (!(time + step > time)) {
+        return fail(instance, call, "a step of %g s is lost in the rounding of the time, %g s", step, time);
+    }
     const double allowed = clock_rounding(time, step);
     if (!(fabs(time - unit->motion.time) <= allowed)) {
         return refuse(instance, call, "the communication point is not where the last step ended");

@@ -62,6 +62,13 @@ static void pass_finite(transfer *bytes, const char *name, double *value) {
     pass_between(bytes, name, value, -DBL_MAX, DBL_MAX);
 }
 
+/* What rounding leaves out is less than the last digit. */
+static void pass_instant(transfer *bytes, const char *name, tdmf_instant *instant) {
+    pass_finite(bytes, name, &instant->time);
+    const double digit = DBL_EPSILON * fabs(instant->time);
+    pass_between(bytes, name, &instant->rest, -digit, digit);
+}
+
 static void pass_integer(transfer *bytes, const char *name, int *value, int minimum, int maximum) {
     if (pass(bytes, value, sizeof *value)) {
         require(bytes, *value >= minimum && *value <= maximum, name);
@@ -143,11 +150,11 @@ static void pass_apex(transfer *bytes, tdmf_apex *apex) {
 static void pass_open_stride(transfer *bytes, tdmf_open_stride *open) {
     pass_flag(bytes, "whether the open stride began at an apex", &open->began_at_apex);
     pass_flag(bytes, "whether the foot flew since the last letter", &open->flew_since_letter);
-    pass_finite(bytes, "the open stride's start time", &open->start_time);
+    pass_instant(bytes, "the open stride's start time", &open->start);
     pass_sum(bytes, "the open stride's start", &open->start_com_x);
     pass_sum(bytes, "the open stride's work", &open->start_work);
     pass_sum(bytes, "the open stride's positive work", &open->start_positive_work);
-    pass_finite(bytes, "the contact's start time", &open->contact_start_time);
+    pass_instant(bytes, "the contact's start time", &open->contact_start);
     pass_sum(bytes, "the contact's start", &open->contact_start_x);
     pass_sum(bytes, "the open stride's stance time", &open->stance_time);
     pass_sum(bytes, "the open stride's slip distance", &open->slip_distance);
@@ -160,6 +167,7 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
     pass_count(bytes, "event.count", &record->event_count);
     pass_finite(bytes, "event.last_time", &record->last_event_time);
     pass_sum(bytes, "energy.impact_loss", &record->impact_loss);
+    pass_instant(bytes, "the instant", &record->now);
     pass_stride(bytes, &record->stride);
     pass_apex(bytes, &record->apex);
     pass_open_stride(bytes, &record->open);
@@ -307,8 +315,8 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
     if (run->interface != MODEL_EXCHANGE) { /* there, time and states are the importer's */
         require(bytes, foot_suits_contact(model, motion), "foot.y");
         require(bytes, is_past(model, record->last_event_time, motion->time), "event.last_time");
-        require(bytes, is_past(model, record->open.start_time, motion->time), "the open stride's start time");
-        require(bytes, is_past(model, record->open.contact_start_time, motion->time),
+        require(bytes, is_past(model, record->open.start.time, motion->time), "the open stride's start time");
+        require(bytes, is_past(model, record->open.contact_start.time, motion->time),
                 "the contact's start time");
     }
 }

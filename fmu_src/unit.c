@@ -179,12 +179,19 @@ const char *unit_settings_obstacle(const unit *unit) {
     return NULL;
 }
 
+/* Set by the importer, time may be elsewhere than where the solver left off. */
+static tdmf_instant instant_of(const unit *unit) {
+    const tdmf_instant set = {unit->motion.time, 0.0};
+    return unit->motion.record.now.time == set.time ? unit->motion.record.now : set;
+}
+
 static tdmf_outcome advance(unit *unit, double until) {
-    const double start = unit->motion.time;
+    const tdmf_instant start = instant_of(unit);
     const bool by_cvode = unit->settings.solver.method == SOLVER_CVODE;
     const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
         &unit->solver, &unit->model, &unit->inputs, &unit->input_rates, until, &unit->motion);
-    unit->inputs = tdmf_inputs_after(&unit->inputs, &unit->input_rates, unit->motion.time - start);
+    unit->inputs =
+        tdmf_inputs_after(&unit->inputs, &unit->input_rates, tdmf_time_between(start, instant_of(unit)));
     return outcome;
 }
 
@@ -251,11 +258,15 @@ static tdmf_outcome advance_through_event(unit *unit, double until, const unit_m
 
 /* The event, under inputs that were set since it was found: it may be another one by now, or none. */
 static bool take_event_anew(unit *unit) {
-    const double time = unit->motion.time;
+    const tdmf_motion before = unit->motion;
+    const double time = before.time;
     const tdmf_inputs inputs = unit->inputs;
     const unit_mark mark = mark_of(unit);
     tdmf_record *record = &unit->motion.record;
-    advance_through_event(unit, time + 2.0 * unit->event_lead, &mark);
+    advance_through_event(unit, fmax(time + 2.0 * unit->event_lead, nextafter(time, INFINITY)), &mark);
+    if (!event_has_happened(unit, &mark)) {
+        unit->motion = before;
+    }
     unit->motion.time = time;
     record->last_event_time = fmin(record->last_event_time, time);
     record->apex.time = fmin(record->apex.time, time);
@@ -333,13 +344,23 @@ const char *unit_advance(unit *unit, double until, const unit_observer *observer
         unit, observer->note != NULL ? advance_observed(unit, until, observer) : advance(unit, until), until);
 }
 
+/* Integrates for a time that the clock may be too coarse for: it is set to 0 for that, which no event takes
+ * note of as long as there is none. */
+static void advance_by(unit *unit, double duration) {
+    static const tdmf_instant zero = {0.0, 0.0};
+    unit->motion.time = zero.time;
+    unit->motion.record.now = zero;
+    advance(unit, duration);
+}
+
 /* Leaves `unit`, which is at the start, where an event is about to happen. Integrating up to the event's very
  * time might take it, so the last bit before it is left out: some rounding errors, or what it takes. */
-static void stand_before_event(unit *unit, double event_time, const unit_mark *since) {
+static void stand_before_event(unit *unit, tdmf_instant event, const unit_mark *since) {
     const struct unit start = *unit;
-    double gap = 1e-13 * fmax(fabs(event_time), unit->model.scales.time);
-    while (start.motion.time < event_time - gap) {
-        advance(unit, event_time - gap);
+    const double ahead = tdmf_time_between(instant_of(unit), event);
+    double gap = 1e-13 * fmax(ahead, unit->model.scales.time);
+    while (gap < ahead) {
+        advance_by(unit, ahead - gap);
         if (!event_has_happened(unit, since)) {
             break;
         }
@@ -347,8 +368,9 @@ static void stand_before_event(unit *unit, double event_time, const unit_mark *s
         unit->inputs = start.inputs;
         gap *= 8.0;
     }
-    unit->event_lead = fmax(gap, event_time - unit->motion.time);
-    unit->motion.time = event_time;
+    unit->event_lead = gap;
+    unit->motion.time = event.time;
+    unit->motion.record.now = event;
 }
 
 const char *unit_advance_to_event(unit *unit, double until, const unit_observer *observer) {
@@ -361,7 +383,7 @@ const char *unit_advance_to_event(unit *unit, double until, const unit_observer 
         return conclude(unit, outcome, until);
     }
     unit->solver = ahead.solver;
-    stand_before_event(unit, ahead.motion.time, &mark);
+    stand_before_event(unit, instant_of(&ahead), &mark);
     unit->inputs = ahead.inputs;
     unit->event_guard = ahead.event_guard;
     unit->event_inputs = ahead.inputs;

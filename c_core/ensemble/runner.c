@@ -203,7 +203,8 @@ static void disembark(tdmf_runner *runner, const double *fields) {
         read_standing(fields, &at);
     }
     tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
-    motion->time += now.elapsed;
+    motion->record.now = tdmf_instant_after(motion->record.now, now.elapsed);
+    motion->time = motion->record.now.time;
     runner->steps_left = (long)now.steps_left;
     runner->span = now.span;
     runner->steps_in_span = now.steps_in_span;
@@ -260,9 +261,11 @@ static bool close_stride(tdmf_runner *runner) {
 
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
-    const double time = motion->time;
+    const tdmf_instant boarded = motion->record.now;
     disembark(runner, fields);
-    runner->events_at_once = motion->time > time ? 1 : runner->events_at_once + 1;
+    const double elapsed = tdmf_time_between(boarded, motion->record.now);
+    runner->events_at_once =
+        tdmf_is_at_once(runner->its_case->model, elapsed) ? runner->events_at_once + 1 : 1;
     tdmf_run run = {
         runner->its_case->model, &runner->its_case->inputs, motion->time, motion->state, &motion->mode,
         &motion->record};

@@ -6,6 +6,9 @@
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 
+/* A time given to the automaton, as fine as the solver knows it. */
+tdmf_instant tdmf_record_instant(const tdmf_record *record, double time);
+
 void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF_STATE_COUNT]);
 
 void tdmf_record_event(tdmf_record *record, double time);

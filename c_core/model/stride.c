@@ -55,22 +55,28 @@ static int code_of(const char *word) {
     return code;
 }
 
-static void open_stride(tdmf_open_stride *open, double time, double com_x,
+tdmf_instant tdmf_record_instant(const tdmf_record *record, double time) {
+    const tdmf_instant rounded = {time, 0.0};
+    return record->now.time == time ? record->now : rounded;
+}
+
+static void open_stride(tdmf_open_stride *open, tdmf_instant now, double com_x,
                         const double state[TDMF_STATE_COUNT]) {
     memset(open, 0, sizeof *open);
-    open->start_time = time;
+    open->start = now;
     open->start_com_x = com_x;
     open->start_work = state[TDMF_HIP_WORK];
     open->start_positive_work = state[TDMF_HIP_POSITIVE_WORK];
-    open->contact_start_time = time;
+    open->contact_start = now;
     open->contact_start_x = state[TDMF_FOOT_X];
 }
 
 void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF_STATE_COUNT]) {
     memset(record, 0, sizeof *record);
     record->last_event_time = time;
+    record->now.time = time;
     /* Not begun at an apex, so never counted: the centre of mass may as well start at 0. */
-    open_stride(&record->open, time, 0.0, state);
+    open_stride(&record->open, record->now, 0.0, state);
 }
 
 void tdmf_record_event(tdmf_record *record, double time) {
@@ -86,7 +92,8 @@ void tdmf_record_impact(tdmf_record *record, double loss) {
 void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
                                 tdmf_contact_mode entered, const double state[TDMF_STATE_COUNT]) {
     tdmf_open_stride *open = &record->open;
-    const double duration = time - open->contact_start_time;
+    const tdmf_instant now = tdmf_record_instant(record, time);
+    const double duration = tdmf_time_between(open->contact_start, now);
     if (tdmf_in_contact(left) && duration > 0.0) {
         write_letter(open, letter_of(left));
         open->stance_time += duration;
@@ -95,7 +102,7 @@ void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mod
     if (entered == TDMF_CONTACT_FLIGHT) {
         open->flew_since_letter = true;
     }
-    open->contact_start_time = time;
+    open->contact_start = now;
     open->contact_start_x = state[TDMF_FOOT_X];
 }
 
@@ -108,10 +115,10 @@ static double ratio_or_zero(double numerator, double denominator) {
 }
 
 static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, const tdmf_model *model,
-                         double time, double com_x, const double state[TDMF_STATE_COUNT]) {
+                         tdmf_instant now, double com_x, const double state[TDMF_STATE_COUNT]) {
     const double weight = model->total_mass * model->parameters.gravity;
     count(&stride->count);
-    stride->period = time - open->start_time;
+    stride->period = tdmf_time_between(open->start, now);
     stride->length = com_x - open->start_com_x;
     stride->speed = ratio_or_zero(stride->length, stride->period);
     stride->work = state[TDMF_HIP_WORK] - open->start_work;
@@ -129,10 +136,11 @@ static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, cons
 void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
                       const double state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, state);
+    const tdmf_instant now = tdmf_record_instant(record, time);
     if (record->open.began_at_apex) {
-        close_stride(&record->stride, &record->open, model, time, com.x, state);
+        close_stride(&record->stride, &record->open, model, now, com.x, state);
     }
-    open_stride(&record->open, time, com.x, state);
+    open_stride(&record->open, now, com.x, state);
     record->open.began_at_apex = true;
     record->apex.time = time;
     record->apex.com_height = com.y;

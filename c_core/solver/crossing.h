@@ -11,6 +11,11 @@ typedef struct {
     tdmf_guard guard;
 } tdmf_crossing;
 
+/* Whether so little time has passed since the last event that rounding may have made two of one. */
+static inline bool tdmf_is_at_once(const tdmf_model *model, double elapsed) {
+    return elapsed <= TDMF_GUARD_MARGIN * model->scales.time;
+}
+
 /* How much further below zero a guard has to be, the more events there were at one instant: where the model,
  * whose rounding is another, has not found due what its series found, a search would stand there for ever. */
 static inline double tdmf_patience(int events_at_once) {

@@ -3,6 +3,7 @@
 #include "tdmf_slip/cvode.h"
 
 #include "event_log.h"
+#include "record.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
@@ -17,11 +18,12 @@ bool tdmf_cvode_is_available(void) {
     return true;
 }
 
+/* CVODE's own time counts from its last restart: whatever the clock says, it has all digits. */
 typedef struct {
     const tdmf_model *model;
     const tdmf_inputs *inputs; /* at `start` */
     const tdmf_input_rates *rates;
-    double start;
+    tdmf_instant start, restart;
     tdmf_motion *motion;
     tdmf_solver *options;
 } problem;
@@ -35,13 +37,14 @@ typedef struct {
     void *integrator;
 } workspace;
 
-static tdmf_inputs inputs_at(const problem *problem, double time) {
-    return tdmf_inputs_after(problem->inputs, problem->rates, time - problem->start);
+static tdmf_inputs inputs_after(const problem *problem, double since_restart) {
+    const double elapsed = tdmf_time_between(problem->start, problem->restart) + since_restart;
+    return tdmf_inputs_after(problem->inputs, problem->rates, elapsed);
 }
 
 static int right_hand_side(realtype time, N_Vector state, N_Vector slope, void *data) {
     problem *problem = data;
-    const tdmf_inputs inputs = inputs_at(problem, time);
+    const tdmf_inputs inputs = inputs_after(problem, time);
     tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state),
                      N_VGetArrayPointer(slope));
     ++problem->options->evaluations;
@@ -50,7 +53,7 @@ static int right_hand_side(realtype time, N_Vector state, N_Vector slope, void *
 
 static int root_functions(realtype time, N_Vector state, realtype *guards, void *data) {
     const problem *problem = data;
-    const tdmf_inputs inputs = inputs_at(problem, time);
+    const tdmf_inputs inputs = inputs_after(problem, time);
     tdmf_guards(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state), guards);
     return 0;
 }
@@ -117,7 +120,7 @@ static bool configure(workspace *space, problem *problem) {
     set_tolerances(problem->model, tolerance, space->tolerances);
     memcpy(N_VGetArrayPointer(space->state), problem->motion->state, sizeof problem->motion->state);
     return CVodeSetErrHandlerFn(cvode, stay_silent, NULL) == CV_SUCCESS &&
-           CVodeInit(cvode, right_hand_side, problem->motion->time, space->state) == CV_SUCCESS &&
+           CVodeInit(cvode, right_hand_side, 0.0, space->state) == CV_SUCCESS &&
            CVodeSetUserData(cvode, problem) == CV_SUCCESS &&
            CVodeSVtolerances(cvode, tolerance, space->tolerances) == CV_SUCCESS &&
            CVodeSetLinearSolver(cvode, space->linear_solver, space->matrix) == CV_SUCCESS &&
@@ -139,7 +142,8 @@ static int guard_that_fired(void *integrator) {
 /* Takes the transitions due at CVODE's present time and state, and restarts it there. */
 static bool take_events(workspace *space, problem *problem) {
     tdmf_motion *motion = problem->motion;
-    const tdmf_inputs inputs = inputs_at(problem, motion->time);
+    problem->restart = motion->record.now;
+    const tdmf_inputs inputs = inputs_after(problem, 0.0);
     tdmf_event event = {
         .time = motion->time, .guard = guard_that_fired(space->integrator), .before = motion->mode};
     memcpy(event.state, motion->state, sizeof event.state);
@@ -148,32 +152,36 @@ static bool take_events(workspace *space, problem *problem) {
     tdmf_log_event(problem->options->log, &event);
     ++problem->options->events;
     memcpy(N_VGetArrayPointer(space->state), motion->state, sizeof motion->state);
-    return CVodeReInit(space->integrator, motion->time, space->state) == CV_SUCCESS;
+    return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS;
 }
 
 static tdmf_outcome integrate(workspace *space, problem *problem, double until) {
     tdmf_motion *motion = problem->motion;
+    const tdmf_instant end = {until, 0.0};
     long steps_left = problem->options->step_limit;
-    for (long events = problem->options->event_limit; motion->time < until && !motion->mode.fallen;
-         --events) {
+    for (long events = problem->options->event_limit;
+         tdmf_time_between(motion->record.now, end) > 0.0 && !motion->mode.fallen; --events) {
+        const double left = tdmf_time_between(motion->record.now, end);
         if (events <= 0) {
             return TDMF_TOO_MANY_EVENTS;
         }
         if (steps_left <= 0) {
             return TDMF_TOO_MANY_STEPS;
         }
-        if (CVodeSetStopTime(space->integrator, until) != CV_SUCCESS ||
+        if (CVodeSetStopTime(space->integrator, left) != CV_SUCCESS ||
             CVodeSetMaxNumSteps(space->integrator, steps_left) != CV_SUCCESS) {
             return TDMF_NO_PROGRESS;
         }
-        realtype time = motion->time;
+        realtype time = 0.0;
         long steps = 0;
-        const int flag = CVode(space->integrator, until, space->state, &time, CV_NORMAL);
+        const int flag = CVode(space->integrator, left, space->state, &time, CV_NORMAL);
         CVodeGetNumSteps(space->integrator, &steps); /* since the last restart */
         problem->options->steps += steps;
         steps_left -= steps;
         /* Where it failed CVODE gives the last time and state that it reached. */
-        motion->time = flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? until : time;
+        motion->record.now =
+            flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? end : tdmf_instant_after(problem->restart, time);
+        motion->time = motion->record.now.time;
         memcpy(motion->state, N_VGetArrayPointer(space->state), sizeof motion->state);
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
@@ -187,12 +195,14 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
-    problem problem = {model, inputs, rates, motion->time, motion, options};
+    const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
+    problem problem = {model, inputs, rates, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
     if (!tdmf_is_sound_request(options, inputs, rates, until, motion)) {
         return TDMF_REFUSED;
     }
+    motion->record.now = start;
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     if (allocate(&space) && configure(&space, &problem)) {

@@ -5,6 +5,7 @@
 #include "carried.h"
 #include "crossing.h"
 #include "event_log.h"
+#include "record.h"
 #include "request.h"
 #include "saltation.h"
 #include "tdmf_slip/automaton.h"
@@ -28,7 +29,7 @@ typedef struct {
     /* Counted against TDMF_STIFFNESS_LIMIT. */
     double span;
     int steps_in_span, events_in_span;
-    int events_at_once; /* since the time went on */
+    int events_at_once;
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
     const tdmf_change *changes;
@@ -125,6 +126,18 @@ static double time_to_no_friction(const march *march) {
     return march->rates.friction < 0.0 ? march->inputs.ground.friction / -march->rates.friction : INFINITY;
 }
 
+static double time_left(const march *march) {
+    const tdmf_instant until = {march->until, 0.0};
+    return tdmf_time_between(march->motion->record.now, until);
+}
+
+static void move_time(march *march, double elapsed) {
+    tdmf_motion *motion = march->motion;
+    const tdmf_instant until = {march->until, 0.0};
+    motion->record.now = elapsed < time_left(march) ? tdmf_instant_after(motion->record.now, elapsed) : until;
+    motion->time = motion->record.now.time;
+}
+
 static void move_inputs(march *march, double elapsed) {
     const bool friction_ends = elapsed >= time_to_no_friction(march);
     march->inputs = tdmf_inputs_after(&march->inputs, &march->rates, elapsed);
@@ -184,12 +197,10 @@ static bool resolve(march *march, tdmf_guard guard) {
 
 /* Takes the event that is due after `elapsed`. */
 static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const tdmf_coordinates *reached) {
-    tdmf_motion *motion = march->motion;
-    const double time = motion->time + elapsed;
-    march->events_at_once = time > motion->time ? 1 : march->events_at_once + 1;
+    march->events_at_once = tdmf_is_at_once(march->model, elapsed) ? march->events_at_once + 1 : 1;
     --march->events_left;
     write_state(march, elapsed, reached);
-    motion->time = time;
+    move_time(march, elapsed);
     move_inputs(march, elapsed);
     march->solver->events += resolve(march, guard);
     ++march->events_in_span;
@@ -197,8 +208,7 @@ static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const 
 }
 
 static void go_on(march *march, double elapsed, const tdmf_coordinates *reached) {
-    tdmf_motion *motion = march->motion;
-    motion->time = elapsed < march->until - motion->time ? motion->time + elapsed : march->until;
+    move_time(march, elapsed);
     tdmf_chart_shift(&march->chart, elapsed, reached);
     march->chart_is_ahead = true;
     march->events_at_once = 0;
@@ -213,7 +223,7 @@ static bool is_finite(const tdmf_coordinates *c) {
 /* By the coefficients of a mode that is opened. Slip and graze may be over before it matters. */
 static bool opens_too_stiff(const march *march) {
     const tdmf_contact_mode contact = march->chart.contact;
-    const double ahead = fmin(march->model->scales.time, march->until - march->motion->time);
+    const double ahead = fmin(march->model->scales.time, time_left(march));
     return !march->chart_is_ahead && (contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK) &&
            TDMF_STIFFNESS_LIMIT * march->step.longest < ahead;
 }
@@ -251,10 +261,10 @@ static tdmf_outcome advance_once(march *march) {
     if (opens_too_stiff(march)) {
         return TDMF_TOO_STIFF;
     }
-    if (!(motion->time + step->size > motion->time)) {
+    if (!(step->size > 0.0)) {
         return TDMF_NO_PROGRESS;
     }
-    step->size = fmin(step->size, fmin(march->until - motion->time, time_to_no_friction(march)));
+    step->size = fmin(step->size, fmin(time_left(march), time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
     const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode,
                                                        tdmf_patience(march->events_at_once));
@@ -288,6 +298,7 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->rates = *rates;
     march->motion = motion;
     march->until = until;
+    motion->record.now = tdmf_record_instant(&motion->record, motion->time);
     march->order = tdmf_step_order(solver->relative_tolerance);
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
@@ -305,7 +316,7 @@ static tdmf_outcome advance(march *march, bool one_stride) {
     tdmf_motion *motion = march->motion;
     const int count = motion->record.stride.count;
     tdmf_outcome outcome = TDMF_ARRIVED;
-    while (outcome == TDMF_ARRIVED && motion->time < march->until && !motion->mode.fallen &&
+    while (outcome == TDMF_ARRIVED && time_left(march) > 0.0 && !motion->mode.fallen &&
            !(one_stride && motion->record.stride.count > count)) {
         const bool may_go_on = march->events_left > 0 && march->events_at_once < TDMF_CHAIN_LIMIT;
         outcome = may_go_on ? advance_once(march) : TDMF_TOO_MANY_EVENTS;

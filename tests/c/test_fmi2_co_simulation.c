@@ -109,6 +109,53 @@ static void a_run_may_start_at_any_time(void **state) {
     assert_close(get_real(*state, "apex.time"), 1000.0 + 2.0 * period, 1e-6);
 }
 
+enum { COMPARED = 7 };
+static const char *const compared[COMPARED] = {"stride.period",      "stride.length", "stride.speed",
+                                               "stride.stance_time", "stride.work",   "stride.duty_factor",
+                                               "stride.peak_force"};
+
+/* Four strides from a start time; what they were. */
+static void run_from(double start, double step, double quantities[COMPARED]) {
+    fmi2Component component = new_slave();
+    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, start, fmi2False, 0.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    run(component, start, start + 4.0 * step * ceil(period / step), step);
+    for (int i = 0; i < COMPARED; ++i) {
+        quantities[i] = get_real(component, compared[i]);
+    }
+    assert_int_equal(get_integer(component, "stride.count"), 4);
+    assert_int_equal(get_integer(component, "stride.word_code"), 3 * 256 + 2 * 64 + 1 * 16 + 2 * 4 + 3);
+    assert_true(fabs(get_real(component, "apex.time") - start - 4.0 * period) < 1e-3 + 1e-15 * start);
+    fmi2FreeInstance(component);
+}
+
+/* The clock may count the seconds of an epoch, or be coarser than a mode is long. */
+static void strides_do_not_depend_on_the_start_time(void **state) {
+    static const double starts[] = {1.7e9, 1e13};
+    static const double steps[] = {0.1, 0.25, 7.0};
+    (void)state;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        double expected[COMPARED], actual[COMPARED];
+        run_from(0.0, steps[i], expected);
+        for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+            run_from(starts[k], steps[i], actual);
+            for (int q = 0; q < COMPARED; ++q) {
+                assert_relatively_close(actual[q], expected[q], 1e-9);
+            }
+        }
+    }
+}
+
+static void a_step_lost_in_the_clock_is_refused(void **state) {
+    assert_int_equal(fmi2SetupExperiment(*state, fmi2False, 0.0, 1e17, fmi2False, 0.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(*state), fmi2OK);
+    assert_int_equal(fmi2ExitInitializationMode(*state), fmi2OK);
+    assert_int_equal(fmi2DoStep(*state, 1e17, 64.0, fmi2True), fmi2OK);
+    assert_int_equal(fmi2DoStep(*state, 1e17 + 64.0, 0.1, fmi2True), fmi2Error);
+    assert_non_null(strstr(last_message, "0.1 s is lost"));
+}
+
 static bool has_fallen(fmi2Component component) {
     const fmi2ValueReference fallen = reference_of("status.fallen");
     fmi2Boolean value = fmi2False;
@@ -302,6 +349,8 @@ int main(void) {
         ON_FRESH_INSTANCE(rates_beyond_reason_end_in_a_message),
         ON_FRESH_INSTANCE(steps_that_are_none_are_refused),
         ON_FRESH_INSTANCE(a_run_may_start_at_any_time),
+        cmocka_unit_test(strides_do_not_depend_on_the_start_time),
+        ON_FRESH_INSTANCE(a_step_lost_in_the_clock_is_refused),
         ON_FRESH_INSTANCE(a_fall_freezes_and_stays_readable),
         ON_FRESH_INSTANCE(stiff_parameters_end_in_a_message),
         cmocka_unit_test(the_tighter_tolerance_wins),

@@ -112,7 +112,57 @@ static void stopping_at_every_event_changes_nothing(void **state) {
     }
 }
 
+/* By a clock that counts the seconds of an epoch, or more coarsely yet. */
+static void strides_stopped_at_events_do_not_depend_on_the_start_time(void **state) {
+    static const double starts[] = {1.7e9, 1e13};
+    static const char *const quantities[] = {"stride.period", "stride.length", "stride.stance_time",
+                                             "stride.duty_factor", "stride.work"};
+    (void)state;
+    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
+        fmi3Instance at_zero = stepper_in_step_mode(true, true), later = new_stepper(true, true);
+        update_answer answer;
+        assert_int_equal(fmi3EnterInitializationMode(later, fmi3False, 0.0, starts[i], fmi3False, 0.0),
+                         fmi3OK);
+        assert_int_equal(fmi3ExitInitializationMode(later), fmi3OK);
+        assert_int_equal(update(later, &answer), fmi3OK);
+        assert_int_equal(fmi3EnterStepMode(later), fmi3OK);
+        const int events = run_by_events(at_zero, 0.0, 250.0, 0.5);
+        assert_int_equal(run_by_events(later, starts[i], starts[i] + 250.0, 0.5), events);
+        assert_int_equal(get_int(later, "stride.word_code"), get_int(at_zero, "stride.word_code"));
+        for (size_t k = 0; k < sizeof quantities / sizeof quantities[0]; ++k) {
+            assert_relatively_close(get_float(later, quantities[k]), get_float(at_zero, quantities[k]), 1e-9);
+        }
+        fmi3FreeInstance(at_zero);
+        fmi3FreeInstance(later);
+    }
+}
+
 /* ---- events ------------------------------------------------------------------------------------------- */
+
+static void the_left_limit_is_as_near_by_a_coarse_clock(void **state) {
+    const double start = 1.7e9;
+    step_answer step;
+    update_answer answer;
+    fmi3Instance instance = new_stepper(true, true);
+    (void)state;
+    assert_int_equal(fmi3EnterInitializationMode(instance, fmi3False, 0.0, start, fmi3False, 0.0), fmi3OK);
+    assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
+    assert_int_equal(update(instance, &answer), fmi3OK);
+    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+    assert_int_equal(do_step(instance, start, 20.0, &step), fmi3OK);
+    assert_true(step.event && step.early);
+    assert_close(get_float(instance, "foot.y"), 0.0, 1e-11);
+    const double falling = get_float(instance, "foot.vy");
+    const fmi3ValueReference friction = reference_of("ground.friction");
+    const fmi3Float64 rough = 100.0;
+    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+    assert_int_equal(fmi3SetFloat64(instance, &friction, 1, &rough, 1), fmi3OK);
+    assert_int_equal(update(instance, &answer), fmi3OK);
+    assert_true(falling < -0.1 && get_float(instance, "foot.vy") == 0.0);
+    assert_close(get_float(instance, "foot.y"), 0.0, 1e-11);
+    assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
+    fmi3FreeInstance(instance);
+}
 
 static void a_step_ends_at_the_event_and_before_it(void **state) {
     step_answer step;
@@ -456,6 +506,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_event_mode_it_is_the_fmi2_unit),
         cmocka_unit_test(stopping_at_every_event_changes_nothing),
+        cmocka_unit_test(strides_stopped_at_events_do_not_depend_on_the_start_time),
+        cmocka_unit_test(the_left_limit_is_as_near_by_a_coarse_clock),
         cmocka_unit_test(a_step_ends_at_the_event_and_before_it),
         cmocka_unit_test(states_before_an_event_are_its_left_limit),
         cmocka_unit_test(an_event_left_unhandled_is_taken_by_the_next_step),

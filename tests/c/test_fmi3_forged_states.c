@@ -290,10 +290,10 @@ static void an_event_elsewhere_is_refused(void **unused) {
     const double time = get_float(instance, "time");
     const double later = nextafter(time, INFINITY), ahead = time + 1.0;
     bad = good;
-    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 1), &later, sizeof later);
+    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 2), &later, sizeof later);
     assert_refused(STEPS_WITH_EVENTS, &bad, "the pending event");
     bad = good;
-    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 2), &ahead, sizeof ahead);
+    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 3), &ahead, sizeof ahead);
     assert_refused(STEPS_WITH_EVENTS, &bad, "event.last_time");
     fmi3FreeInstance(instance);
 }

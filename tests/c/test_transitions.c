@@ -250,7 +250,7 @@ static void slip_that_stops_under_external_torque_reverses(void **unused) {
 static void slip_that_touches_zero_goes_on_without_event(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.1);
-    runner.record.open.contact_start_time = 1.0;
+    runner.record.open.contact_start.time = 1.0;
     runner.state[TDMF_FOOT_VX] = beyond;
     assert_false(resolve(&runner, 0).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);

@@ -2,6 +2,8 @@
 #ifndef TDMF_SLIP_STRIDE_H
 #define TDMF_SLIP_STRIDE_H
 
+#include "tdmf_slip/instant.h"
+
 #include <stdbool.h>
 
 #ifdef __cplusplus
@@ -44,9 +46,9 @@ typedef struct {
 /* Sums over the stride under way; of use to the automaton only. */
 typedef struct {
     bool began_at_apex;
-    bool flew_since_letter; /* the next letter belongs to a new stance */
-    double start_time, start_com_x, start_work, start_positive_work;
-    double contact_start_time, contact_start_x; /* of the present contact mode */
+    bool flew_since_letter;            /* the next letter belongs to a new stance */
+    tdmf_instant start, contact_start; /* of the stride and of the present contact mode */
+    double start_com_x, contact_start_x, start_work, start_positive_work;
     double stance_time, slip_distance, peak_force;
     int touchdowns;
     char word[TDMF_WORD_CAPACITY];
@@ -56,6 +58,7 @@ typedef struct {
     int event_count;        /* contact and phase changes since the start */
     double last_event_time; /* s; the start time while there was none */
     double impact_loss;     /* J, since the start */
+    tdmf_instant now;       /* where a solver has got to; of use to solvers only */
     tdmf_stride stride;
     tdmf_apex apex;
     tdmf_open_stride open;
