@@ -2,8 +2,6 @@
  */
 #include "carried.h"
 
-#include "tangent_series.h"
-
 #include <math.h>
 
 /* Of the model's derived constants. */
@@ -82,6 +80,18 @@ static void flight_carried_to(const tdmf_chart *chart, const double state[TDMF_S
     d_state[TDMF_LEG_ANGLE_RATE] = carried->at.angle_rate;
 }
 
+/* Share of the servo in the varied torque. In retract that is max{servo, 0}, which gains that are both zero
+ * have no derivative by. */
+static double servo_share(const tdmf_parameters *p, const tdmf_parameters *d, const tdmf_mode *mode) {
+    if (mode->phase != TDMF_PHASE_RETRACT) {
+        return 1.0;
+    }
+    if (p->hip.kp == 0.0 && p->hip.kd == 0.0 && (d->hip.kp != 0.0 || d->hip.kd != 0.0)) {
+        return NAN;
+    }
+    return mode->clamp_closed ? 0.0 : 1.0;
+}
+
 static flight_coefficients vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
                                                     const tdmf_change *change, const tdmf_carried *carried) {
     const tdmf_model *model = chart->model;
@@ -91,7 +101,7 @@ static flight_coefficients vary_flight_coefficients(const tdmf_chart *chart, con
     const double mobility = model->inverse_body_mass + model->inverse_foot_mass;
     const double d_mobility = derived.inverse_body_mass + derived.inverse_foot_mass;
     const bool retracts = mode->phase == TDMF_PHASE_RETRACT;
-    const double servo = retracts && mode->clamp_closed ? 0.0 : 1.0;
+    const double servo = servo_share(p, d, mode);
     const flight_coefficients varied = {
         .mobility = d_mobility,
         .stiffness = d_mobility * p->leg.stiffness + mobility * d->leg.stiffness,
@@ -107,21 +117,18 @@ static flight_coefficients vary_flight_coefficients(const tdmf_chart *chart, con
     return varied;
 }
 
-static void carry_flight_on(const tdmf_step *step, double t, const tdmf_mode *mode, const tdmf_change *change,
-                            tdmf_carried *carried) {
-    const flight_coefficients varied = vary_flight_coefficients(step->chart, mode, change, carried);
+static void carry_flight_on(const tdmf_step *step, double t, const tdmf_change *change,
+                            const flight_tangent *tangent, tdmf_carried *carried) {
     const double d_gravity = change->parameters.gravity;
-    flight_tangent tangent;
-    tdmf_expand_flight_tangent(step, &varied, &carried->at, &tangent);
-    carried->at.length = series_at(tangent.length, step->order, t);
-    carried->at.length_rate = series_at(tangent.length_rate, step->order, t);
-    carried->at.angle = series_at(tangent.angle, step->order, t);
+    carried->at.length = series_at(tangent->length, step->order, t);
+    carried->at.length_rate = series_at(tangent->length_rate, step->order, t);
+    carried->at.angle = series_at(tangent->angle, step->order, t);
     /* From the momentum r^2 w, which is known to one order more than w. */
     const double r = series_at(step->series.flight.length, step->order, t);
     const double momentum = series_at(step->series.flight.momentum, step->order, t);
     carried->at.angle_rate =
-        (series_at(tangent.momentum, step->order, t) - 2.0 * momentum / r * carried->at.length) / (r * r);
-    carried->at.work += series_integral(tangent.power, step->order - 1, t);
+        (series_at(tangent->momentum, step->order, t) - 2.0 * momentum / r * carried->at.length) / (r * r);
+    carried->at.work += series_integral(tangent->power, step->order - 1, t);
     carried->com_x += t * carried->com_vx;
     carried->com_y += t * (carried->com_vy - 0.5 * d_gravity * t);
     carried->com_vy -= t * d_gravity;
@@ -193,18 +200,15 @@ static ground_coefficients vary_ground_coefficients(const tdmf_chart *chart, con
     return varied;
 }
 
-static void carry_ground_on(const tdmf_step *step, double t, const tdmf_mode *mode, const tdmf_change *change,
+static void carry_ground_on(const tdmf_step *step, double t, const ground_tangent *tangent,
                             tdmf_carried *carried) {
-    const ground_coefficients varied = vary_ground_coefficients(step->chart, mode, change);
-    ground_tangent tangent;
-    tdmf_expand_ground_tangent(step, &varied, &carried->at, &tangent);
-    carried->at.x = series_at(tangent.x, step->order, t);
-    carried->at.y = series_at(tangent.y, step->order, t);
-    carried->at.foot_vx = series_at(tangent.foot_vx, step->order, t);
-    carried->at.vx = series_at(tangent.vx, step->order, t) + carried->at.foot_vx;
-    carried->at.vy = series_at(tangent.vy, step->order, t);
-    carried->at.foot_x += series_integral(tangent.foot_vx, step->order, t);
-    carried->at.work += series_integral(tangent.power, step->order - 1, t);
+    carried->at.x = series_at(tangent->x, step->order, t);
+    carried->at.y = series_at(tangent->y, step->order, t);
+    carried->at.foot_vx = series_at(tangent->foot_vx, step->order, t);
+    carried->at.vx = series_at(tangent->vx, step->order, t) + carried->at.foot_vx;
+    carried->at.vy = series_at(tangent->vy, step->order, t);
+    carried->at.foot_x += series_integral(tangent->foot_vx, step->order, t);
+    carried->at.work += series_integral(tangent->power, step->order - 1, t);
 }
 
 /* ---- both -----------------------------------------------------------------------------------------------
@@ -222,12 +226,45 @@ tdmf_carried tdmf_carry(const tdmf_chart *chart, const double state[TDMF_STATE_C
     return carried;
 }
 
-void tdmf_carry_on(const tdmf_step *step, double elapsed, const tdmf_mode *mode, const tdmf_change *change,
-                   tdmf_carried *carried) {
+/* Adds the sizes of a coordinate's coefficients. */
+static void add_sizes(const double *c, double unit, int order, double sizes[SERIES_TERMS]) {
+    for (int k = 0; k <= order; ++k) {
+        sizes[k] += fabs(c[k]) / unit;
+    }
+}
+
+double tdmf_carried_expand(const tdmf_step *step, const tdmf_mode *mode, const tdmf_change *change,
+                           const tdmf_carried *carried, tdmf_tangent_series *tangent) {
+    const tdmf_scales *scales = &step->chart->model->scales;
+    const int order = step->order;
+    double sizes[SERIES_TERMS] = {0.0};
     if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
-        carry_flight_on(step, elapsed, mode, change, carried);
+        flight_tangent *flight = &tangent->flight;
+        const flight_coefficients varied = vary_flight_coefficients(step->chart, mode, change, carried);
+        tdmf_expand_flight_tangent(step, &varied, &carried->at, flight);
+        add_sizes(flight->length, scales->length, order, sizes);
+        add_sizes(flight->length_rate, scales->speed, order, sizes);
+        add_sizes(flight->angle, 1.0, order, sizes);
+        add_sizes(flight->momentum, scales->speed * scales->length, order, sizes);
     } else {
-        carry_ground_on(step, elapsed, mode, change, carried);
+        ground_tangent *ground = &tangent->ground;
+        const ground_coefficients varied = vary_ground_coefficients(step->chart, mode, change);
+        tdmf_expand_ground_tangent(step, &varied, &carried->at, ground);
+        add_sizes(ground->x, scales->length, order, sizes);
+        add_sizes(ground->y, scales->length, order, sizes);
+        add_sizes(ground->vx, scales->speed, order, sizes);
+        add_sizes(ground->vy, scales->speed, order, sizes);
+        add_sizes(ground->foot_vx, scales->speed, order, sizes);
+    }
+    return tdmf_step_trusts_terms(step, sizes);
+}
+
+void tdmf_carry_on(const tdmf_step *step, double elapsed, const tdmf_change *change,
+                   const tdmf_tangent_series *tangent, tdmf_carried *carried) {
+    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
+        carry_flight_on(step, elapsed, change, &tangent->flight, carried);
+    } else {
+        carry_ground_on(step, elapsed, &tangent->ground, carried);
     }
 }
 

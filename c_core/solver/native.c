@@ -35,6 +35,7 @@ typedef struct {
     const tdmf_change *changes;
     tdmf_variation *variations;
     tdmf_carried carried[TDMF_VARIATION_LIMIT];
+    tdmf_tangent_series tangents[TDMF_VARIATION_LIMIT]; /* along the step */
 } march;
 
 tdmf_solver tdmf_solver_default(void) {
@@ -248,6 +249,17 @@ static tdmf_outcome count_step(march *march) {
     return 2 * march->events_in_span > TDMF_STIFFNESS_LIMIT ? TDMF_TOO_MANY_EVENTS : TDMF_TOO_STIFF;
 }
 
+/* Expands the variations, and shortens the step to what all of them can be trusted for. */
+static void expand_variations(march *march) {
+    tdmf_step *step = &march->step;
+    for (int i = 0; i < march->count; ++i) {
+        const double trusted = tdmf_carried_expand(step, &march->motion->mode, &march->changes[i],
+                                                   &march->carried[i], &march->tangents[i]);
+        /* A size that is not a number stays one. */
+        step->size = trusted < step->size ? trusted : step->size;
+    }
+}
+
 static tdmf_outcome advance_once(march *march) {
     tdmf_motion *motion = march->motion;
     tdmf_step *step = &march->step;
@@ -261,6 +273,7 @@ static tdmf_outcome advance_once(march *march) {
     if (opens_too_stiff(march)) {
         return TDMF_TOO_STIFF;
     }
+    expand_variations(march);
     if (!(step->size > 0.0)) {
         return TDMF_NO_PROGRESS;
     }
@@ -277,7 +290,7 @@ static tdmf_outcome advance_once(march *march) {
     observe_ground_force(march, end);
     sum_positive_work(march, end, reached.work - march->chart.start.work);
     for (int i = 0; i < march->count; ++i) {
-        tdmf_carry_on(step, end, &motion->mode, &march->changes[i], &march->carried[i]);
+        tdmf_carry_on(step, end, &march->changes[i], &march->tangents[i], &march->carried[i]);
     }
     if (crossing.at.is_root) {
         stop_at_event(march, crossing.guard, end, &reached);

@@ -90,14 +90,29 @@ static tdmf_ground_force vary_force(const direction *d, double torque, double d_
 }
 
 static tdmf_ground_force vary_stance_force(const direction *d) {
-    const double law = tdmf_hip_stance_law(d->model, &d->side->mode);
-    const double d_law = law != 0.0 ? -d->change->parameters.hip.stance_torque : 0.0;
+    const tdmf_mode *mode = &d->side->mode;
+    const double law = tdmf_hip_stance_law(d->model, mode);
+    const double d_law = mode->mid_stance_pending ? -d->change->parameters.hip.stance_torque : 0.0;
     return vary_force(d, law + d->inputs->hip.external_torque, d_law + d->change->inputs.hip.external_torque);
+}
+
+/* In retract the law is max{servo, 0}, which has no derivative where the servo is 0 and does not stay so. */
+static double vary_flight_law(const direction *d) {
+    const tdmf_mode *mode = &d->side->mode;
+    const double d_servo = vary_servo(d);
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        return d_servo;
+    }
+    const double servo = tdmf_hip_retract_argument(d->model, mode, d->side->state);
+    if (servo == 0.0) {
+        return d_servo == 0.0 ? 0.0 : NAN;
+    }
+    return servo > 0.0 ? d_servo : 0.0;
 }
 
 static double vary_flight_press(const direction *d) {
     const double law = tdmf_hip_flight_law(d->model, &d->side->mode, d->side->state);
-    const double d_law = law != 0.0 ? vary_servo(d) : 0.0;
+    const double d_law = vary_flight_law(d);
     return vary_force(d, law + d->inputs->hip.external_torque, d_law + d->change->inputs.hip.external_torque)
         .fy;
 }
@@ -190,15 +205,37 @@ static void keep_on_ground(const tdmf_mode *mode, double d_state[TDMF_STATE_COUN
     }
 }
 
+/* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground
+ * at another event's time, or without meeting it; or it stands where no friction holds it. */
+static bool is_on_edge(const tdmf_inputs *inputs, bool impact, const tdmf_side *before,
+                       const tdmf_side *after) {
+    const bool flew = before->mode.contact == TDMF_CONTACT_FLIGHT;
+    const bool landed = flew && after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY];
+    const bool stands = after->mode.contact == TDMF_CONTACT_STICK;
+    return impact != landed || (stands && inputs->ground.friction == 0.0);
+}
+
+static tdmf_variation no_variation(void) {
+    tdmf_variation none;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        none.state[i] = NAN;
+    }
+    none.liftoff_angle = NAN;
+    return none;
+}
+
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                               const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
                               const tdmf_variation *variation) {
     static const tdmf_change none = {0};
+    const bool impact = guard == TDMF_GUARD_TOUCHDOWN;
+    if (is_on_edge(inputs, impact, before, after)) {
+        return no_variation();
+    }
     const direction along_variation = {
         model, inputs, before, variation->state, change, variation->liftoff_angle};
     const direction along_motion = {model, inputs, before, before->derivatives, &none, 0.0};
     const double shift = -vary_guard(&along_variation, guard) / vary_guard(&along_motion, guard);
-    const bool impact = guard == TDMF_GUARD_TOUCHDOWN;
     tdmf_variation varied = *variation;
     for (int i = 0; i <= TDMF_HIP_WORK; ++i) {
         varied.state[i] += before->derivatives[i] * shift;

@@ -139,6 +139,38 @@ double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit) {
     return trusted_size(&remainder, INFINITY, step->tolerance);
 }
 
+/* The largest term but the last two. */
+static double largest_term(const double *sizes, int order, double t) {
+    double power = 1.0;
+    double largest = 0.0;
+    for (int k = 0; k < order - 1; ++k) {
+        largest = fmax(largest, sizes[k] * power);
+        power *= t;
+    }
+    return largest;
+}
+
+/* In a shorter step the largest term may be smaller, too, so the size is approached from above. */
+double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_TERMS]) {
+    enum { ITERATION_LIMIT = 40 };
+    static const double settled = 0.95;
+    const int order = step->order;
+    const remainder_of_series remainder = {sizes[order], sizes[order - 1], order};
+    double size = step->size;
+    for (int i = 0; i < ITERATION_LIMIT; ++i) {
+        const double largest = largest_term(sizes, order, size);
+        if (!isfinite(largest + remainder.last + remainder.last_but_one)) {
+            return INFINITY;
+        }
+        const double shorter = trusted_size(&remainder, size, step->tolerance * largest);
+        if (shorter >= settled * size) {
+            return shorter;
+        }
+        size = shorter;
+    }
+    return size;
+}
+
 static double flight_work(const tdmf_step *step, double t) {
     const tdmf_chart *chart = step->chart;
     const flight_series *f = &step->series.flight;

@@ -33,6 +33,11 @@ void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, doubl
 /* How far another series of the step's order may be trusted, which is near `unit` in size. */
 double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit);
 
+/* The same of series none of which has a unit, so that the largest of their terms has to serve: no further
+ * than the step itself. `sizes` are those of their coefficients, up to the step's order; infinity where they
+ * are not finite. */
+double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_TERMS]);
+
 /* Coordinates at a time within the step. */
 tdmf_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);
 

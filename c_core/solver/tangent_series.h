@@ -15,6 +15,11 @@ typedef struct {
         axial_y[SERIES_TERMS], angle_rate[SERIES_TERMS], power[SERIES_TERMS];
 } ground_tangent;
 
+typedef union {
+    flight_tangent flight;
+    ground_tangent ground;
+} tdmf_tangent_series;
+
 /* `change` is that of the coefficients, `start` that of the coordinates. */
 void tdmf_expand_flight_tangent(const tdmf_step *step, const flight_coefficients *change,
                                 const tdmf_coordinates *start, flight_tangent *tangent);

@@ -334,7 +334,8 @@ def find_orbit(
     Raises:
         InputError: the guess is no apex, the start values are not in flight, `along` is unknown, or the
             friction is 0.
-        RunError: the runner falls, no gait is near, or the solver does not get through a stride.
+        RunError: the runner falls, no gait is near, the solver does not get through a stride, or the gait has
+            no derivatives.
     """
     runner = Runner.of(runner)
     check_has_gaits(runner.values["ground.friction"])
@@ -358,7 +359,7 @@ def stride_from(
     """One stride from an apex: the next apex, the Jacobian, and the next apex's change along a parameter.
 
     Raises:
-        RunError: no stride closes from there.
+        RunError: no stride closes from there, or it has no derivatives.
     """
     runner, section = Runner.of(runner), _section(apex)
     stride = c.tdmf_return_map(
@@ -367,11 +368,19 @@ def stride_from(
     if not stride.outcome.closed:
         friction = runner.values["ground.friction"]
         raise RunError(f"no stride closes at friction {friction:g}: {_end_text(stride)}")
-    return np.array(list(stride.apex)), _jacobian(stride), np.array(list(stride.by_parameter[0].apex))
+    return np.array(list(stride.apex)), *_derivatives(runner, stride)
 
 
-def _jacobian(stride: object) -> np.ndarray:
-    return np.array([list(stride.by_section[k].apex) for k in range(len(COORDINATES))]).T
+def _derivatives(runner: Runner, stride: object) -> tuple[np.ndarray, np.ndarray]:
+    """The Jacobian, and the next apex's change along the parameter asked for, else zero."""
+    jacobian = np.array([list(stride.by_section[k].apex) for k in range(len(COORDINATES))]).T
+    by_parameter = np.array(list(stride.by_parameter[0].apex))
+    if not (np.isfinite(jacobian).all() and np.isfinite(by_parameter).all()):
+        raise RunError(
+            f"at friction {runner.values['ground.friction']:g} a stride is on the edge of an event or of a "
+            "law, where it has no derivatives"
+        )
+    return jacobian, by_parameter
 
 
 def _change(along: str | None) -> object:
@@ -410,6 +419,7 @@ def _end_text(stride: object) -> str:
 
 def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orbit:
     stride = found.stride
+    jacobian, by_parameter = _derivatives(runner, stride)
     quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
     events = tuple(
         Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
@@ -421,9 +431,9 @@ def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orb
         word=ffi.string(stride.stride.word).decode(),
         liftoff_angle=stride.liftoff_angle,
         stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},
-        jacobian=_jacobian(stride),
+        jacobian=jacobian,
         along=along,
-        by_parameter=None if along is None else np.array(list(stride.by_parameter[0].apex)),
+        by_parameter=None if along is None else by_parameter,
         error=found.error,
         iterations=found.iterations,
         events=events,

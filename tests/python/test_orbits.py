@@ -21,6 +21,8 @@ EIGENVALUES = {
     10.0: (0.811488219, -0.463835571, 0.010024837),
     0.6: (0.857395094, -0.372498323, 0.00869537996),
 }
+LIGHT_AND_DAMPED = {(0.6, 0.005, 1.0): (0.897504, 0.276227), (0.3, 0.02, 2.0): (0.675120,)}
+"""By friction, foot mass and damping."""
 BORDERS = {("0+", "+0+"): 8.4548, ("+0+", "+0-0+"): 1.1441, ("+0-", "+-"): 0.2659}
 WINDOW = 3e-6
 """Width in friction in which one more word is found near 0.4991."""
@@ -53,6 +55,23 @@ def test_eigenvalues_and_the_three_that_vanish(runner, friction):
     assert np.real(orbit.eigenvalues[:3]) == pytest.approx(EIGENVALUES[friction], abs=1e-8)
     assert np.abs(orbit.eigenvalues[3:]) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
     assert orbit.stable
+
+
+@pytest.mark.parametrize("given", LIGHT_AND_DAMPED)
+def test_a_light_foot_on_a_damped_leg_has_its_eigenvalues_too(unit, given):
+    values = dict(zip((FRICTION, "foot.mass", "leg.damping"), given, strict=True))
+    orbit = find_orbit(Runner.of(values, unit))
+    known = LIGHT_AND_DAMPED[given]
+    assert np.abs(orbit.eigenvalues[: len(known)]) == pytest.approx(known, abs=1e-6)
+
+
+def test_a_stride_without_derivatives_is_said_to_have_none(unit):
+    """A servo that is clamped at zero has none by its gains where they are zero."""
+    apex = [1.2, 0.3, 1.0, 0.6, 0.0, -0.05]
+    without = Runner.of({"hip.kp": 0.0, "hip.kd": 0.0, "hip.stance_torque": 0.0}, unit)
+    assert all(np.isfinite(values).all() for values in stride_from(without, apex, "hip.stance_torque"))
+    with pytest.raises(RunError, match="no derivatives"):
+        stride_from(without, apex, "hip.kp")
 
 
 def test_without_stick_two_eigenvalues_vanish(runner):
