@@ -26,8 +26,17 @@ MOST_STRIDES = 400
 NOT_YET = -1
 LEG_LENGTH = COORDINATES.index("leg_length")
 """It and the coordinates before are positive, and measured by what they are."""
+STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
+    **dict.fromkeys(range(len(ensemble.FATES)), (0, MOST_STRIDES)),
+    ensemble.FATES.index("settled"): (1, MOST_STRIDES),
+    ensemble.FATES.index("no_start"): (0, 0),
+    NOT_YET: (0, 0),
+}
+"""The least and the most that a fate may come after."""
 STARTS_AT_ONCE = 4096
 """In a block."""
+STARTS_IN_A_CALL = 512
+"""Of the library, which hears of no interrupt until it returns."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +68,19 @@ def fates(
 ) -> np.ndarray:
     """What becomes of runners that start somewhere, as `ensemble.run` tells it, by one thread."""
     case = ensemble.Case(runner, (apex,))
-    return ensemble.run([case], starts, most_strides=MOST_STRIDES, tolerance=tolerance, threads=1)[0]
+    calls = range(0, max(1, len(starts)), STARTS_IN_A_CALL)
+    return np.concatenate(
+        [
+            ensemble.run(
+                [case],
+                starts[first : first + STARTS_IN_A_CALL],
+                most_strides=MOST_STRIDES,
+                tolerance=tolerance,
+                threads=1,
+            )[0]
+            for first in calls
+        ]
+    )
 
 
 def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
@@ -184,9 +205,18 @@ def _checked_slice(axes: object, ranges: object, unit: Unit) -> tuple[tuple[str,
 
 def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
     data = resumed(path, blank, "slice")
-    if not data["fate"].isin([NOT_YET, *range(len(ensemble.FATES))]).all():
-        raise InputError(f"{path}: holds fates that are none; allowed: another file name")
-    data["fate"].attrs = blank["fate"].attrs
+    fates, strides = data["fate"].values, data["strides"].values
+    allowed = np.select(
+        [fates == fate for fate in STRIDES_OF_FATES],
+        [(strides >= least) & (strides <= most) for least, most in STRIDES_OF_FATES.values()],
+        False,
+    )
+    if not allowed.all():
+        row, column = np.argwhere(~allowed)[0]
+        raise InputError(
+            f"{path}: holds another slice, in row {row}, column {column} with fate {fates[row, column]} "
+            f"after {strides[row, column]} strides; allowed: another file name"
+        )
     return data
 
 

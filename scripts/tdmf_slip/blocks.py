@@ -2,6 +2,8 @@
 
 import asyncio
 import contextlib
+import functools
+import itertools
 import logging
 import os
 from collections.abc import Callable, Iterator, Sequence
@@ -16,6 +18,10 @@ CONNECTING = 10.0
 """Seconds within which a scheduler has to answer."""
 SILENCE = logging.CRITICAL + 1
 """Level of Dask's log: what is wrong comes as an exception, the rest is its closing down."""
+IN_HAND = 8
+"""Blocks that a local cluster has for each of its workers, so that none waits while a result is written."""
+MERCY = 0.1
+"""Seconds that a worker has for its end before it is killed."""
 LOOKING_UP = 0.1
 """Seconds after which a wait for results looks whether an interrupt came."""
 
@@ -54,22 +60,38 @@ def run(
     if scheduler is None and here == 1:
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return
+    at_once = len(blocks) if scheduler is not None else IN_HAND * here
+    pending: dict[object, int] = {}
     with interrupts.held() as interrupt, _client(scheduler, here) as client:
-        futures = [client.submit(work, block, pure=False, retries=0) for block in blocks]
-        yield _as_they_come(futures, interrupt)
+        try:
+            yield _as_they_come(functools.partial(client.submit, work), blocks, at_once, pending, interrupt)
+        finally:
+            if pending and client.cluster is not None:
+                client.cluster.sync(_kill_workers, client.cluster)
 
 
-def _as_they_come(futures: Sequence[object], interrupt: interrupts.Interrupt) -> Iterator[tuple[int, Any]]:
-    """Results with the numbers of their blocks."""
-    numbers = {future: number for number, future in enumerate(futures)}
+def _as_they_come(
+    submit: Callable[..., object],
+    blocks: Sequence[Any],
+    at_once: int,
+    pending: dict[object, int],
+    interrupt: interrupts.Interrupt,
+) -> Iterator[tuple[int, Any]]:
+    """Results with the numbers of their blocks, of which so many are pending, as futures, at a time."""
+    waiting = enumerate(blocks)
     done: SimpleQueue = SimpleQueue()
-    for future in futures:
-        future.add_done_callback(done.put)
-    while numbers:
+    while True:
+        for number, block in itertools.islice(waiting, at_once - len(pending)):
+            interrupt.deliver()
+            future = submit(block, pure=False, retries=0)
+            pending[future] = number
+            future.add_done_callback(done.put)
+        if not pending:
+            return
         future = _next_done(done, interrupt)
         result = _result(future)
         future.release()
-        yield numbers.pop(future), result
+        yield pending.pop(future), result
 
 
 def _next_done(done: SimpleQueue, interrupt: interrupts.Interrupt) -> object:
@@ -93,6 +115,12 @@ def _result(future: object) -> object:
         raise RunError(f"a block killed every worker that tried it: {problem}") from problem
     except RuntimeError as problem:
         raise RunError(f"the cluster cannot run this: {problem}") from problem
+
+
+async def _kill_workers(cluster: object) -> None:
+    """End the processes of a local cluster now: asked to close, they would finish their blocks first."""
+    closing = (nanny.close(timeout=MERCY) for nanny in cluster.workers.values())
+    await asyncio.gather(*closing, return_exceptions=True)
 
 
 @contextlib.contextmanager

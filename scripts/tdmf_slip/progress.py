@@ -1,8 +1,13 @@
 """Progress of long work, on stderr."""
 
 import sys
+import threading
 
 from tqdm import tqdm
+
+# By default tqdm makes a semaphore of the system, which a process that is killed would leave behind; each bar
+# is drawn by one process.
+tqdm.set_lock(threading.RLock())
 
 
 def bar(what: str, total: float | None, unit: str, show: bool = True) -> tqdm:
