@@ -280,6 +280,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command line; the exit status, after one message on stderr where something is wrong."""
     if sys.stdout is None:
         return _complain("stdout is closed, the results cannot be printed", 1)
+    if hasattr(sys.stdout, "reconfigure"):  # names of files need not be UTF-8
+        sys.stdout.reconfigure(errors="surrogateescape")
     try:
         status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
         sys.stdout.flush()

@@ -26,11 +26,13 @@ from .orbit import (
     find_orbit,
 )
 from .ranges import MOST_VALUES
-from .resume import resumed
+from .resume import resumed, same_values
 from .section import COORDINATES
 from .unit import Unit, load
 
 FRICTION = "ground.friction"
+GAITS_AGREE = 1e-6
+"""To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""
 UNITS: Mapping[str, str] = {
     "lambda_max": "1",
     "damper_loss": "J",
@@ -292,6 +294,7 @@ def grid(
     blank.attrs = attributes
     path = check_place(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
+    _check_rows(path, data, blank, runner, name, unit, show_progress)
     missing = np.flatnonzero(data["done"].values == 0)
     rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
     with (
@@ -308,6 +311,51 @@ def grid(
             write_dataset(path, data)
             bar.update()
     return data
+
+
+def _check_rows(
+    path: Path,
+    data: xarray.Dataset,
+    blank: xarray.Dataset,
+    runner: Runner,
+    name: str,
+    unit: Unit,
+    show_progress: bool,
+) -> None:
+    """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells.
+
+    Raises:
+        InputError: the first such row.
+    """
+    begun = int(np.count_nonzero(data["done"].values))
+    with progress.bar("what is done", begun, "rows", show_progress) as bar:
+        for number, value in enumerate(data[name].values):
+            row, nothing = data.isel({name: number}), blank.isel({name: number})
+            if same_values(row, nothing):
+                continue
+            if not _may_be_row(row, runner.but(name, value), unit):
+                raise InputError(
+                    f"{path}: holds another sweep, with gaits at {name} = {value:g} that are none; "
+                    "allowed: another file name"
+                )
+            bar.update()
+
+
+def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
+    """Whether a row is done, what is in it are gaits, and it says why where some are missing."""
+    found = row["period"].notnull().values
+    if row["done"] != 1 or not (found.all() or row["problem"].item()):
+        return False
+    apices = np.stack([row[f"apex_{coordinate}"].values for coordinate in COORDINATES], axis=1)
+    frictions = row[FRICTION].values
+    try:
+        orbits = [
+            find_orbit(runner.but(FRICTION, friction), apex) if there else None
+            for friction, apex, there in zip(frictions, apices, found, strict=True)
+        ]
+    except TdmfSlipError:
+        return False
+    return same_values(row, as_dataset(orbits, {FRICTION: frictions}, unit), GAITS_AGREE)
 
 
 @dataclass(frozen=True)

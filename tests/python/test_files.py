@@ -1,0 +1,218 @@
+"""Results on file, by every command that writes: whole or not at all, where and as the user wants them."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+
+import pytest
+import xarray
+from tdmf_slip import InputError, files
+
+POSIX_ONLY = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and links are those of POSIX")
+NETCDF = ("sweep", "--friction", "0.5:0.6:2", "--output", "{}.nc")
+WRITERS = {
+    "rows as NetCDF": ("simulate", "--stop-time", 2, "--output", "{}.nc"),
+    "rows as CSV": ("simulate", "--stop-time", 2, "--output", "{}.csv"),
+    "a plot": ("simulate", "--stop-time", 2, "--plot", "{}.png"),
+    "a sweep": NETCDF,
+    "a grid": ("sweep", "--friction", "0.6:0.6:1", "--over", "leg.damping=0.2:0.2:1", "--output", "{}.nc"),
+    "a map": ("basin", "--n", 2, "--samples", 0, "--output", "{}.nc"),
+    "a drawn map": ("basin", "--n", 2, "--samples", 0, "--plot", "{}.svg"),
+}
+FIGURE = "figure_1b.csv"
+FIGURES = ("figures", "--only", "figure_1b", "--output")
+
+
+def arguments(writer, name):
+    return [str(word).replace("{}", name) for word in WRITERS[writer]]
+
+
+def file_of(writer, name):
+    return pathlib.Path(arguments(writer, name)[-1])
+
+
+@pytest.fixture(params=WRITERS)
+def writer(request):
+    return request.param
+
+
+FULL_DISK = """
+import resource, sys, tdmf_slip
+from tdmf_slip import command, unit
+there = tdmf_slip.load()  # unpacked before the disk is full
+resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+sys.exit(command.main(sys.argv[1:]))
+"""
+
+
+def with_full_disk(folder, options):
+    return subprocess.run(
+        [sys.executable, "-c", FULL_DISK, *options], capture_output=True, text=True, cwd=folder, timeout=300
+    )
+
+
+@POSIX_ONLY
+def test_a_full_disk_is_told_and_nothing_is_left(writer, tmp_path):
+    """A limit of what a process may write stands for the disk's end."""
+    done = with_full_disk(tmp_path, arguments(writer, "result"))
+    assert done.returncode == 2, done.stderr
+    said = [line for line in done.stderr.splitlines() if line.startswith("tdmf-slip: ")]
+    assert len(said) == 1 and "cannot be written: File too large" in said[0], done.stderr
+    assert "Traceback" not in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@POSIX_ONLY
+def test_figures_tell_of_a_full_disk(tmp_path):
+    done = with_full_disk(tmp_path, [*FIGURES, "figures"])
+    assert done.returncode == 2 and "cannot be written: File too large" in done.stderr, done.stderr
+    assert "Traceback" not in done.stderr
+    assert not any((tmp_path / "figures").iterdir())
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize("kind", ["pipe", "device", "link in a circle"])
+def test_what_is_no_file_is_refused_before_the_work(writer, kind, command, tmp_path):
+    place = tmp_path / file_of(writer, "result")
+    if kind == "pipe":
+        os.mkfifo(place)
+    else:
+        place.symlink_to("/dev/null" if kind == "device" else place)
+    before = place.lstat()
+    status, out, message = command(*arguments(writer, "result"))
+    assert (status, out) == (2, "") and len(message.strip().splitlines()) == 1
+    reason = "symbolic links" if kind == "link in a circle" else "a pipe or device; allowed: a file"
+    assert reason in message
+    assert place.lstat().st_ino == before.st_ino and len(list(tmp_path.iterdir())) == 1
+
+
+@POSIX_ONLY
+def test_a_pipe_among_figures_is_not_written_over(command, tmp_path):
+    os.mkfifo(tmp_path / FIGURE)
+    status, _, message = command(*FIGURES, tmp_path)
+    assert status == 2 and "a pipe or device" in message
+    assert (tmp_path / FIGURE).is_fifo()
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o604])
+def test_a_file_that_is_replaced_hands_on_its_mode(writer, mode, command, tmp_path):
+    file = tmp_path / file_of(writer, "result")
+    if writer in ("a grid", "a map"):  # these go on with what is there
+        assert command(*arguments(writer, "result"))[0] == 0
+    file.touch()
+    file.chmod(mode)
+    assert command(*arguments(writer, "result"))[0] == 0
+    assert file.stat().st_mode & 0o7777 == mode and file.stat().st_size > 100
+
+
+@POSIX_ONLY
+def test_a_new_file_has_the_mode_of_any_new_file(writer, command, tmp_path):
+    mask = os.umask(0o027)
+    try:
+        assert command(*arguments(writer, "result"))[0] == 0
+    finally:
+        os.umask(mask)
+    assert (tmp_path / file_of(writer, "result")).stat().st_mode & 0o7777 == 0o640
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root gives files away")
+def test_a_file_that_is_replaced_keeps_its_owner(command, tmp_path):
+    file = tmp_path / "result.csv"
+    file.touch()
+    os.chown(file, 1234, 4321)
+    assert command(*arguments("rows as CSV", "result"))[0] == 0
+    assert (file.stat().st_uid, file.stat().st_gid) == (1234, 4321) and file.stat().st_size > 100
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write to everything")
+def test_a_file_that_may_not_be_written_is_refused(command, tmp_path):
+    file = tmp_path / "result.csv"
+    file.touch(mode=0o444)
+    status, _, message = command(*arguments("rows as CSV", "result"))
+    assert status == 2 and "Permission denied" in message and file.read_text() == ""
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize("there", [True, False])
+def test_a_link_is_written_through_to_its_target(writer, there, command, tmp_path):
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    target, link = folder / "target", tmp_path / file_of(writer, "result")
+    if there and writer not in ("a grid", "a map"):
+        target.write_text("old")
+    link.symlink_to(pathlib.Path("elsewhere", "target"))
+    assert command(*arguments(writer, "result"))[0] == 0
+    assert link.is_symlink() and target.is_file() and target.stat().st_size > 100
+    assert [file.name for file in folder.iterdir()] == ["target"]
+
+
+NAME = os.fsdecode(b"caf\xe9")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names that are no UTF-8 are allowed on Linux")
+@pytest.mark.parametrize("name", [NAME, f"{NAME}/result"])
+def test_a_name_need_not_be_utf_8(writer, name, command, tmp_path):
+    options = [*arguments(writer, name), "--json"]
+    (tmp_path / file_of(writer, name)).parent.mkdir(exist_ok=True)
+    for _ in range(2):  # the second time some go on with it
+        assert command(*options)[0] == 0
+    assert (tmp_path / file_of(writer, name)).stat().st_size > 100
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names that are no UTF-8 are allowed on Linux")
+def test_names_that_are_no_utf_8_are_printed_as_they_are(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-m", "tdmf_slip", *FIGURES, NAME],
+        capture_output=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONUTF8": "1"},
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stderr
+    assert os.fsencode(f"{NAME}/{FIGURE}") in done.stdout.splitlines()
+
+
+def test_a_name_may_be_as_long_as_the_disk_allows(command, tmp_path):
+    name = "x" * (255 - len(".csv"))
+    assert command(*arguments("rows as CSV", name))[0] == 0
+    assert (tmp_path / f"{name}.csv").stat().st_size > 100
+
+
+def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
+    file = tmp_path / "old.csv"
+    file.write_text("old")
+
+    with pytest.raises(ZeroDivisionError), files.whole(file) as beside:
+        beside.write_text("new")
+        assert beside.parent == tmp_path and beside.suffix == ".csv" and file.read_text() == "old"
+        _ = 1 / 0
+    assert [place.name for place in tmp_path.iterdir()] == ["old.csv"] and file.read_text() == "old"
+
+
+@POSIX_ONLY
+def test_an_interrupt_waits_until_the_file_is_there(tmp_path):
+    file = tmp_path / "new.csv"
+    with pytest.raises(KeyboardInterrupt), files.whole(file) as beside:
+        signal.raise_signal(signal.SIGINT)
+        beside.write_text("new")
+    assert [place.name for place in tmp_path.iterdir()] == ["new.csv"] and file.read_text() == "new"
+
+
+def test_a_folder_that_cannot_be_is_refused(tmp_path):
+    (tmp_path / "file").touch()
+    with pytest.raises(InputError, match=r"what: .*cannot be written to"):
+        files.check_folder(tmp_path / "file" / "folder", "what")
+    with pytest.raises(InputError, match=r"what: .*no folder"):
+        files.check_place(tmp_path / "none" / "run.csv", [".csv"], "what")
+    assert [place.name for place in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_dataset_comes_back_as_it_was(command, tmp_path):
+    """From memory as from the file by the library itself."""
+    assert command(*[str(word).replace("{}", "sweep") for word in NETCDF])[0] == 0
+    xarray.testing.assert_identical(
+        files.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")
+    )
