@@ -30,7 +30,7 @@ static void open_stride(tdmf_runner *runner) {
     runner->events_left = event_limit;
     runner->span = 0.0;
     runner->steps_in_span = 0.0;
-    runner->events_at_once = 0;
+    runner->vain_findings = 0;
 }
 
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
@@ -85,7 +85,7 @@ static member_frame frame_of(const tdmf_runner *runner) {
     const tdmf_model *model = runner->its_case->model;
     const member_frame frame = {
         .time_left = longest_stride * model->scales.time - (runner->motion.time - runner->stride_began),
-        .patience = tdmf_patience(runner->events_at_once),
+        .patience = tdmf_patience(runner->vain_findings),
         .min_length = model->parameters.leg.min_length,
         .damping = model->parameters.leg.damping,
         .gravity = model->parameters.gravity,
@@ -261,11 +261,8 @@ static bool close_stride(tdmf_runner *runner) {
 
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
-    const tdmf_instant boarded = motion->record.now;
+    const tdmf_mode before = motion->mode;
     disembark(runner, fields);
-    const double elapsed = tdmf_time_between(boarded, motion->record.now);
-    runner->events_at_once =
-        tdmf_is_at_once(runner->its_case->model, elapsed) ? runner->events_at_once + 1 : 1;
     tdmf_run run = {
         runner->its_case->model, &runner->its_case->inputs, motion->time, motion->state, &motion->mode,
         &motion->record};
@@ -274,7 +271,8 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
         return false;
     }
-    if (!resolved || --runner->events_left <= 0 || runner->events_at_once >= TDMF_CHAIN_LIMIT) {
+    runner->vain_findings = tdmf_same_mode(&before, &motion->mode) ? runner->vain_findings + 1 : 0;
+    if (!resolved || --runner->events_left <= 0) {
         tdmf_runner_give_up(runner, TDMF_FATE_UNSOLVED);
         return false;
     }

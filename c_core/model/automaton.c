@@ -114,12 +114,6 @@ void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const doub
     mode->ground_force_rising = tdmf_ground_force_rate(model, inputs, mode, state) > 0.0;
 }
 
-static bool same_mode(const tdmf_mode *a, const tdmf_mode *b) {
-    return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
-           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
-           a->fallen == b->fallen;
-}
-
 tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                              double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
     const tdmf_mode mode_before = *mode;
@@ -133,7 +127,7 @@ tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs,
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, state, sizeof state_before) != 0,
-        .mode_changed = !same_mode(&mode_before, mode),
+        .mode_changed = !tdmf_same_mode(&mode_before, mode),
         .unresolved = !resolved,
     };
     return resolution;

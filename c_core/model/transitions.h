@@ -4,6 +4,13 @@
 
 #include "tdmf_slip/automaton.h"
 
+/* The right-hand side is the same: contact, phase, clamp and fall. */
+static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {
+    return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
+           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
+           a->fallen == b->fallen;
+}
+
 /* A run as its transitions see it: what is given, the instant, and what they may change. */
 typedef struct {
     const tdmf_model *model;

@@ -11,15 +11,10 @@ typedef struct {
     tdmf_guard guard;
 } tdmf_crossing;
 
-/* Whether so little time has passed since the last event that rounding may have made two of one. */
-static inline bool tdmf_is_at_once(const tdmf_model *model, double elapsed) {
-    return elapsed <= TDMF_GUARD_MARGIN * model->scales.time;
-}
-
-/* How much further below zero a guard has to be, the more events there were at one instant: where the model,
- * whose rounding is another, has not found due what its series found, a search would stand there for ever. */
-static inline double tdmf_patience(int events_at_once) {
-    return events_at_once > 1 ? ldexp(1.0, events_at_once - 1) : 1.0;
+/* How much further below zero a guard has to be, the more often series have found due in vain what the model,
+ * whose rounding is another, has not: a search would find it there for ever. */
+static inline double tdmf_patience(int vain_findings) {
+    return ldexp(1.0, vain_findings);
 }
 
 /* The first time within the step at which the mode, the phase or the clamp has to change, guards being due

@@ -29,7 +29,7 @@ typedef struct {
     /* Counted against TDMF_STIFFNESS_LIMIT. */
     double span;
     int steps_in_span, events_in_span;
-    int events_at_once;
+    int vain_findings; /* of guards, since the mode changed or a step was whole */
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
     const tdmf_change *changes;
@@ -173,6 +173,7 @@ static bool take_transitions(march *march) {
     if (taken.unresolved) {
         march->events_left = 0;
     }
+    march->vain_findings = taken.mode_changed ? 0 : march->vain_findings + 1;
     return taken.state_changed || taken.mode_changed;
 }
 
@@ -198,7 +199,6 @@ static bool resolve(march *march, tdmf_guard guard) {
 
 /* Takes the event that is due after `elapsed`. */
 static void stop_at_event(march *march, tdmf_guard guard, double elapsed, const tdmf_coordinates *reached) {
-    march->events_at_once = tdmf_is_at_once(march->model, elapsed) ? march->events_at_once + 1 : 1;
     --march->events_left;
     write_state(march, elapsed, reached);
     move_time(march, elapsed);
@@ -212,7 +212,7 @@ static void go_on(march *march, double elapsed, const tdmf_coordinates *reached)
     move_time(march, elapsed);
     tdmf_chart_shift(&march->chart, elapsed, reached);
     march->chart_is_ahead = true;
-    march->events_at_once = 0;
+    march->vain_findings = 0;
     move_inputs(march, elapsed);
 }
 
@@ -280,7 +280,7 @@ static tdmf_outcome advance_once(march *march) {
     step->size = fmin(step->size, fmin(time_left(march), time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
     const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode,
-                                                       tdmf_patience(march->events_at_once));
+                                                       tdmf_patience(march->vain_findings));
     const double end = fmin(step->size, crossing.at.time);
     const tdmf_coordinates reached = tdmf_step_at(step, end);
     if (!is_finite(&reached)) {
@@ -315,7 +315,7 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->order = tdmf_step_order(solver->relative_tolerance);
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
-    march->events_at_once = 0;
+    march->vain_findings = 0;
     march->count = 0;
     open_span(march);
     /* An input may have jumped since the last call. */
@@ -331,8 +331,7 @@ static tdmf_outcome advance(march *march, bool one_stride) {
     tdmf_outcome outcome = TDMF_ARRIVED;
     while (outcome == TDMF_ARRIVED && time_left(march) > 0.0 && !motion->mode.fallen &&
            !(one_stride && motion->record.stride.count > count)) {
-        const bool may_go_on = march->events_left > 0 && march->events_at_once < TDMF_CHAIN_LIMIT;
-        outcome = may_go_on ? advance_once(march) : TDMF_TOO_MANY_EVENTS;
+        outcome = march->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(march);
     }
     if (march->chart_is_ahead) {
         write_state(march, 0.0, &march->chart.start);

@@ -11,16 +11,18 @@ extern "C" {
 /* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
  * of the paper's q = (x, y, r, theta); the rest are integrals along the run. */
 enum {
-    TDMF_FOOT_X,               /* x, m */
-    TDMF_FOOT_Y,               /* y, m above the ground */
-    TDMF_LEG_LENGTH,           /* r, m */
-    TDMF_LEG_ANGLE,            /* theta, rad from the vertical, positive with the foot ahead of the body */
-    TDMF_FOOT_VX,              /* m/s */
-    TDMF_FOOT_VY,              /* m/s */
-    TDMF_LEG_LENGTH_RATE,      /* m/s */
-    TDMF_LEG_ANGLE_RATE,       /* rad/s */
-    TDMF_HIP_WORK,             /* W, integral of the total torque's power, J */
-    TDMF_ENERGY_DAMPER_LOSS,   /* J */
+    TDMF_FOOT_X,             /* x, m */
+    TDMF_FOOT_Y,             /* y, m above the ground */
+    TDMF_LEG_LENGTH,         /* r, m */
+    TDMF_LEG_ANGLE,          /* theta, rad from the vertical, positive with the foot ahead of the body; never
+                                wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle
+                                is known to 1e-12, and so is all that follows from it */
+    TDMF_FOOT_VX,            /* m/s */
+    TDMF_FOOT_VY,            /* m/s */
+    TDMF_LEG_LENGTH_RATE,    /* m/s */
+    TDMF_LEG_ANGLE_RATE,     /* rad/s */
+    TDMF_HIP_WORK,           /* W, integral of the total torque's power, J */
+    TDMF_ENERGY_DAMPER_LOSS, /* J */
     TDMF_ENERGY_FRICTION_LOSS, /* J */
     TDMF_HIP_POSITIVE_WORK,    /* the part of W done at positive power, J */
     TDMF_STATE_COUNT,
@@ -47,7 +49,8 @@ typedef struct {
     tdmf_contact_mode contact;
     tdmf_hip_phase phase;
     double liftoff_angle;     /* theta_LO, rad */
-    bool mid_stance_pending;  /* this stance began with theta >= 0 and has not passed upright yet */
+    bool mid_stance_pending;  /* this stance began with theta >= 0 and has not passed upright yet; one that
+                                 begins upright, with theta falling, has */
     bool clamp_closed;        /* flight, retract: the clamp in (12) holds the torque at 0 */
     bool ground_force_rising; /* contact: f_y grows; it peaks when this turns false */
     bool fallen;              /* the run is over and the motion frozen */

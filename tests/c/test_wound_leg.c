@@ -1,0 +1,137 @@
+/* A leg that has wound: its angle is never wrapped, and an angle of a thousand is known to 1e-13 only, which
+ * is the guards' margin. What a solver finds due there and the model not must not hold a run up. */
+#include "compare.h"
+#include "integrate.h"
+#include "random.h"
+
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double turn = 6.283185307179586476925;
+static const tdmf_input_rates held = {0.0, 0.0};
+
+static tdmf_motion started(const runner *runner) {
+    tdmf_motion motion = {.time = 0.0};
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    assert_null(tdmf_start(&runner->model, &runner->inputs, 0.0, motion.state, &motion.mode, &motion.record)
+                    .variable);
+    return motion;
+}
+
+static runner random_runner(random_source *source, double angle) {
+    runner runner = runner_default(pow(10.0, random_uniform(source, -2.0, 3.0)));
+    memset(runner.state, 0, sizeof runner.state);
+    runner.model.parameters.leg.damping *= random_uniform(source, 0.0, 1.0);
+    runner.state[TDMF_FOOT_Y] = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 1.0);
+    runner.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.95, 1.05);
+    runner.state[TDMF_LEG_ANGLE] = angle;
+    runner.state[TDMF_FOOT_VX] = random_uniform(source, -0.5, 0.5);
+    runner.state[TDMF_FOOT_VY] = random_uniform(source, -0.5, 0.0);
+    runner.state[TDMF_LEG_LENGTH_RATE] = random_uniform(source, -0.5, 0.5);
+    runner.state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -0.5, 0.5);
+    return runner;
+}
+
+/* Without a hip nothing depends on how often the leg has wound. */
+static void without_a_hip_turns_do_not_matter(void **unused) {
+    (void)unused;
+    random_source source = {71};
+    int events = 0, compared = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double turns = floor(random_uniform(&source, -150.0, 151.0));
+        runner runner = random_runner(&source, random_uniform(&source, -0.7, 0.7));
+        runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
+        runner.model.parameters.hip.stance_torque = 0.0;
+        tdmf_motion plain = started(&runner);
+        runner.state[TDMF_LEG_ANGLE] += turns * turn;
+        tdmf_motion wound = started(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        const double until = 2.0;
+        if (tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &plain) !=
+            TDMF_ARRIVED) {
+            continue;
+        }
+        assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &wound),
+                         TDMF_ARRIVED);
+        wound.state[TDMF_LEG_ANGLE] -= turns * turn;
+        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+            assert_close(wound.state[k], plain.state[k], 1e-9);
+        }
+        events += plain.record.event_count;
+        ++compared;
+    }
+    assert_true(compared > 200 && events > compared);
+}
+
+/* They spin, slip, bounce and fall, but nothing is found due for ever. */
+static void wound_legs_run_until_they_fall(void **unused) {
+    (void)unused;
+    random_source source = {72};
+    int fell = 0, arrived = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const double angle = floor(random_uniform(&source, -158.0, 158.0)) * turn;
+        runner runner = random_runner(&source, angle + random_uniform(&source, -0.75, 0.75));
+        runner.state[TDMF_LEG_ANGLE_RATE] *= pow(10.0, random_uniform(&source, 0.0, 4.0));
+        runner.model.parameters.hip.kp *= pow(10.0, random_uniform(&source, -6.0, 0.0));
+        runner.model.parameters.hip.kd *= pow(10.0, random_uniform(&source, -6.0, 0.0));
+        tdmf_motion motion = started(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 50.0, &motion);
+        fell += outcome == TDMF_FELL;
+        arrived += outcome == TDMF_ARRIVED;
+    }
+    assert_int_equal(fell + arrived, 1500);
+    assert_true(fell > 100 && arrived > 100);
+}
+
+static void lanes_run_wound_legs_too(void **unused) {
+    (void)unused;
+    enum { RUNNERS = 400 };
+    static double starts[RUNNERS][TDMF_SECTION_COUNT];
+    static tdmf_ensemble_end ends[RUNNERS];
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    random_source source = {73};
+    parameters.hip.kp = parameters.hip.kd = 1e-6;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    for (int i = 0; i < RUNNERS; ++i) {
+        const double angle = floor(random_uniform(&source, -158.0, 158.0)) * turn;
+        const double start[TDMF_SECTION_COUNT] = {
+            random_uniform(&source, 1.1, 1.5),  random_uniform(&source, 0.0, 1.5),
+            random_uniform(&source, 0.9, 1.1),  angle + random_uniform(&source, -0.75, 0.75),
+            random_uniform(&source, -0.5, 0.5), random_uniform(&source, -100.0, 100.0)};
+        memcpy(starts[i], start, sizeof start);
+    }
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 5}};
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = RUNNERS,
+                              .relative_tolerance = 1e-11,
+                              .threads = 1};
+    int ran = 0;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(ensemble.instructions)) {
+            continue;
+        }
+        assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+        for (int i = 0; i < RUNNERS; ++i) {
+            assert_true(ends[i].fate != TDMF_FATE_UNSOLVED);
+            ran += ends[i].fate != TDMF_FATE_NO_START;
+        }
+    }
+    assert_true(ran > RUNNERS / 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(without_a_hip_turns_do_not_matter),
+        cmocka_unit_test(wound_legs_run_until_they_fall),
+        cmocka_unit_test(lanes_run_wound_legs_too),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
