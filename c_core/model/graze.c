@@ -13,11 +13,14 @@
  *
  *     s: contact;     a and not s: flight;     neither: graze.
  *
- * The exits of graze are watched by P of either law, never by tau_eq, which is 0/0 at theta = 0. */
+ * The exits of graze are watched by P of either law, never by tau_eq, which is 0/0 at theta = 0. There the
+ * hip has no lever on the foot, and no torque that could hold it: contact if P > 0, or if P = 0 and does not
+ * fall; else flight. */
 #include "tdmf_slip/graze.h"
 
 #include "leg.h"
 #include "tdmf_slip/contact.h"
+#include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/hip.h"
 
 /* At lift-off P(stance) is 0 up to rounding. Where the laws agree to within this (in units of k l0), a graze
@@ -54,9 +57,26 @@ double tdmf_flight_press(const tdmf_model *model, const tdmf_inputs *inputs, con
     return press_of(model, inputs, tdmf_hip_flight_law(model, mode, state), state);
 }
 
+/* Of an upright leg, on whose foot no torque has a lever: where it presses with nothing, what it is about to
+ * press with decides. */
+static tdmf_foot_fate fate_under_upright_leg(const tdmf_model *model, const tdmf_inputs *inputs,
+                                             const tdmf_mode *off_ground, double press,
+                                             const double state[TDMF_STATE_COUNT]) {
+    if (fabs(press) <= TDMF_GUARD_MARGIN * model->scales.force) {
+        tdmf_mode stands = *off_ground;
+        stands.contact = TDMF_CONTACT_STICK;
+        press = tdmf_ground_force_rate(model, inputs, &stands, state);
+    }
+    return press < 0.0 ? TDMF_FOOT_LEAVES : TDMF_FOOT_LOADED;
+}
+
 tdmf_foot_fate tdmf_fate_at_rest(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
-    if (tdmf_stance_press(model, inputs, off_ground, state) > 0.0) {
+    const double press = tdmf_stance_press(model, inputs, off_ground, state);
+    if (fabs(sin(state[TDMF_LEG_ANGLE])) <= smallest_sine) {
+        return fate_under_upright_leg(model, inputs, off_ground, press, state);
+    }
+    if (press > 0.0) {
         return TDMF_FOOT_LOADED;
     }
     return tdmf_flight_press(model, inputs, off_ground, state) < 0.0 ? TDMF_FOOT_LEAVES : TDMF_FOOT_GRAZES;

@@ -4,6 +4,7 @@
 #include "leg.h"
 #include "record.h"
 #include "tdmf_slip/contact.h"
+#include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/graze.h"
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"
@@ -79,8 +80,32 @@ static void meet_fate(tdmf_run *run, tdmf_foot_fate fate, const tdmf_mode *off_g
     leave_ground(run, fate == TDMF_FOOT_GRAZES ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT, off_ground->phase);
 }
 
+/* Under the stance law of a drive. */
+static double angle_acceleration_in_drive(const tdmf_run *run) {
+    tdmf_mode driven = *run->mode;
+    tdmf_run trial = *run;
+    double derivatives[TDMF_STATE_COUNT];
+    trial.mode = &driven;
+    driven.mid_stance_pending = true;
+    driven.phase = TDMF_PHASE_DRIVE;
+    driven.contact = mode_of_loaded_foot(&trial);
+    tdmf_derivatives(run->model, run->inputs, &driven, run->state, derivatives);
+    return derivatives[TDMF_LEG_ANGLE_RATE];
+}
+
+/* A stance that begins with the foot ahead is driven until the leg is upright. One that begins upright is
+ * past that if the leg falls, by itself or driven: else the margin of mid-stance would give it a pulse. */
+static bool begins_with_drive(const tdmf_run *run) {
+    const double angle = run->state[TDMF_LEG_ANGLE];
+    const double rate = run->state[TDMF_LEG_ANGLE_RATE] * run->model->scales.time;
+    if (angle < 0.0 || angle > TDMF_GUARD_MARGIN) {
+        return angle > 0.0;
+    }
+    return fabs(rate) > TDMF_GUARD_MARGIN ? rate > 0.0 : angle_acceleration_in_drive(run) >= 0.0;
+}
+
 void tdmf_come_to_ground(tdmf_run *run) {
-    run->mode->mid_stance_pending = run->state[TDMF_LEG_ANGLE] >= 0.0;
+    run->mode->mid_stance_pending = begins_with_drive(run);
     const tdmf_mode off_ground = mode_off_ground(run);
     meet_fate(run, tdmf_fate_at_rest(run->model, run->inputs, &off_ground, run->state), &off_ground);
 }

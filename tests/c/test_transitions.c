@@ -51,12 +51,73 @@ static void touchdown_slides_outside_the_cone(void **unused) {
 /* A stance that begins upright or ahead drives; one that begins behind only coasts. */
 static void touchdown_behind_the_body_coasts(void **unused) {
     (void)unused;
-    runner upright = scene_at_impact(TDMF_PHASE_PLACE, 0.0, 0.1);
+    runner ahead = scene_at_impact(TDMF_PHASE_PLACE, 1e-9, 0.1);
     runner behind = scene_at_impact(TDMF_PHASE_PLACE, -1e-9, 0.1);
-    assert_touchdown(&upright);
+    assert_touchdown(&ahead);
     assert_touchdown(&behind);
-    scene_assert_mode(&upright, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
+    scene_assert_mode(&ahead, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
     scene_assert_mode(&behind, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+}
+
+/* A leg that falls from upright has passed mid-stance; one that turns forward first has not. */
+static void touchdown_upright_is_driven_unless_the_leg_falls(void **unused) {
+    (void)unused;
+    static const struct {
+        double rate, stance_torque;
+        tdmf_hip_phase phase;
+    } cases[] = {{-0.1, 0.2, TDMF_PHASE_COAST},  {0.0, 0.2, TDMF_PHASE_COAST},
+                 {0.1, 0.2, TDMF_PHASE_DRIVE},   {0.0, 0.0, TDMF_PHASE_DRIVE},
+                 {-0.1, -0.2, TDMF_PHASE_COAST}, {0.0, -0.2, TDMF_PHASE_DRIVE}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        for (double friction = 0.0; friction < 2.0; friction += 1.0) {
+            runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
+            runner.inputs.ground.friction = friction;
+            runner.model.parameters.hip.stance_torque = cases[i].stance_torque;
+            runner.state[TDMF_LEG_ANGLE_RATE] = cases[i].rate;
+            runner_start(&runner);
+            assert_int_equal(runner.mode.phase, cases[i].phase);
+        }
+    }
+}
+
+static tdmf_motion run_from_start(runner *runner, double until, int64_t most_events) {
+    static const tdmf_input_rates held = {0.0, 0.0};
+    tdmf_solver solver = tdmf_solver_default();
+    runner_start(runner);
+    tdmf_motion motion = {.mode = runner->mode, .record = runner->record};
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    assert_int_equal(tdmf_native_advance(&solver, &runner->model, &runner->inputs, &held, until, &motion),
+                     TDMF_ARRIVED);
+    assert_true(solver.events <= most_events);
+    return motion;
+}
+
+/* Whatever pulse a drive would give it in no time is none. */
+static void upright_runner_at_rest_stands(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.011); /* its weight */
+    const tdmf_motion motion = run_from_start(&runner, 100.0, 0);
+    assert_true(motion.state[TDMF_LEG_ANGLE] == 0.0 && motion.state[TDMF_LEG_ANGLE_RATE] == 0.0);
+    assert_true(motion.state[TDMF_HIP_WORK] == 0.0);
+}
+
+/* The damper carries the foot's weight, and no torque could hold an upright foot: what its press is about to
+ * do decides. It grows with a leg that shortens, and falls with one that lengthens against its damper. */
+static void upright_foot_without_load_does_not_graze(void **unused) {
+    (void)unused;
+    static const double damping = 0.2, foot_weight = 0.001;
+    static const double length_rates[] = {0.0, -0.1, 0.1};
+    for (int i = 0; i < 3; ++i) {
+        for (double angle_rate = -0.1; angle_rate < 0.15; angle_rate += 0.1) {
+            runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
+            runner.state[TDMF_LEG_LENGTH_RATE] = length_rates[i];
+            runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+            runner.state[TDMF_LEG_LENGTH] = 1.0 + foot_weight - damping * length_rates[i];
+            run_from_start(&runner, 0.5, 5);
+            assert_true(length_rates[i] > 0.0 ? runner.mode.contact == TDMF_CONTACT_FLIGHT
+                                              : tdmf_in_contact(&runner.mode));
+        }
+    }
 }
 
 /* Rounding or a coarse importer may leave a rising or resting foot below the ground: no impact. */
@@ -417,6 +478,9 @@ int main(void) {
         cmocka_unit_test(touchdown_sticks_inside_the_cone),
         cmocka_unit_test(touchdown_slides_outside_the_cone),
         cmocka_unit_test(touchdown_behind_the_body_coasts),
+        cmocka_unit_test(touchdown_upright_is_driven_unless_the_leg_falls),
+        cmocka_unit_test(upright_runner_at_rest_stands),
+        cmocka_unit_test(upright_foot_without_load_does_not_graze),
         cmocka_unit_test(sunken_foot_that_does_not_fall_is_lifted),
         cmocka_unit_test(apex_begins_place_and_latches_the_section),
         cmocka_unit_test(clamp_opens_and_closes_uncounted),

@@ -44,8 +44,11 @@ typedef struct {
 } tdmf_resolution;
 
 /* Begins a run at `time` from `state`: checks the start, finds contact mode and hip phase (an impact, if the
- * foot moves down at the ground), sets theta_LO = theta, and clears integrals and record. On refusal (the
- * foot or body below the ground, the leg too short, a value out of range or not finite) nothing is written.
+ * foot moves down at the ground), sets theta_LO = theta, and clears integrals and record. An upright leg is
+ * driven only if it turns forward, or is at rest and the drive does not make it fall: a runner that stands
+ * upright at rest stays so. Its foot is never in graze, for the hip has no lever on it: without load, it
+ * stays if the load is about to grow. On refusal (the foot or body below the ground, the leg too short, a
+ * value out of range or not finite) nothing is written.
  */
 tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                         double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
