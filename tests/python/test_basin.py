@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from tdmf_slip import InputError, basin, section
+from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
+from tdmf_slip import InputError, basin, ensemble, section
 from tdmf_slip.orbit import Runner
+from tdmf_slip.pictures import basin_map
 
 AXES = ("com_height", "com_speed")
 RANGES = (np.linspace(1.2, 2.9, 12), np.linspace(0.9, 1.6, 9))
@@ -114,3 +118,83 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, unit, tmp_path, spoil
     spoil(slice_).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
         basin.basin(runner, AXES, RANGES, path=path, workers=1, unit=unit)
+
+
+def drawn(data, monkeypatch):
+    """The figure of a map as pixels, with its axes."""
+    kept = []
+    monkeypatch.setattr(basin_map.style, "save", lambda figure, path: kept.append(figure))
+    basin_map.draw(None, data)
+    (figure,) = kept
+    plt.close(figure)
+    figure.set_dpi(basin_map.style.DOTS_PER_INCH)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3], figure.axes[0], figure
+
+
+def pixels_near(pixels, axes, at, colour):
+    """How many pixels of a colour are within 12 of a point of the map."""
+    across, up = axes.transData.transform(at)
+    row, column = pixels.shape[0] - round(up), round(across)
+    part = pixels[row - 12 : row + 12, column - 12 : column + 12].astype(float)
+    return int((np.abs(part - 255.0 * np.array(to_rgb(colour))).max(axis=-1) < 8).sum())
+
+
+def map_of(slice_, size, fate, strides):
+    """A map of any size, of a gait and axes that are real."""
+    along = {"com_height": np.linspace(1.0, 2.0, size), "com_speed": np.linspace(0.5, 1.5, size)}
+    coordinates = {name: ((name,), values, slice_[name].attrs) for name, values in along.items()}
+    fates = np.full((size, size), fate, dtype="i4")
+    data = xarray.Dataset(
+        {"fate": (AXES, fates, slice_["fate"].attrs), "strides": (AXES, np.full_like(fates, strides))},
+        coords=coordinates,
+    )
+    data["strides"][0, 0] = 100
+    data.attrs = slice_.attrs
+    return data
+
+
+@pytest.mark.parametrize("size", [5, 64, 512])
+@pytest.mark.parametrize("name", ["undecided", "no_start", "unsolved"])
+@pytest.mark.parametrize(("around", "strides"), [(0, 3), (0, 100), (1, 3), (1, 100)])
+def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, name, around, strides):
+    data = map_of(slice_, size, around, strides)
+    row = size // 2 + size // 4
+    data["fate"][row, row] = ensemble.FATES.index(name)
+    pixels, axes, _ = drawn(data, monkeypatch)
+    at = data["com_speed"].values[row], data["com_height"].values[row]
+    assert pixels_near(pixels, axes, at, basin_map.OTHERS[name][0]) >= 30
+
+
+@pytest.mark.parametrize("fate", range(len(ensemble.FATES)))
+@pytest.mark.parametrize("strides", [0, 100])
+def test_the_gait_is_seen_on_any_colour(slice_, monkeypatch, fate, strides):
+    pixels, axes, _ = drawn(map_of(slice_, 32, fate, strides), monkeypatch)
+    at = slice_.attrs["gait_com_speed"], slice_.attrs["gait_com_height"]
+    assert pixels_near(pixels, axes, at, basin_map.style.INK) >= 40
+    assert pixels_near(pixels, axes, at, "white") >= 40
+
+
+def test_every_fate_has_a_colour():
+    assert set(ensemble.FATES) == {*basin_map.COUNTED, *basin_map.OTHERS}
+
+
+@pytest.mark.parametrize("preset", ["paper", "human"])
+def test_a_map_says_friction_and_units(unit, monkeypatch, preset):
+    """SI on both axes, as the ranges are given, with the scales of the runner."""
+    runner = Runner.of(tdmf_slip.read_parameters(preset), unit).but("ground.friction", 0.55)
+    data = basin.basin(runner, ("leg_length", "leg_angle_rate"), ([1.2], [0.2, 0.4]), workers=1)
+    _, axes, figure = drawn(data, monkeypatch)
+    assert "friction 0.55" in axes.get_title(loc="left")
+    rate = "1" if preset == "paper" else "15.81"
+    assert axes.get_ylabel() == "leg length (m;  l₀ = 1 m)"
+    assert axes.get_xlabel() == f"rate of leg angle (rad/s;  √(k/m) = {rate} rad/s)"
+    assert "beyond the map" in figure.legends[0].get_texts()[0].get_text()
+
+
+def test_a_reversed_range_is_the_same_map(slice_, monkeypatch):
+    there, axes, _ = drawn(slice_, monkeypatch)
+    back, reversed_axes, _ = drawn(slice_.isel(com_height=slice(None, None, -1)), monkeypatch)
+    assert axes.get_ylim() == reversed_axes.get_ylim()
+    np.testing.assert_array_equal(there, back)

@@ -1,12 +1,20 @@
 """A region of attraction: how many strides each start takes to settle on the gait, or until it falls."""
 
+import math
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray
+from matplotlib.axes import Axes
+from matplotlib.colors import Colormap, ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
 
+from ..section import COORDINATES
 from . import style
 
 NAMES = {
@@ -18,41 +26,122 @@ NAMES = {
     "leg_angle_rate": "rate of leg angle",
 }
 """Of the section's coordinates, at the apex."""
-OTHERS = {"undecided": "#f3d27a", "no_start": "#ffffff", "unsolved": "#8a8a8a"}
+SCALES = ("l₀", "l₀√(k/m)", "l₀", "", "l₀√(k/m)", "√(k/m)")
+"""Of the section's coordinates."""
+COUNTED = {
+    "settled": ("GnBu_r", "strides until the runner settles"),
+    "fell": ("OrRd_r", "strides until the runner falls"),
+}
+"""Colours of fates that are told by the number of strides."""
+OTHERS = {
+    "undecided": ("#8e44ad", "undecided"),
+    "no_start": ("#5b6770", "no start: the foot is not above the ground"),
+    "unsolved": ("#000000", "unsolved: no solver could follow"),
+}
+"""Colours of the others."""
+PALEST = 0.85
+"""Of a colour map: beyond, it is hardly told from the paper."""
+SMALLEST, RIM = 3.2, 1.0
+"""Points: starts that are drawn smaller are marked with a white rim, else a single one would be lost."""
 
 
 def draw(path: Path, data: xarray.Dataset) -> None:
     """Draw the map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
     vertical, horizontal = data["fate"].dims
-    fates = data["fate"].attrs["flag_meanings"].split()
+    edges = _edges(data[horizontal].values), _edges(data[vertical].values)
+    meanings = data["fate"].attrs["flag_meanings"].split()
     fate, strides = data["fate"].values, data["strides"].values
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
-        for name, colours in (("settled", "GnBu_r"), ("fell", "OrRd_r")):
-            shown = np.ma.masked_where(fate != fates.index(name), strides)
-            if shown.count():
-                mesh = axes.pcolormesh(
-                    data[horizontal], data[vertical], shown, cmap=colours, shading="nearest"
-                )
-                figure.colorbar(mesh, ax=axes, label=f"strides until the runner {_VERBS[name]}", pad=0.01)
-        handles = []
-        for name, colour in OTHERS.items():
-            chosen = fate == fates.index(name)
-            if chosen.any():
-                rows, columns = np.nonzero(chosen)
-                axes.plot(data[horizontal].values[columns], data[vertical].values[rows], ",", color=colour)
-                handles.append(Patch(color=colour, label=name.replace("_", " ")))
-        gait = data.attrs[f"gait_{horizontal}"], data.attrs[f"gait_{vertical}"]
-        (cross,) = axes.plot(
-            *gait, "+", color=style.INK, markersize=11, label=f"gait {style.word(data.attrs['word'])}"
-        )
-        axes.legend(handles=[cross, *handles], loc="upper right")
+        figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
+        axes.set_xlim(min(edges[0]), max(edges[0]))
+        axes.set_ylim(min(edges[1]), max(edges[1]))
+        axes.set_title(_title(data, fate == meanings.index("settled")))
         style.label(axes, _label(data, horizontal), _label(data, vertical))
+        for name, (colours, label) in COUNTED.items():
+            shown = np.ma.masked_where(fate != meanings.index(name), strides)
+            if shown.count():
+                most = max(1, shown.max())
+                mesh = axes.pcolormesh(*edges, shown, cmap=_without_palest(colours), vmin=0, vmax=most)
+                figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
+        cross = _cross(axes, data, horizontal, vertical)
+        handles = [cross]
+        chosen = {name: fate == number for number, name in enumerate(meanings) if name in OTHERS}
+        chosen = {name: where for name, where in chosen.items() if where.any()}
+        for name in chosen:
+            colour, label = OTHERS[name]
+            handles.append(Patch(color=colour, label=label))
+        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+        figure.draw_without_rendering()  # now the size of a start is known
+        for name, where in chosen.items():
+            axes.pcolormesh(*edges, np.ma.masked_where(~where, where), cmap=ListedColormap([OTHERS[name][0]]))
+            _mark_small(figure, axes, data, where, OTHERS[name][0])
         style.save(figure, path)
 
 
-_VERBS = {"settled": "settles", "fell": "falls"}
+def _edges(values: np.ndarray) -> np.ndarray:
+    """Between values, and as far beyond the outer ones; around a single one."""
+    if len(values) == 1:
+        return values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
+    between = 0.5 * (values[1:] + values[:-1])
+    return np.concatenate([[2.0 * values[0] - between[0]], between, [2.0 * values[-1] - between[-1]]])
+
+
+def _without_palest(name: str) -> Colormap:
+    return ListedColormap(plt.get_cmap(name)(np.linspace(0.0, PALEST, 256)))
+
+
+def _title(data: xarray.Dataset, settled: np.ndarray) -> str:
+    friction, word = data.attrs["ground.friction"], style.word(data.attrs["word"])
+    return f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
+
+
+def _cross(axes: Axes, data: xarray.Dataset, horizontal: str, vertical: str) -> Line2D:
+    """Ink with a white rim, which is seen on any colour."""
+    at = data.attrs[f"gait_{horizontal}"], data.attrs[f"gait_{vertical}"]
+    low, high = np.transpose([axes.get_xlim(), axes.get_ylim()])
+    inside = np.all((low <= at) & (at <= high))
+    (cross,) = axes.plot(
+        *at,
+        "+",
+        color=style.INK,
+        markersize=12,
+        markeredgewidth=1.8,
+        zorder=5,
+        scalex=False,
+        scaley=False,
+        path_effects=[withStroke(linewidth=4.5, foreground="white")],
+        label="gait" if inside else "gait: beyond the map",
+    )
+    return cross
+
+
+def _mark_small(figure: Figure, axes: Axes, data: xarray.Dataset, where: np.ndarray, colour: str) -> None:
+    """Mark starts that are too small to be seen by themselves."""
+    extent, points = axes.get_window_extent(), 72.0 / figure.dpi
+    rows, columns = where.shape
+    if min(extent.width / columns, extent.height / rows) * points >= SMALLEST:
+        return
+    vertical, horizontal = data["fate"].dims
+    rows_of, columns_of = np.nonzero(where)
+    at = data[horizontal].values[columns_of], data[vertical].values[rows_of]
+    for size, filled in ((SMALLEST + 2.0 * RIM, "white"), (SMALLEST, colour)):
+        axes.plot(
+            *at,
+            "s",
+            color=filled,
+            markersize=size,
+            markeredgewidth=0.0,
+            scalex=False,
+            scaley=False,
+            rasterized=True,
+        )
 
 
 def _label(data: xarray.Dataset, axis: str) -> str:
-    return f"{NAMES[axis]}  in {data[axis].attrs['units']}"
+    """With the unit, in which ranges are given too, and how much of it the scale is."""
+    unit, scale = data[axis].attrs["units"], SCALES[COORDINATES.index(axis)]
+    if not scale:
+        return f"{NAMES[axis]} ({unit})"
+    length = data.attrs["leg.free_length"] if "l₀" in scale else 1.0
+    rate = math.sqrt(data.attrs["leg.stiffness"] / data.attrs["body.mass"]) if "√" in scale else 1.0
+    return f"{NAMES[axis]} ({unit};  {scale} = {length * rate:.4g} {unit})"
