@@ -8,6 +8,6 @@ if(NOT FMI_HEADERS_DIR)
 endif()
 if(NOT EXISTS "${FMI_HEADERS_DIR}/fmi2Functions.h")
     message(FATAL_ERROR "fmi2Functions.h was not found. Either install FMPy for ${Python3_EXECUTABLE} "
-                        "(python -m pip install fmpy==0.3.32), or pass -DFMI_HEADERS_DIR=<folder of the FMI 2.0 headers>, "
+                        "(python -m pip install fmpy), or pass -DFMI_HEADERS_DIR=<folder of the FMI 2.0 headers>, "
                         "or leave the unit out with -DTDMF_SLIP_BUILD_FMU=OFF.")
 endif()

@@ -9,7 +9,16 @@ fail() {
     exit 1
 }
 
-# need_debian_packages PACKAGE...: installs what is missing, or says how to.
+# may_use_sudo WHAT...: asks, where somebody is at a terminal; elsewhere nothing waits for an answer.
+may_use_sudo() {
+    local answer
+    command -v sudo >/dev/null && [ -t 0 ] && [ -t 2 ] || return 1
+    printf '\nMissing: %s. Install by sudo apt-get? [y/N] ' "$*" >&2
+    read -r answer || return 1
+    [[ $answer == [yY]* ]]
+}
+
+# need_debian_packages PACKAGE...: installs what is missing, by sudo only after asking; or says what to install.
 need_debian_packages() {
     local missing=() package
     command -v dpkg-query >/dev/null || return 0 # another system: cmake and python tell what they lack
@@ -19,12 +28,13 @@ need_debian_packages() {
     [ ${#missing[@]} -eq 0 ] && return 0
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then
-        sudo -n true 2>/dev/null || fail "please run:  sudo apt-get install ${missing[*]}"
+        may_use_sudo "${missing[@]}" || fail "please install, as root:  apt-get install ${missing[*]}"
         as_root=(sudo)
     fi
     say "Installing from Debian: ${missing[*]}"
-    "${as_root[@]}" apt-get update -qq >&2
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+    "${as_root[@]}" apt-get update -qq </dev/null >&2
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >&2
 }
 
 # SUNDIALS, for the second solver of Co-Simulation. Installing its development package would bring some 160 others
@@ -49,8 +59,16 @@ need_python() {
     python3 -c 'import ensurepip, venv' 2>/dev/null || need_debian_packages python3-venv
 }
 
-# The virtual environment .venv, with everything pinned in pyproject.toml. Building without isolation lets the
-# C build go on where it stopped.
+# install_locked NAME [OPTION...]: exactly the Python packages of scripts/locks/NAME.txt, by their hashes; scripts/lock
+# makes these files.
+install_locked() {
+    local name=$1
+    shift
+    "$PWD/.venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --require-hashes "$@" \
+        -r "scripts/locks/$name.txt"
+}
+
+# The virtual environment .venv. Building without isolation lets the C build go on where it stopped.
 make_environment() {
     need_python
     local python=.venv/bin/python
@@ -59,26 +77,20 @@ make_environment() {
         python3 -m venv --clear .venv
     fi
     local wanted
-    wanted=$(sha256sum pyproject.toml)
+    wanted=$(sha256sum scripts/locks/environment.txt)
     if [ "$(cat .venv/installed 2>/dev/null)" != "$wanted" ]; then
-        say "Installing Python packages: those of pyproject.toml, pinned"
-        "$python" -c 'import tomllib
-project = tomllib.load(open("pyproject.toml", "rb"))
-wanted = project["build-system"]["requires"] + project["project"]["dependencies"]
-for extra in ("test", "importers", "bench"):
-    wanted += project["project"]["optional-dependencies"][extra]
-print("\n".join(wanted))' | "$python" -m pip install --quiet --disable-pip-version-check -r /dev/stdin
+        say "Installing Python packages"
+        install_locked environment
         printf '%s\n' "$wanted" >.venv/installed
     fi
     say "Building the unit and installing tdmf-slip into .venv"
-    "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall .
+    "$python" -m pip install --quiet --disable-pip-version-check --no-input --no-build-isolation --no-deps \
+        --force-reinstall .
 }
 
 # Zig, and what reads and packs its results.
 get_zig() {
-    .venv/bin/python -c 'import tomllib
-print("\n".join(tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]["platforms"]))' |
-        .venv/bin/python -m pip install --quiet --disable-pip-version-check -r /dev/stdin
+    install_locked platforms
 }
 
 # The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file. The ensemble
@@ -152,7 +164,7 @@ get_importers() {
         return
     fi
     say "Building fmi-sim; this takes some minutes"
-    "$python" -m pip install --quiet --disable-pip-version-check --target "$place/libclang" libclang==18.1.1
+    install_locked fmi_sim --target "$place/libclang"
     LIBCLANG_PATH=$place/libclang/clang/native BINDGEN_EXTRA_CLANG_ARGS=-I$(gcc -print-file-name=include) \
         CARGO_TARGET_DIR=$place/cargo cargo install --quiet --locked --root "$place" --version 0.7.0 fmi-sim
 }

@@ -1,0 +1,178 @@
+"""What the scripts install: Debian packages with leave only, Python packages by exact versions and hashes."""
+
+import importlib.metadata
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+packaging = pytest.importorskip("packaging.requirements")
+utils = pytest.importorskip("packaging.utils")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LOCKS = ROOT / "scripts" / "locks"
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+DEPENDENCIES = PROJECT["project"]["dependencies"]
+EXTRAS = PROJECT["project"]["optional-dependencies"]
+HANGS = 600.0
+"""Seconds after which a process is said to hang; nothing else depends on them."""
+
+
+def locked(*names):
+    """Version by package of some locks, and which of the hashes' lines there are."""
+    versions = {}
+    for name in names:
+        text = (LOCKS / f"{name}.txt").read_text(encoding="utf-8").replace("\\\n", " ")
+        for line in text.splitlines():
+            if line.startswith("#"):
+                continue
+            found = re.fullmatch(
+                r"([a-z0-9-]+)==(\S+)( ; [^#]+?)?((?: +--hash=sha256:[0-9a-f]{64})+) *", line
+            )
+            assert found, line
+            versions[found[1]] = found[2]
+    return versions
+
+
+@pytest.mark.parametrize(
+    ("lock", "requirements", "least"),
+    [
+        ("environment", PROJECT["build-system"]["requires"], 2),
+        ("environment", DEPENDENCIES, 10),
+        ("environment", EXTRAS["test"] + EXTRAS["importers"] + EXTRAS["bench"], 8),
+        ("platforms", EXTRAS["platforms"], 4),
+        ("fmi_sim", EXTRAS["fmi-sim"], 1),
+    ],
+)
+def test_a_lock_has_what_pyproject_asks_for(lock, requirements, least):
+    versions = locked(lock)
+    assert len(requirements) >= least
+    for text in requirements:
+        requirement = packaging.Requirement(text)
+        assert requirement.specifier.contains(versions[utils.canonicalize_name(requirement.name)]), text
+
+
+def test_locks_agree_and_have_all_that_is_needed_in_turn():
+    """As the installed packages tell what they need."""
+    environment, platforms = locked("environment"), locked("platforms")
+    assert all(environment.get(name, version) == version for name, version in platforms.items())
+    versions, checked = environment | platforms, 0
+    for name, version in versions.items():
+        try:
+            distribution = importlib.metadata.distribution(name)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+        if distribution.version != version:
+            continue
+        for text in distribution.requires or []:
+            requirement = packaging.Requirement(text)
+            if requirement.marker is None or requirement.marker.evaluate({"extra": ""}):
+                there = versions[utils.canonicalize_name(requirement.name)]
+                assert requirement.specifier.contains(there), f"{name}: {text}"
+                checked += 1
+    if not checked:
+        pytest.skip("NOT TESTED: locks, because none of their packages is installed")
+    assert checked > 50
+
+
+def test_the_package_itself_pins_nothing():
+    """It lives beside other packages; the scripts' environment is another matter."""
+    for text in [*DEPENDENCIES, *EXTRAS["bench"], *PROJECT["build-system"]["requires"]]:
+        operators = {specifier.operator for specifier in packaging.Requirement(text).specifier}
+        assert operators == {">="}, text
+
+
+def test_scripts_install_python_packages_by_hash_only():
+    text = "".join((ROOT / "scripts" / name).read_text() for name in ("setup.sh", "run", "test", "release"))
+    calls = re.findall(r"pip install .*", text.replace("\\\n", " "))
+    assert len(calls) == 2
+    assert all("--require-hashes" in call or re.search(r"--no-deps .*\.$", call) for call in calls), calls
+
+
+# ---- Debian packages ----
+
+POSIX_ONLY = pytest.mark.skipif(
+    os.name != "posix" or sys.platform == "darwin", reason="the scripts are for Linux"
+)
+COMMANDS = {
+    "dpkg-query": "exit 1",
+    "id": "echo $USER_NUMBER",
+    "sudo": 'echo "sudo $*" >>"$CALLS"; "$@"',
+    "apt-get": 'echo "apt-get $*" >>"$CALLS"; cat',
+}
+
+
+@pytest.fixture
+def need(tmp_path):
+    """Lets the scripts need a package that is missing, among commands that only note how they are called."""
+    folder, calls = tmp_path / "bin", tmp_path / "calls"
+    folder.mkdir()
+    calls.touch()
+    for name, body in COMMANDS.items():
+        (folder / name).write_text(f"#!/bin/sh\n{body}\n")
+        (folder / name).chmod(0o755)
+
+    def run(user, stdin, stderr=subprocess.PIPE):
+        environment = os.environ | {
+            "PATH": f"{folder}:{os.environ['PATH']}",
+            "USER_NUMBER": str(user),
+            "CALLS": str(calls),
+        }
+        script = f"set -euo pipefail; source {ROOT}/scripts/setup.sh; need_debian_packages some-package"
+        process = subprocess.Popen(["bash", "-c", script], stdin=stdin, stderr=stderr, env=environment)
+        return process, lambda: calls.read_text().splitlines()
+
+    return run
+
+
+INSTALLED = "apt-get install -y -qq --no-install-recommends some-package"
+
+
+@POSIX_ONLY
+def test_root_installs_without_a_question(need):
+    process, calls = need(0, subprocess.PIPE)  # which says nothing and does not end
+    assert process.wait(HANGS) == 0
+    process.communicate()
+    assert calls() == ["apt-get update -qq", INSTALLED]
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize("stdin", [subprocess.PIPE, subprocess.DEVNULL])
+def test_without_a_terminal_nobody_is_asked_and_sudo_is_not_used(need, stdin):
+    process, calls = need(1000, stdin)
+    assert process.wait(HANGS) == 1
+    _, said = process.communicate()
+    assert b"apt-get install some-package" in said and calls() == []
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize(
+    ("answer", "does"), [("y", True), ("Yes", True), ("n", False), ("", False), ("\4", False)]
+)
+def test_at_a_terminal_sudo_is_used_after_asking_only(need, answer, does):
+    terminal, other = os.openpty()
+    process, calls = need(1000, other, other)
+    os.close(other)
+    said = b""
+    while b"[y/N]" not in said:
+        said += os.read(terminal, 1000)
+    assert b"some-package" in said and calls() == []
+    os.write(terminal, f"{answer}\n".encode() if answer != "\4" else b"\4")
+    try:
+        while chunk := os.read(terminal, 1000):
+            said += chunk
+    except OSError:  # its other end is closed
+        pass
+    assert process.wait(HANGS) == (0 if does else 1)
+    os.close(terminal)
+    if does:
+        assert [call for call in calls() if call.startswith("sudo")] == [
+            "sudo apt-get update -qq",
+            f"sudo env DEBIAN_FRONTEND=noninteractive {INSTALLED}",
+        ]
+    else:
+        assert calls() == [] and b"please install" in said
