@@ -1,0 +1,230 @@
+/* The derivatives of strides of random runners against differences: whatever happens in a stride, it is
+ * differentiated, and what is zero is no exception. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+#include "tdmf_slip/return_map.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    RUNNERS = 120,
+    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    INPUTS = sizeof(tdmf_inputs) / sizeof(double),
+    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
+    RESULTS = TDMF_SECTION_COUNT + 3
+};
+
+static const double longest = 1e3;
+
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_inputs inputs;
+    double section[TDMF_SECTION_COUNT];
+} start;
+
+static void set_zero(random_source *source, double probability, double *value) {
+    *value = random_chance(source, probability) ? 0.0 : *value;
+}
+
+static start random_start(random_source *source) {
+    start start = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
+    tdmf_parameters *p = &start.parameters;
+    p->foot.mass = random_magnitude(source, 0.02, 0.5);
+    p->leg.damping = random_magnitude(source, 0.03, 1.0);
+    p->gravity *= random_magnitude(source, 0.7, 1.5);
+    p->hip.stance_torque = random_uniform(source, -0.1, 0.3);
+    p->hip.touchdown_angle += random_uniform(source, -0.4, 0.2);
+    p->hip.kp = random_magnitude(source, 0.03, 1.0);
+    p->hip.kd = random_magnitude(source, 0.03, 1.0);
+    p->hip.liftoff_angle_factor = random_uniform(source, 0.5, 1.5);
+    start.inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
+    start.inputs.hip.external_torque = random_uniform(source, -0.01, 0.01);
+    set_zero(source, 0.3, &p->hip.stance_torque);
+    set_zero(source, 0.2, random_chance(source, 0.5) ? &p->hip.kp : &p->hip.kd);
+    set_zero(source, 0.2, &p->leg.damping);
+    set_zero(source, 0.5, &start.inputs.hip.external_torque);
+    memcpy(start.section, &reference_gaits[2].apex, sizeof start.section);
+    for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+        start.section[k] += random_uniform(source, -0.1, 0.1);
+    }
+    return start;
+}
+
+static double *direction_of(start *start, int k) {
+    if (k < TDMF_SECTION_COUNT) {
+        return &start->section[k];
+    }
+    k -= TDMF_SECTION_COUNT;
+    return k < PARAMETERS ? (double *)&start->parameters + k : (double *)&start->inputs + (k - PARAMETERS);
+}
+
+static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_change *change,
+                             tdmf_event_log *log) {
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = 1e-13;
+    solver.log = log;
+    log->count = 0;
+    assert_null(tdmf_model_create(&model, &start->parameters).variable);
+    return tdmf_return_map(&solver, &model, &start->inputs, start->section, longest, derivatives, change,
+                           change ? 1 : 0);
+}
+
+static void results_of(const tdmf_return *stride, double results[RESULTS]) {
+    memcpy(results, stride->apex, sizeof stride->apex);
+    results[TDMF_SECTION_COUNT] = stride->stride.period;
+    results[TDMF_SECTION_COUNT + 1] = stride->stride.length;
+    results[TDMF_SECTION_COUNT + 2] = stride->stride.work;
+}
+
+static void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
+    memcpy(derivatives, change->apex, sizeof change->apex);
+    derivatives[TDMF_SECTION_COUNT] = change->period;
+    derivatives[TDMF_SECTION_COUNT + 1] = change->length;
+    derivatives[TDMF_SECTION_COUNT + 2] = change->work;
+}
+
+/* The same events in the same order. */
+static bool happens_alike(const tdmf_event_log *a, const tdmf_event_log *b) {
+    bool alike = a->count == b->count && a->count <= TDMF_EVENT_CAPACITY;
+    for (int i = 0; alike && i < a->count; ++i) {
+        alike = a->events[i].guard == b->events[i].guard &&
+                a->events[i].after.contact == b->events[i].after.contact &&
+                a->events[i].after.phase == b->events[i].after.phase &&
+                a->events[i].after.clamp_closed == b->events[i].after.clamp_closed;
+    }
+    return alike;
+}
+
+/* Five points, about the middle or, where less than zero is refused, from it on. False where something else
+ * happens there. */
+static bool difference(const start *at, const tdmf_event_log *events, int k, double step,
+                       double differences[RESULTS]) {
+    static const double middle[2][5] = {{-2.0, -1.0, 0.0, 1.0, 2.0}, {1.0, -8.0, 0.0, 8.0, -1.0}};
+    static const double ahead[2][5] = {{0.0, 1.0, 2.0, 3.0, 4.0}, {-25.0, 48.0, -36.0, 16.0, -3.0}};
+    start there = *at;
+    double *moved = direction_of(&there, k);
+    const double value = *moved;
+    const bool starts_at_zero =
+        value == 0.0 && (moved == &there.parameters.leg.damping || moved == &there.parameters.hip.kp ||
+                         moved == &there.parameters.hip.kd);
+    const double(*points)[5] = starts_at_zero ? ahead : middle;
+    const double h = k < TDMF_SECTION_COUNT ? step : step * fmax(fabs(value), 0.05);
+    memset(differences, 0, RESULTS * sizeof *differences);
+    for (int i = 0; i < 5; ++i) {
+        tdmf_event_log log;
+        double results[RESULTS];
+        *moved = value + points[0][i] * h;
+        const tdmf_return stride = stride_of(&there, false, NULL, &log);
+        if (!stride.outcome.closed || !happens_alike(&log, events)) {
+            return false;
+        }
+        results_of(&stride, results);
+        for (int r = 0; r < RESULTS; ++r) {
+            differences[r] += points[1][i] * results[r] / (12.0 * h);
+        }
+    }
+    return true;
+}
+
+/* A difference over a short step, what one over a longer step is off from it, and the largest of it: the
+ * error of a long one is the step's fourth power times a fifth derivative, which is large near the edge of an
+ * event, that of a short one the motion's, over the step. */
+typedef struct {
+    double values[RESULTS], error, size;
+} estimate;
+
+static bool estimate_difference(const start *at, const tdmf_event_log *events, int k, estimate *estimate) {
+    double coarse[RESULTS];
+    estimate->error = 0.0;
+    estimate->size = 1.0;
+    if (!difference(at, events, k, 1e-5, coarse) || !difference(at, events, k, 1e-6, estimate->values)) {
+        return false;
+    }
+    for (int r = 0; r < RESULTS; ++r) {
+        estimate->error = fmax(estimate->error, fabs(coarse[r] - estimate->values[r]));
+        estimate->size = fmax(estimate->size, fabs(estimate->values[r]));
+    }
+    return estimate->error < 1e-4 * estimate->size;
+}
+
+static void assert_is_differentiated(const start *at, int k, const estimate *estimate) {
+    tdmf_event_log log;
+    start unit;
+    tdmf_change change;
+    double derivatives[RESULTS];
+    memset(&unit, 0, sizeof unit);
+    *direction_of(&unit, k) = 1.0;
+    change.parameters = unit.parameters;
+    change.inputs = unit.inputs;
+    const tdmf_return stride = stride_of(at, true, &change, &log);
+    derivatives_of(k < TDMF_SECTION_COUNT ? &stride.by_section[k] : &stride.by_parameter[0], derivatives);
+    for (int r = 0; r < RESULTS; ++r) {
+        assert_close(derivatives[r], estimate->values[r], 2e-6 * estimate->size + estimate->error);
+    }
+}
+
+/* How often what happened in a stride that was compared, and how often it was differentiated by a zero. */
+typedef struct {
+    int compared, zeros, guards[TDMF_GUARD_COUNT];
+    int drives_without_torque; /* left by a lift-off */
+} tally;
+
+static void count_events(const start *at, const tdmf_event_log *events, int k, tally *tally) {
+    start copy = *at;
+    tally->zeros += k >= TDMF_SECTION_COUNT && *direction_of(&copy, k) == 0.0;
+    ++tally->compared;
+    for (int i = 0; i < events->count; ++i) {
+        const tdmf_event *event = &events->events[i];
+        ++tally->guards[event->guard];
+        tally->drives_without_torque += event->guard == TDMF_GUARD_LIFT_OFF &&
+                                        event->before.mid_stance_pending &&
+                                        at->parameters.hip.stance_torque == 0.0;
+    }
+}
+
+static void assert_saw_everything(const tally *seen) {
+    static const tdmf_guard guards[] = {TDMF_GUARD_TOUCHDOWN,
+                                        TDMF_GUARD_APEX,
+                                        TDMF_GUARD_CLAMP,
+                                        TDMF_GUARD_LIFT_OFF,
+                                        TDMF_GUARD_SLIP_ONSET_POSITIVE,
+                                        TDMF_GUARD_SLIP_ONSET_NEGATIVE,
+                                        TDMF_GUARD_SLIP_VELOCITY_ZERO,
+                                        TDMF_GUARD_MID_STANCE,
+                                        TDMF_GUARD_GRAZE_TO_CONTACT,
+                                        TDMF_GUARD_GRAZE_TO_FLIGHT};
+    assert_true(seen->compared > 1000 && seen->zeros > 50 && seen->drives_without_torque > 20);
+    for (size_t i = 0; i < sizeof guards / sizeof guards[0]; ++i) {
+        assert_true(seen->guards[guards[i]] > 50);
+    }
+}
+
+static void every_stride_is_differentiated(void **state) {
+    tally seen;
+    (void)state;
+    memset(&seen, 0, sizeof seen);
+    for (uint64_t seed = 0; seed < RUNNERS; ++seed) {
+        random_source source = {seed};
+        const start start = random_start(&source);
+        tdmf_event_log events;
+        if (!stride_of(&start, false, NULL, &events).outcome.closed) {
+            continue;
+        }
+        for (int k = 0; k < DIRECTIONS; ++k) {
+            estimate estimate;
+            if (estimate_difference(&start, &events, k, &estimate)) {
+                assert_is_differentiated(&start, k, &estimate);
+                count_events(&start, &events, k, &seen);
+            }
+        }
+    }
+    assert_saw_everything(&seen);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_stride_is_differentiated)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,362 @@
+/* What an event makes of a variation, against differences of the guards and of the impact map.
+ *
+ * Sides of an event are made up here: the hip works at a rate of 1 before it and not at all after it, so that
+ * the work's variation grows by the time that the event shifts by. */
+#include "compare.h"
+#include "differentiate.h"
+#include "saltation.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    DRAWS = 60,
+    VARIED = TDMF_HIP_WORK, /* coordinates that a guard may depend on */
+    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double)
+};
+
+/* A line through a runner, in all that a guard depends on. */
+typedef struct {
+    const runner *runner;
+    tdmf_guard guard;
+    double state[TDMF_STATE_COUNT];
+    double liftoff_angle;
+    tdmf_change change;
+} line;
+
+static runner moved_along(const line *line, double t) {
+    runner moved = *line->runner;
+    double *values = (double *)&moved.model.parameters;
+    const double *directions = (const double *)&line->change.parameters;
+    for (int i = 0; i < PARAMETERS; ++i) {
+        values[i] += t * directions[i];
+    }
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        moved.state[i] += t * line->state[i];
+    }
+    moved.model.total_mass = moved.model.parameters.body.mass + moved.model.parameters.foot.mass;
+    moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
+    moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
+    moved.mode.liftoff_angle += t * line->liftoff_angle;
+    return moved;
+}
+
+/* What a guard watches, in its own unit. */
+static double watched(const runner *at, tdmf_guard guard) {
+    const double torque = tdmf_hip_stance_law(&at->model, &at->mode) + at->inputs.hip.external_torque;
+    const tdmf_ground_force force = tdmf_sticking_force(&at->model, torque, at->state);
+    switch (guard) {
+    case TDMF_GUARD_TOUCHDOWN:
+        return at->state[TDMF_FOOT_Y];
+    case TDMF_GUARD_APEX:
+        return tdmf_center_of_mass(&at->model, at->state).vy;
+    case TDMF_GUARD_CLAMP:
+        return tdmf_hip_retract_argument(&at->model, &at->mode, at->state);
+    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
+        return at->inputs.ground.friction * force.fy + force.fx;
+    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
+        return at->inputs.ground.friction * force.fy - force.fx;
+    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+        return at->state[TDMF_FOOT_VX];
+    case TDMF_GUARD_MID_STANCE:
+        return at->state[TDMF_LEG_ANGLE];
+    case TDMF_GUARD_GRAZE_TO_FLIGHT:
+        return tdmf_flight_press(&at->model, &at->inputs, &at->mode, at->state);
+    default:
+        return force.fy; /* lift-off, and from graze to contact */
+    }
+}
+
+static long double watched_on_line(long double t, const void *context) {
+    const line *line = context;
+    const runner moved = moved_along(line, (double)t);
+    return watched(&moved, line->guard);
+}
+
+static double rate_along(const line *line) {
+    return (double)derivative_at_zero(watched_on_line, line, 1e-3L);
+}
+
+static tdmf_contact_mode watched_in(tdmf_guard guard) {
+    switch (guard) {
+    case TDMF_GUARD_TOUCHDOWN:
+    case TDMF_GUARD_APEX:
+    case TDMF_GUARD_CLAMP:
+        return TDMF_CONTACT_FLIGHT;
+    case TDMF_GUARD_GRAZE_TO_CONTACT:
+    case TDMF_GUARD_GRAZE_TO_FLIGHT:
+        return TDMF_CONTACT_GRAZE;
+    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+        return TDMF_CONTACT_SLIP_POSITIVE;
+    default:
+        return TDMF_CONTACT_STICK;
+    }
+}
+
+/* In units of one, with a torque or a gain that happens to be zero. */
+static runner random_runner(random_source *source, tdmf_guard guard) {
+    runner runner = scene_random(source, watched_in(guard));
+    tdmf_parameters p = tdmf_default_parameters();
+    p.foot.mass = random_uniform(source, 0.1, 0.5);
+    p.leg.free_length = runner.state[TDMF_LEG_LENGTH] * random_uniform(source, 0.8, 1.2);
+    p.gravity = random_uniform(source, 0.1, 1.0);
+    p.hip.stance_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.5, 0.5);
+    p.hip.kp = random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.1, 1.0);
+    p.hip.kd = random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.1, 1.0);
+    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    runner.inputs.ground.friction = random_uniform(source, 0.1, 1.0);
+    runner.inputs.hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.3, 0.3);
+    for (int i = TDMF_FOOT_VX; i < TDMF_MECHANICAL_COUNT; ++i) {
+        runner.state[i] = random_uniform(source, -1.0, 1.0);
+    }
+    if (guard == TDMF_GUARD_APEX || guard == TDMF_GUARD_CLAMP) {
+        runner.mode.phase = TDMF_PHASE_RETRACT;
+    }
+    return runner;
+}
+
+static void choose_direction(random_source *source, double state[TDMF_STATE_COUNT]) {
+    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
+    for (int i = 0; i < VARIED; ++i) {
+        state[i] = random_uniform(source, -1.0, 1.0);
+    }
+}
+
+static tdmf_change random_change(random_source *source) {
+    tdmf_change change;
+    double *values = (double *)&change.parameters;
+    for (int i = 0; i < PARAMETERS; ++i) {
+        values[i] = random_uniform(source, -1.0, 1.0);
+    }
+    change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
+    change.inputs.hip.external_torque = random_uniform(source, -1.0, 1.0);
+    return change;
+}
+
+/* A variation, and the sides of an event that goes on in `after`. */
+typedef struct {
+    tdmf_side before, after;
+    tdmf_variation variation;
+    tdmf_change change;
+} event;
+
+static event random_event(random_source *source, const runner *runner, tdmf_guard guard,
+                          tdmf_contact_mode after) {
+    event event;
+    memset(&event, 0, sizeof event);
+    memcpy(event.before.state, runner->state, sizeof event.before.state);
+    memcpy(event.after.state, runner->state, sizeof event.after.state);
+    event.before.mode = event.after.mode = runner->mode;
+    event.after.mode.contact = after;
+    if (guard == TDMF_GUARD_TOUCHDOWN) {
+        event.before.state[TDMF_FOOT_VY] = -fabs(runner->state[TDMF_FOOT_VY]);
+        memcpy(event.after.state, event.before.state, sizeof event.after.state);
+        tdmf_impact(&runner->model, runner->inputs.ground.friction, event.after.state);
+    }
+    choose_direction(source, event.before.derivatives);
+    choose_direction(source, event.variation.state);
+    event.before.derivatives[TDMF_HIP_WORK] = 1.0;
+    event.variation.state[TDMF_HIP_WORK] = random_uniform(source, -1.0, 1.0);
+    event.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
+    event.change = random_change(source);
+    return event;
+}
+
+static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event *event) {
+    return tdmf_saltation(&runner->model, &runner->inputs, guard, &event->before, &event->after,
+                          &event->change, &event->variation);
+}
+
+/* The law of retract has a kink, which a difference may not span. */
+static bool is_smooth_around(const runner *runner, tdmf_guard guard) {
+    return guard != TDMF_GUARD_GRAZE_TO_FLIGHT || runner->mode.phase == TDMF_PHASE_PLACE ||
+           fabs(tdmf_hip_retract_argument(&runner->model, &runner->mode, runner->state)) > 0.1;
+}
+
+static const tdmf_guard guards[] = {TDMF_GUARD_TOUCHDOWN,
+                                    TDMF_GUARD_APEX,
+                                    TDMF_GUARD_CLAMP,
+                                    TDMF_GUARD_LIFT_OFF,
+                                    TDMF_GUARD_SLIP_ONSET_POSITIVE,
+                                    TDMF_GUARD_SLIP_ONSET_NEGATIVE,
+                                    TDMF_GUARD_SLIP_VELOCITY_ZERO,
+                                    TDMF_GUARD_MID_STANCE,
+                                    TDMF_GUARD_GRAZE_TO_CONTACT,
+                                    TDMF_GUARD_GRAZE_TO_FLIGHT};
+enum { GUARDS = sizeof guards / sizeof guards[0] };
+
+static void an_event_shifts_with_what_its_guard_watches(void **state) {
+    static const tdmf_change unchanged = {0};
+    (void)state;
+    for (int g = 0; g < GUARDS; ++g) {
+        random_source source = {(uint64_t)g + 100};
+        int compared = 0;
+        for (int i = 0; i < DRAWS; ++i) {
+            const runner runner = random_runner(&source, guards[g]);
+            const event event = random_event(&source, &runner, guards[g], TDMF_CONTACT_FLIGHT);
+            line along_variation = {&runner, guards[g], {0.0}, event.variation.liftoff_angle, event.change};
+            line along_motion = {&runner, guards[g], {0.0}, 0.0, unchanged};
+            memcpy(along_variation.state, event.variation.state, VARIED * sizeof(double));
+            memcpy(along_motion.state, event.before.derivatives, VARIED * sizeof(double));
+            const double moved = rate_along(&along_variation), rate = rate_along(&along_motion);
+            const double shift =
+                taken(&runner, guards[g], &event).state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
+            /* A clamp without gains is never due. */
+            if (!is_smooth_around(&runner, guards[g]) || fabs(rate) < 1e-3) {
+                continue;
+            }
+            ++compared;
+            assert_close(moved + shift * rate, 0.0, 1e-9 * (1.0 + fabs(moved)));
+        }
+        assert_true(compared > DRAWS / 2);
+    }
+}
+
+static void the_lift_off_angle_is_latched_where_a_contact_or_an_impact_is_left(void **state) {
+    static const struct {
+        tdmf_guard guard;
+        tdmf_contact_mode after;
+        bool latches;
+    } events[] = {{TDMF_GUARD_LIFT_OFF, TDMF_CONTACT_FLIGHT, true},
+                  {TDMF_GUARD_LIFT_OFF, TDMF_CONTACT_GRAZE, true},
+                  {TDMF_GUARD_MID_STANCE, TDMF_CONTACT_FLIGHT, true},
+                  {TDMF_GUARD_SLIP_VELOCITY_ZERO, TDMF_CONTACT_GRAZE, true},
+                  {TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_FLIGHT, true},
+                  {TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_GRAZE, true},
+                  {TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_STICK, false},
+                  {TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_SLIP_NEGATIVE, false},
+                  {TDMF_GUARD_SLIP_ONSET_POSITIVE, TDMF_CONTACT_SLIP_POSITIVE, false},
+                  {TDMF_GUARD_MID_STANCE, TDMF_CONTACT_STICK, false},
+                  {TDMF_GUARD_APEX, TDMF_CONTACT_FLIGHT, false},
+                  {TDMF_GUARD_CLAMP, TDMF_CONTACT_FLIGHT, false},
+                  {TDMF_GUARD_GRAZE_TO_FLIGHT, TDMF_CONTACT_FLIGHT, false},
+                  {TDMF_GUARD_GRAZE_TO_CONTACT, TDMF_CONTACT_STICK, false}};
+    random_source source = {7};
+    (void)state;
+    for (size_t i = 0; i < sizeof events / sizeof events[0]; ++i) {
+        runner runner = random_runner(&source, events[i].guard);
+        runner.model.parameters.hip.kp = 0.5;
+        const event event = random_event(&source, &runner, events[i].guard, events[i].after);
+        const tdmf_variation after = taken(&runner, events[i].guard, &event);
+        const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
+        const double latched =
+            event.variation.state[TDMF_LEG_ANGLE] + event.before.derivatives[TDMF_LEG_ANGLE] * shift;
+        assert_close(after.liftoff_angle, events[i].latches ? latched : event.variation.liftoff_angle,
+                     1e-12 * (1.0 + fabs(shift)));
+    }
+}
+
+static void a_state_goes_on_at_the_rates_that_follow(void **state) {
+    random_source source = {11};
+    (void)state;
+    for (int i = 0; i < DRAWS; ++i) {
+        const runner runner = random_runner(&source, TDMF_GUARD_APEX);
+        event event = random_event(&source, &runner, TDMF_GUARD_APEX, TDMF_CONTACT_FLIGHT);
+        choose_direction(&source, event.after.derivatives);
+        const tdmf_variation after = taken(&runner, TDMF_GUARD_APEX, &event);
+        const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
+        for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+            const double change = k < VARIED ? event.before.derivatives[k] - event.after.derivatives[k] : 0.0;
+            if (k != TDMF_HIP_WORK) {
+                assert_close(after.state[k], event.variation.state[k] + change * shift,
+                             1e-12 * (1.0 + fabs(shift)));
+            }
+        }
+    }
+}
+
+/* ---- impacts ------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    line line;
+    int coordinate;
+} impact_line;
+
+static long double after_impact(long double t, const void *context) {
+    const impact_line *impact = context;
+    runner moved = moved_along(&impact->line, (double)t);
+    tdmf_impact(&moved.model, moved.inputs.ground.friction, moved.state);
+    return moved.state[impact->coordinate];
+}
+
+static void assert_impact_is_differentiated(random_source *source, runner *runner) {
+    event event = random_event(source, runner, TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_FLIGHT);
+    /* Without a height to vary, the instant does not shift. */
+    event.variation.state[TDMF_FOOT_Y] = 0.0;
+    memcpy(runner->state, event.before.state, sizeof runner->state);
+    runner->state[TDMF_FOOT_Y] = 0.0;
+    impact_line impact = {{runner, TDMF_GUARD_TOUCHDOWN, {0.0}, 0.0, event.change}, 0};
+    memcpy(impact.line.state, event.variation.state, sizeof impact.line.state);
+    const tdmf_variation after = taken(runner, TDMF_GUARD_TOUCHDOWN, &event);
+    for (impact.coordinate = 0; impact.coordinate < VARIED; ++impact.coordinate) {
+        const double expected = (double)derivative_at_zero(after_impact, &impact, 1e-3L);
+        assert_close(after.state[impact.coordinate], expected, 1e-9 * (1.0 + fabs(expected)));
+    }
+}
+
+static void the_impact_map_is_differentiated(void **state) {
+    random_source source = {13};
+    int stuck = 0, slid = 0;
+    (void)state;
+    for (int i = 0; i < 4 * DRAWS; ++i) {
+        runner runner = random_runner(&source, TDMF_GUARD_TOUCHDOWN);
+        const double vx = fabs(runner.state[TDMF_FOOT_VX]), vy = fabs(runner.state[TDMF_FOOT_VY]);
+        const double excess = vx - runner.inputs.ground.friction * vy;
+        if (vy < 0.05 || fabs(excess) < 0.05 || vx < 0.05) {
+            continue;
+        }
+        stuck += excess < 0.0;
+        slid += excess > 0.0;
+        assert_impact_is_differentiated(&source, &runner);
+    }
+    assert_true(stuck > DRAWS / 2 && slid > DRAWS / 2);
+}
+
+/* ---- edges --------------------------------------------------------------------------------------------- */
+
+static void assert_no_number(const tdmf_variation *variation) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        assert_true(isnan(variation->state[i]));
+    }
+    assert_true(isnan(variation->liftoff_angle));
+}
+
+static void what_has_no_derivative_gets_no_number(void **state) {
+    random_source source = {17};
+    (void)state;
+    runner runner = random_runner(&source, TDMF_GUARD_TOUCHDOWN);
+    event event = random_event(&source, &runner, TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_FLIGHT);
+    event.before.mode.phase = TDMF_PHASE_RETRACT;
+    tdmf_variation after = taken(&runner, TDMF_GUARD_APEX, &event); /* it landed */
+    assert_no_number(&after);
+    memcpy(event.after.state, event.before.state, sizeof event.after.state);
+    after = taken(&runner, TDMF_GUARD_TOUCHDOWN, &event); /* it did not land */
+    assert_no_number(&after);
+
+    runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
+    event = random_event(&source, &runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, TDMF_CONTACT_STICK);
+    assert_true(isfinite(taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event).state[TDMF_LEG_ANGLE]));
+    runner.inputs.ground.friction = 0.0;
+    after = taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event);
+    assert_no_number(&after);
+
+    runner = random_runner(&source, TDMF_GUARD_GRAZE_TO_FLIGHT);
+    runner.mode.phase = TDMF_PHASE_RETRACT;
+    runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
+    event = random_event(&source, &runner, TDMF_GUARD_GRAZE_TO_FLIGHT, TDMF_CONTACT_FLIGHT);
+    assert_true(isnan(taken(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT, &event).state[TDMF_LEG_ANGLE]));
+    event.change.parameters.hip.kp = event.change.parameters.hip.kd = 0.0;
+    assert_true(isfinite(taken(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT, &event).state[TDMF_LEG_ANGLE]));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_event_shifts_with_what_its_guard_watches),
+        cmocka_unit_test(the_lift_off_angle_is_latched_where_a_contact_or_an_impact_is_left),
+        cmocka_unit_test(a_state_goes_on_at_the_rates_that_follow),
+        cmocka_unit_test(the_impact_map_is_differentiated),
+        cmocka_unit_test(what_has_no_derivative_gets_no_number),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
