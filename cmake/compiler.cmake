@@ -9,7 +9,8 @@ function(tdmf_slip_compile target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off -fno-math-errno
                            $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:-Werror>)
     if(TDMF_SLIP_SANITIZE)
-        set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+        set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+            $<$<BOOL:${TDMF_SLIP_FUZZ}>:-fsanitize=fuzzer-no-link>)
         target_compile_options(${target} PRIVATE ${sanitizers})
         target_link_options(${target} PRIVATE ${sanitizers})
     endif()

@@ -306,7 +306,7 @@ static int first_due(const unit *unit) {
     unit_event_indicators(unit, guards);
     for (size_t i = 0; i < sizeof in_order / sizeof in_order[0]; ++i) {
         if (guards[in_order[i]] <= 0.0) {
-            return in_order[i];
+            return (int)in_order[i];
         }
     }
     return NO_GUARD;

@@ -303,6 +303,6 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
 }
 
 void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate) {
-    runner->end->fate = fate;
+    runner->end->fate = (int)fate;
     runner->end->gait = -1;
 }

@@ -1,12 +1,12 @@
 #include "fuzz.h"
 
+#include "forge.h"
 #include "messages.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 void die(const char *what) {
     fprintf(stderr, "fuzz: %s; last message: %s\n", what, last_message);
@@ -34,6 +34,18 @@ uint32_t random_reference(random_source *source) {
     return (uint32_t)pick(source, unit_variable_count + 2);
 }
 
+void forge(random_source *source, unsigned char *bytes, size_t size) {
+    const bool in_header = random_chance(source, 0.1);
+    size_t place =
+        in_header ? pick(source, FORGE_CONTENT) : FORGE_CONTENT + pick(source, size - FORGE_CONTENT);
+    for (size_t left = 1 + pick(source, sizeof(double)); left > 0 && place < size; --left) {
+        bytes[place++] = (unsigned char)pick(source, 256);
+    }
+    if (!in_header) {
+        forge_checksum(bytes, size);
+    }
+}
+
 void expect_numbers(int status, const double *values, size_t count) {
     for (size_t i = 0; i < count && status == 0; ++i) {
         if (isnan(values[i])) {
@@ -42,26 +54,8 @@ void expect_numbers(int status, const double *values, size_t count) {
     }
 }
 
-void call_one(random_source *source, void (*const calls[])(void *), size_t count, void *subject) {
-    const time_t before = time(NULL);
-    calls[pick(source, count)](subject);
-    if (time(NULL) - before > SLOWEST_CALL) {
-        die("a call took too long");
+void call_until_used_up(random_source *source, void (*const calls[])(void *), size_t count, void *subject) {
+    while (random_bytes_left() > 0) {
+        calls[pick(source, count)](subject);
     }
-}
-
-int fuzz(int count, char **arguments, const char *name, long (*live)(random_source *source)) {
-    const double seconds = count > 1 ? atof(arguments[1]) : 5.0;
-    random_source source = {count > 2 ? strtoull(arguments[2], NULL, 10) : (uint64_t)time(NULL)};
-    const time_t start = time(NULL);
-    long lives = 0;
-    long steps = 0;
-    printf("%s: seed %llu, %g s\n", name, (unsigned long long)source.state, seconds);
-    fflush(stdout);
-    for (; difftime(time(NULL), start) < seconds; ++lives) {
-        steps += live(&source);
-    }
-    printf("%s: %ld instances of %d calls, %ld steps of Co-Simulation, nothing found\n", name, lives,
-           CALLS_PER_INSTANCE, steps);
-    return 0;
 }

@@ -1,11 +1,16 @@
-/* What the fuzzers of both FMI versions share: random values, and the loop over lives. */
+/* What the fuzzers share: random values drawn from the input's bytes, and what must hold after any call.
+ *
+ * Each fuzzer is a LLVMFuzzerTestOneInput, whose bytes choose the calls; libFuzzer looks for bytes that reach
+ * new code. Without libFuzzer, fuzz_main.c replays saved inputs and makes up some of its own. */
 #ifndef TDMF_TESTS_FUZZ_H
 #define TDMF_TESTS_FUZZ_H
 
 #include "random.h"
 #include "variables.h"
 
-enum { CALLS_PER_INSTANCE = 200, SLOWEST_CALL = 60 /* s, under the sanitizers */ };
+enum { STEPS_OF_A_CALL = 2000 /* of the solver, at the most */ };
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 /* Ends the program with the unit's last message. */
 void die(const char *what);
@@ -18,14 +23,13 @@ double tame_value(random_source *source, const unit_variable *variable);
 
 uint32_t random_reference(random_source *source);
 
+/* Changes some bytes of a serialized state, mostly with a right checksum. */
+void forge(random_source *source, unsigned char *bytes, size_t size);
+
 /* Dies if one of the values is not a number and the call was fine. */
 void expect_numbers(int status, const double *values, size_t count);
 
-/* Makes one of `count` calls on a subject and dies if it takes too long. */
-void call_one(random_source *source, void (*const calls[])(void *), size_t count, void *subject);
-
-/* The program: arguments are [seconds [seed]]. `live` makes an instance, lets it live and frees it, and
- * returns how many steps of Co-Simulation it took. */
-int fuzz(int count, char **arguments, const char *name, long (*live)(random_source *source));
+/* Makes calls on a subject, each one of `count`, until the input's bytes are used up. */
+void call_until_used_up(random_source *source, void (*const calls[])(void *), size_t count, void *subject);
 
 #endif

@@ -2,6 +2,27 @@
 
 #include <math.h>
 
+static const uint8_t *drawn;
+static size_t drawn_left;
+
+void random_draw_from(const uint8_t *bytes, size_t size) {
+    drawn = bytes;
+    drawn_left = size;
+}
+
+size_t random_bytes_left(void) {
+    return drawn_left;
+}
+
+static double unit_from_bytes(void) {
+    double unit = 0.0;
+    for (int i = 0; i < 2 && drawn_left > 0; ++i) {
+        unit = (unit + *drawn++) / 256.0;
+        --drawn_left;
+    }
+    return unit;
+}
+
 static uint64_t next(random_source *source) {
     source->state += UINT64_C(0x9e3779b97f4a7c15);
     uint64_t z = source->state;
@@ -11,7 +32,7 @@ static uint64_t next(random_source *source) {
 }
 
 double random_uniform(random_source *source, double from, double to) {
-    const double unit = ldexp((double)(next(source) >> 11), -53);
+    const double unit = drawn != NULL ? unit_from_bytes() : ldexp((double)(next(source) >> 11), -53);
     return from + (to - from) * unit;
 }
 

@@ -3,6 +3,7 @@
 #define TDMF_TESTS_RANDOM_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct {
@@ -15,5 +16,10 @@ double random_uniform(random_source *source, double from, double to);
 double random_magnitude(random_source *source, double from, double to);
 
 bool random_chance(random_source *source, double probability);
+
+/* From now on every source draws from these bytes, two for a number, and 0 when they are used up: so a fuzzer
+ * chooses what is random. NULL: as ever. */
+void random_draw_from(const uint8_t *bytes, size_t size);
+size_t random_bytes_left(void);
 
 #endif

@@ -1,0 +1,158 @@
+/* The core's C interface with any runner in the declared ranges: starts, both solvers' steps, strides with
+ * derivatives and ensembles. No crash, no hang, and no number that is not one behind a success. */
+#include "declared.h"
+#include "fuzz.h"
+
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/tdmf_slip.h"
+
+#include <math.h>
+
+enum { MEMBERS = 5, STRIDES = 3 };
+
+typedef struct {
+    random_source *source;
+    double decades;
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_solver solver;
+    tdmf_motion motion;
+} subject;
+
+static void expect_numbers_of_motion(const subject *on) {
+    const tdmf_motion *motion = &on->motion;
+    tdmf_input_rates held = {0.0, 0.0};
+    double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
+    tdmf_derivatives(&on->model, &on->inputs, &motion->mode, motion->state, derivatives);
+    tdmf_guards(&on->model, &on->inputs, &motion->mode, motion->state, guards);
+    expect_numbers(0, motion->state, TDMF_STATE_COUNT);
+    expect_numbers(0, derivatives, TDMF_STATE_COUNT);
+    expect_numbers(0, guards, TDMF_GUARD_COUNT);
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&on->model, &on->inputs, &motion->mode, &motion->record, motion->state);
+    const double told[] = {outputs.com.y,        outputs.contact.fx,     outputs.contact.fy,
+                           outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
+                           outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
+                           outputs.apex.time,    outputs.apex.com_speed, outputs.apex.com_height};
+    expect_numbers(0, told, sizeof told / sizeof told[0]);
+    if (!motion->mode.fallen) {
+        const tdmf_watch watch =
+            tdmf_watch_guards(&on->model, &on->inputs, &held, &motion->mode, motion->state, derivatives);
+        expect_numbers(0, watch.rate, TDMF_GUARD_COUNT);
+    }
+}
+
+static double random_time(const subject *on) {
+    return on->model.scales.time * random_magnitude(on->source, 1e-3, 1e2);
+}
+
+static void advance(void *self) {
+    subject *on = self;
+    const double duration = random_time(on);
+    tdmf_input_rates rates = {0.0, 0.0};
+    if (random_chance(on->source, 0.3)) {
+        rates.friction = random_uniform(on->source, -1.0, 1.0) / duration;
+        rates.external_torque = random_uniform(on->source, -0.1, 0.1) * on->model.scales.energy / duration;
+    }
+    const double start = on->motion.time;
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&on->solver, &on->model, &on->inputs, &rates, start + duration, &on->motion);
+    if (outcome == TDMF_ARRIVED && on->motion.time != start + duration) {
+        die("arrived elsewhere");
+    }
+    if ((outcome == TDMF_FELL) != on->motion.mode.fallen && outcome != TDMF_REFUSED) {
+        die("a fall that is none");
+    }
+    on->inputs = tdmf_inputs_after(&on->inputs, &rates, on->motion.time - start);
+    expect_numbers_of_motion(on);
+}
+
+static void close_a_stride(void *self) {
+    subject *on = self;
+    const int count = on->motion.record.stride.count;
+    const tdmf_stride_outcome outcome = tdmf_native_stride(&on->solver, &on->model, &on->inputs,
+                                                           on->motion.time + random_time(on), &on->motion);
+    if (outcome.closed != (on->motion.record.stride.count == count + 1)) {
+        die("a stride that is none");
+    }
+    expect_numbers_of_motion(on);
+}
+
+static void jump(void *self) {
+    subject *on = self;
+    tdmf_observe(&on->model, &on->inputs, on->motion.state, &on->motion.mode, &on->motion.record);
+    on->inputs = declared_inputs(on->source, &on->model.parameters, on->decades);
+    tdmf_resolve(&on->model, &on->inputs, on->motion.time, on->motion.state, &on->motion.mode,
+                 &on->motion.record);
+    expect_numbers_of_motion(on);
+}
+
+static void random_section(subject *on, double section[TDMF_SECTION_COUNT]) {
+    double scales[TDMF_SECTION_COUNT];
+    static const double gait[TDMF_SECTION_COUNT] = {1.4, 1.3, 1.0, 1.2, 0.0, 0.2};
+    tdmf_section_scales(&on->model, scales);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        section[i] = scales[i] * (gait[i] + random_uniform(on->source, -0.5, 0.5));
+    }
+}
+
+static void map(void *self) {
+    subject *on = self;
+    double section[TDMF_SECTION_COUNT];
+    random_section(on, section);
+    const tdmf_return stride = tdmf_return_map(&on->solver, &on->model, &on->inputs, section,
+                                               1e3 * on->model.scales.time, true, NULL, 0);
+    if (stride.outcome.closed) {
+        expect_numbers(0, stride.apex, TDMF_SECTION_COUNT);
+        for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+            expect_numbers(0, stride.by_section[i].apex, TDMF_SECTION_COUNT);
+        }
+    }
+}
+
+static void run_members(void *self) {
+    subject *on = self;
+    double starts[MEMBERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble_end ends[MEMBERS];
+    const tdmf_ensemble_case only = {&on->model, on->inputs, {.most_strides = STRIDES}};
+    for (int i = 0; i < MEMBERS; ++i) {
+        random_section(on, starts[i]);
+    }
+    const tdmf_ensemble ensemble = {.cases = &only,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .count = MEMBERS,
+                                    .relative_tolerance = on->solver.relative_tolerance,
+                                    .threads = 1,
+                                    .instructions = TDMF_BEST_INSTRUCTIONS};
+    if (!tdmf_run_ensemble(&ensemble, ends, NULL)) {
+        die("an ensemble that is sound was not run");
+    }
+    for (int i = 0; i < MEMBERS; ++i) {
+        expect_numbers(0, ends[i].apex, TDMF_SECTION_COUNT);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
+    static void (*const calls[])(void *) = {advance, advance, advance, close_a_stride,
+                                            jump,    jump,    map,     run_members};
+    static const double decades[] = {0.1, 0.5, 1.0, 3.0, INFINITY};
+    random_source source = {0};
+    subject on = {.source = &source, .solver = tdmf_solver_default()};
+    random_draw_from(bytes, size);
+    on.decades = decades[pick(&source, sizeof decades / sizeof decades[0])];
+    const declared_runner runner = declared_random(&source, on.decades);
+    on.inputs = runner.inputs;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        on.motion.state[i] = runner.state[i];
+    }
+    on.solver.relative_tolerance = random_magnitude(&source, 1e-14, 1e-2);
+    on.solver.step_limit = STEPS_OF_A_CALL;
+    on.solver.event_limit = STEPS_OF_A_CALL;
+    if (tdmf_model_create(&on.model, &runner.parameters).variable == NULL &&
+        tdmf_start(&on.model, &on.inputs, 0.0, on.motion.state, &on.motion.mode, &on.motion.record)
+                .variable == NULL) {
+        call_until_used_up(&source, calls, sizeof calls / sizeof calls[0], &on);
+    }
+    return 0;
+}

@@ -1,0 +1,118 @@
+/* Serialized states with any changes and a right checksum: refused, leaving the instance as it was, or gone
+ * on with, and then saved and restored again. */
+#include "instance.h" /* before cmocka, which takes a name of it for a macro */
+
+#include "fmi3_importer.h"
+#include "forge.h"
+#include "fuzz.h"
+
+#include <string.h>
+
+typedef enum kind_of_instance { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } kind;
+
+typedef struct {
+    fmi3Byte bytes[8192];
+    size_t size;
+} serialized;
+
+static fmi3Instance new_of_kind(kind kind) {
+    return kind == EXCHANGE ? new_exchange() : new_stepper(kind == STEPS_WITH_EVENTS, true);
+}
+
+static void limit_steps(fmi3Instance instance) {
+    tdmf_solver *solver = &((struct instance *)instance)->unit.solver;
+    solver->step_limit = STEPS_OF_A_CALL;
+    solver->event_limit = STEPS_OF_A_CALL;
+}
+
+static void serialize(fmi3Instance instance, serialized *state) {
+    fmi3FMUState saved = NULL;
+    if (fmi3GetFMUState(instance, &saved) != fmi3OK ||
+        fmi3SerializedFMUStateSize(instance, saved, &state->size) != fmi3OK ||
+        state->size > sizeof state->bytes ||
+        fmi3SerializeFMUState(instance, saved, state->bytes, state->size) != fmi3OK) {
+        die("an instance was not saved");
+    }
+    fmi3FreeFMUState(instance, &saved);
+}
+
+static fmi3Status restore(fmi3Instance instance, const serialized *state) {
+    fmi3FMUState saved = NULL;
+    fmi3Status status = fmi3DeserializeFMUState(instance, state->bytes, state->size, &saved);
+    if (status == fmi3OK) {
+        status = fmi3SetFMUState(instance, saved);
+    }
+    fmi3FreeFMUState(instance, &saved);
+    return status;
+}
+
+/* Up to some time within two strides, or still before the start. */
+static void begin(random_source *source, fmi3Instance instance, kind kind) {
+    step_answer step;
+    update_answer answer;
+    if (random_chance(source, 0.1)) {
+        return;
+    }
+    initialize3(instance);
+    if (kind != STEPS) {
+        update(instance, &answer);
+    }
+    if (kind == EXCHANGE) {
+        fmi3EnterContinuousTimeMode(instance);
+        return;
+    }
+    if (kind == STEPS_WITH_EVENTS) {
+        fmi3EnterStepMode(instance);
+    }
+    do_step(instance, 0.0, random_uniform(source, 1e-3, 50.0), &step);
+}
+
+static void look(fmi3Instance instance) {
+    for (uint32_t i = 0; i < unit_variable_count; ++i) {
+        double value = 0.0;
+        if (unit_variables[i].type == VARIABLE_REAL) {
+            expect_numbers((int)fmi3GetFloat64(instance, &i, 1, &value, 1), &value, 1);
+        }
+    }
+}
+
+static void go_on(fmi3Instance instance, double length) {
+    step_answer step = {false, false, false, 0.0};
+    update_answer answer;
+    const double time = ((struct instance *)instance)->unit.motion.time;
+    limit_steps(instance);
+    look(instance);
+    do_step(instance, time, length, &step);
+    fmi3EnterEventMode(instance);
+    update(instance, &answer);
+    look(instance);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
+    random_source source = {0};
+    serialized state, before, after;
+    random_draw_from(bytes, size);
+    const kind kind = (enum kind_of_instance)pick(&source, KINDS);
+    const double length = random_magnitude(&source, 1e-3, 30.0);
+    fmi3Instance instance = new_of_kind(kind);
+    begin(&source, instance, kind);
+    serialize(instance, &state);
+    while (random_bytes_left() > 0) {
+        forge(&source, state.bytes, state.size);
+    }
+    serialize(instance, &before);
+    if (restore(instance, &state) == fmi3OK) {
+        go_on(instance, length);
+        serialize(instance, &after);
+    } else {
+        serialize(instance, &after);
+        if (memcmp(before.bytes, after.bytes, before.size) != 0) {
+            die("a refused state has changed the instance");
+        }
+    }
+    if (restore(instance, &after) != fmi3OK) {
+        die("what was saved is not restored");
+    }
+    fmi3FreeInstance(instance);
+    return 0;
+}
