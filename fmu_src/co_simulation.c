@@ -16,7 +16,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
         return CALL_ERROR;
     }
     unit *unit = &instance->unit;
-    if (!(step > 0.0 && isfinite(step) && isfinite(time + step))) {
+    if (!(step > 0.0 && unit_is_time(time + step))) {
         return refuse(instance, call, "the step is not a positive number");
     }
     if (!(time + step > time)) {

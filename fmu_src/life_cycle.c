@@ -51,8 +51,8 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     if (!call_is_allowed(instance, call, INSTANTIATED)) {
         return CALL_ERROR;
     }
-    if (!isfinite(start_time)) {
-        return refuse(instance, call, "the start time is not finite");
+    if (!unit_is_time(start_time)) {
+        return refuse(instance, call, "the start time is not finite or beyond 1e100 s");
     }
     if (stop_time_defined && !(stop_time >= start_time)) {
         return refuse(instance, call, "the stop time lies before the start time, or is not a number");

@@ -2,7 +2,6 @@
  * transitions. Event mode serves Co-Simulation too, where FMI has it. */
 #include "instance.h"
 
-#include <math.h>
 #include <string.h>
 
 static const unsigned evaluable =
@@ -46,8 +45,8 @@ call_status set_time(instance *instance, const char *call, double time) {
     if (!call_is_allowed(instance, call, EVENT_MODE | CONTINUOUS_TIME_MODE)) {
         return CALL_ERROR;
     }
-    if (!isfinite(time)) {
-        return refuse(instance, call, "the time is not finite");
+    if (!unit_is_time(time)) {
+        return refuse(instance, call, "the time is not finite or beyond 1e100 s");
     }
     instance->unit.motion.time = time;
     return CALL_OK;

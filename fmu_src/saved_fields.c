@@ -62,9 +62,15 @@ static void pass_finite(transfer *bytes, const char *name, double *value) {
     pass_between(bytes, name, value, -DBL_MAX, DBL_MAX);
 }
 
+static void pass_time(transfer *bytes, const char *name, double *value) {
+    if (pass(bytes, value, sizeof *value)) {
+        require(bytes, unit_is_time(*value), name);
+    }
+}
+
 /* What rounding leaves out is less than the last digit. */
 static void pass_instant(transfer *bytes, const char *name, tdmf_instant *instant) {
-    pass_finite(bytes, name, &instant->time);
+    pass_time(bytes, name, &instant->time);
     const double digit = DBL_EPSILON * fabs(instant->time);
     pass_between(bytes, name, &instant->rest, -digit, digit);
 }
@@ -138,7 +144,7 @@ static void pass_stride(transfer *bytes, tdmf_stride *stride) {
 }
 
 static void pass_apex(transfer *bytes, tdmf_apex *apex) {
-    pass_finite(bytes, "apex.time", &apex->time);
+    pass_time(bytes, "apex.time", &apex->time);
     pass_finite(bytes, "apex.com_height", &apex->com_height);
     pass_finite(bytes, "apex.com_speed", &apex->com_speed);
     pass_finite(bytes, "apex.leg_length", &apex->leg_length);
@@ -165,7 +171,7 @@ static void pass_open_stride(transfer *bytes, tdmf_open_stride *open) {
 
 static void pass_record(transfer *bytes, tdmf_record *record) {
     pass_count(bytes, "event.count", &record->event_count);
-    pass_finite(bytes, "event.last_time", &record->last_event_time);
+    pass_time(bytes, "event.last_time", &record->last_event_time);
     pass_sum(bytes, "energy.impact_loss", &record->impact_loss);
     pass_instant(bytes, "the instant", &record->now);
     pass_stride(bytes, &record->stride);
@@ -174,7 +180,7 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
 }
 
 static void pass_place(transfer *bytes, tdmf_motion *motion) {
-    pass_finite(bytes, "time", &motion->time);
+    pass_time(bytes, "time", &motion->time);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         pass_between(bytes, "a continuous state", &motion->state[i], -unit_largest_state, unit_largest_state);
     }

@@ -18,6 +18,7 @@ typedef struct {
 } unit_mark;
 
 const double unit_largest_state = 1e60;
+static const double largest_time = 1e100;
 
 void unit_reset(unit *unit) {
     memset(unit, 0, sizeof *unit);
@@ -135,6 +136,10 @@ void unit_flow(const unit *unit, struct unit *direction) {
                      direction->motion.state);
     direction->inputs.ground.friction = unit->input_rates.friction;
     direction->inputs.hip.external_torque = unit->input_rates.external_torque;
+}
+
+bool unit_is_time(double time) {
+    return fabs(time) <= largest_time;
 }
 
 bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]) {

@@ -88,6 +88,9 @@ void unit_flow(const unit *unit, struct unit *direction);
 /* Far beyond any motion, and far enough from overflow for every product of the equations. */
 extern const double unit_largest_state;
 
+/* Whether a clock may show this time: differences, sums and ratios of such times are numbers. */
+bool unit_is_time(double time);
+
 /* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
  * false, and nothing taken, if one is not a number. */
 bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]);

@@ -281,6 +281,28 @@ static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
     fmi3FreeInstance(instance);
 }
 
+/* Beyond 1e100 s differences of times might overflow. */
+static void a_time_beyond_any_clock_is_refused(void **unused) {
+    (void)unused;
+    static const double times[] = {1e101, -1e101, INFINITY, NAN};
+    for (int i = 0; i < 4; ++i) {
+        serialized state;
+        step_answer step;
+        fmi3Instance instance = new_on_its_way(STEPS), fresh = new_exchange(),
+                     exchange = new_on_its_way(EXCHANGE);
+        serialize(instance, &state);
+        replace_number(&state, get_float(instance, "time"), times[i]);
+        assert_refused(STEPS, &state, "time is out of range");
+        assert_int_equal(do_step(instance, 40.0, fabs(times[i]), &step), fmi3Error);
+        assert_int_equal(fmi3EnterInitializationMode(fresh, false, 0.0, times[i], false, 0.0), fmi3Error);
+        assert_int_equal(fmi3SetTime(exchange, times[i]), fmi3Error);
+        assert_true(get_float(exchange, "time") == 0.0);
+        fmi3FreeInstance(instance);
+        fmi3FreeInstance(fresh);
+        fmi3FreeInstance(exchange);
+    }
+}
+
 /* The event is at the time of the run, and what comes of it is checked as the run is. */
 static void an_event_elsewhere_is_refused(void **unused) {
     (void)unused;
@@ -483,6 +505,7 @@ int main(void) {
         cmocka_unit_test(a_word_without_an_end_is_refused),
         cmocka_unit_test(a_word_of_other_letters_or_code_is_refused),
         cmocka_unit_test(a_time_of_the_past_that_lies_ahead_is_refused),
+        cmocka_unit_test(a_time_beyond_any_clock_is_refused),
         cmocka_unit_test(an_event_elsewhere_is_refused),
         cmocka_unit_test(a_call_state_that_the_interface_has_not_is_refused),
         cmocka_unit_test(an_event_is_pending_in_event_mode_only),
