@@ -166,7 +166,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     memset(&result, 0, sizeof result);
     motion.time = 0.0;
     tdmf_section_state(model, section, motion.state);
-    if (count > TDMF_RETURN_CHANGES) {
+    if (count < 0 || count > TDMF_RETURN_CHANGES) {
         result.outcome.outcome = TDMF_REFUSED;
         return result;
     }

@@ -2,6 +2,7 @@
 #include "tdmf_slip/automaton.h"
 
 #include "cone.h"
+#include "input_rates.h"
 #include "leg.h"
 #include "tdmf_slip/hip.h"
 
@@ -228,6 +229,6 @@ tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
     tdmf_watch watch;
     const tdmf_leg leg = tdmf_leg_of(model, state);
     guard_all(model, inputs, mode, &leg, state, watch.value);
-    rate_all(model, inputs, input_rates, mode, &leg, state, derivatives, watch.rate);
+    rate_all(model, inputs, tdmf_rates_or_held(input_rates), mode, &leg, state, derivatives, watch.rate);
     return watch;
 }

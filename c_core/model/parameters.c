@@ -3,6 +3,7 @@
  * Scales of the paper's normalisation (section 5): length l0, time sqrt(m/k), and what follows from them. */
 #include "tdmf_slip/parameters.h"
 
+#include "input_rates.h"
 #include "ranges.h"
 
 #include <math.h>
@@ -84,9 +85,10 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
 }
 
 tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed) {
+    const tdmf_input_rates *given = tdmf_rates_or_held(rates);
     tdmf_inputs after = *inputs;
-    after.ground.friction = fmax(0.0, after.ground.friction + elapsed * rates->friction);
-    after.hip.external_torque += elapsed * rates->external_torque;
+    after.ground.friction = fmax(0.0, after.ground.friction + elapsed * given->friction);
+    after.hip.external_torque += elapsed * given->external_torque;
     return after;
 }
 

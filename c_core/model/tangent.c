@@ -241,6 +241,10 @@ static tdmf_energy change_of_energy(const point *at, tdmf_point dbody) {
 tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT], const tdmf_change *change,
                                 const tdmf_variation *variation) {
+    static const tdmf_change nothing_given = {0};
+    static const tdmf_variation nothing_varied = {0};
+    change = change != NULL ? change : &nothing_given;
+    variation = variation != NULL ? variation : &nothing_varied;
     point at = {.model = model,
                 .inputs = inputs,
                 .mode = mode,

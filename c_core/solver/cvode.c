@@ -3,6 +3,7 @@
 #include "tdmf_slip/cvode.h"
 
 #include "event_log.h"
+#include "input_rates.h"
 #include "record.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
@@ -196,10 +197,11 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
-    problem problem = {model, inputs, rates, start, start, motion, options};
+    const tdmf_input_rates *given = tdmf_rates_or_held(rates);
+    problem problem = {model, inputs, given, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
-    if (!tdmf_is_sound_request(options, inputs, rates, until, motion)) {
+    if (!tdmf_is_sound_request(options, inputs, given, until, motion)) {
         return TDMF_REFUSED;
     }
     motion->record.now = start;

@@ -5,6 +5,7 @@
 #include "carried.h"
 #include "crossing.h"
 #include "event_log.h"
+#include "input_rates.h"
 #include "record.h"
 #include "request.h"
 #include "saltation.h"
@@ -347,7 +348,8 @@ static tdmf_outcome advance(march *march, bool one_stride) {
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
     march march;
-    return begin(&march, solver, model, inputs, rates, until, motion) ? advance(&march, false) : TDMF_REFUSED;
+    const bool begun = begin(&march, solver, model, inputs, tdmf_rates_or_held(rates), until, motion);
+    return begun ? advance(&march, false) : TDMF_REFUSED;
 }
 
 static tdmf_stride_outcome advance_a_stride(march *march) {
@@ -358,13 +360,14 @@ static tdmf_stride_outcome advance_a_stride(march *march) {
     return result;
 }
 
-static const tdmf_input_rates held = {0.0, 0.0};
 static const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
 
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
     march march;
-    return begin(&march, solver, model, inputs, &held, until, motion) ? advance_a_stride(&march) : refused;
+    return begin(&march, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)
+               ? advance_a_stride(&march)
+               : refused;
 }
 
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
@@ -372,7 +375,8 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_mo
                                               const tdmf_change *changes, tdmf_variation *variations,
                                               int count) {
     march march;
-    if (count > TDMF_VARIATION_LIMIT || !begin(&march, solver, model, inputs, &held, until, motion)) {
+    if (count < 0 || count > TDMF_VARIATION_LIMIT ||
+        !begin(&march, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)) {
         return refused;
     }
     march.count = count;

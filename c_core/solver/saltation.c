@@ -270,7 +270,9 @@ tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs 
                                      const double given[TDMF_STATE_COUNT],
                                      const double started[TDMF_STATE_COUNT], const tdmf_change *change,
                                      const double state_direction[TDMF_STATE_COUNT]) {
+    static const tdmf_change nothing_given = {0};
     tdmf_start_variation varied = {0};
+    change = change != NULL ? change : &nothing_given;
     double *d_state = varied.variation.state;
     memcpy(d_state, state_direction, TDMF_MECHANICAL_COUNT * sizeof *d_state);
     varied.variation.liftoff_angle = d_state[TDMF_LEG_ANGLE];

@@ -64,8 +64,8 @@ typedef struct {
 } tdmf_watch;
 
 /* For a solver, which tells from values and rates at both ends of a step whether a guard may have dipped
- * below zero in between. `derivatives` are those of the state, `input_rates` those of the inputs. Not of a
- * fallen run. */
+ * below zero in between. `derivatives` are those of the state, `input_rates` those of the inputs, NULL
+ * where they are held. Not of a fallen run. */
 tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
                              const tdmf_input_rates *input_rates, const tdmf_mode *mode,
                              const double state[TDMF_STATE_COUNT],

@@ -31,7 +31,8 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
 
 /* Newton's method on the return map from a guess, down to rounding: where the solver's tolerance is as tight,
  * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
- * Iterations that make the error larger are shortened. `change` may be NULL. */
+ * Iterations that make the error larger are shortened. `change` may be NULL: the stride is differentiated by
+ * the section only. */
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                            const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
 

@@ -88,11 +88,12 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
 /* Checks friction and external torque against their ranges. */
 tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 
-/* Inputs some time after those given; friction stops at 0. */
+/* Inputs some time after those given; friction stops at 0. `rates` may be NULL: the inputs are held. */
 tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed);
 
 /* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
- * decimal point whatever the locale. Always terminated; returns `text`. */
+ * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL if the
+ * capacity is 0. */
 char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
 
 #ifdef __cplusplus

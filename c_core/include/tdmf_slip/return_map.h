@@ -47,8 +47,8 @@ typedef struct {
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
- * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES are
- * refused. */
+ * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES, or less
+ * than 0, are refused. */
 tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                             const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                             const tdmf_change *changes, int count);

@@ -26,8 +26,8 @@ typedef struct {
 } tdmf_tangent;
 
 /* The derivative along a direction in parameters and inputs (`change`), state and theta_LO (`variation`), in
- * the present mode, clamp held. Where the hip's power is zero, positive work counts as not changing; a frozen
- * run has derivatives that do not change. */
+ * the present mode, clamp held. Either may be NULL: it does not change. Where the hip's power is zero,
+ * positive work counts as not changing; a frozen run has derivatives that do not change. */
 tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT], const tdmf_change *change,
                                 const tdmf_variation *variation);

@@ -1,5 +1,7 @@
 /* TDMF-SLIP: a legged runner whose foot can slip. This header brings in the whole core;
- * ensemble.h and cvode.h belong to libraries beside it. */
+ * ensemble.h and cvode.h belong to libraries beside it.
+ *
+ * No pointer may be NULL but those whose function says so. An array of no elements may be. */
 #ifndef TDMF_SLIP_TDMF_SLIP_H
 #define TDMF_SLIP_TDMF_SLIP_H
 

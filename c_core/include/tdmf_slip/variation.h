@@ -31,8 +31,8 @@ enum { TDMF_VARIATION_LIMIT = 8 };
 
 /* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
  * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
- * then. More than TDMF_VARIATION_LIMIT are refused. A run on the edge of an event, where a crossing is a
- * touch, has no variation; values are then not finite. */
+ * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused. A run on the edge of an event, where a
+ * crossing is a touch, has no variation; values are then not finite. */
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs, double until, tdmf_motion *motion,
                                               const tdmf_change *changes, tdmf_variation *variations,
@@ -45,7 +45,8 @@ typedef struct {
 } tdmf_start_variation;
 
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
- * the foot moved down at the ground. The mode that it found is held. */
+ * the foot moved down at the ground. The mode that it found is held. `change` may be NULL: parameters and
+ * inputs do not change. */
 tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double given[TDMF_STATE_COUNT],
                                      const double started[TDMF_STATE_COUNT], const tdmf_change *change,

@@ -1,0 +1,189 @@
+/* Pointers that may be NULL: with them a call does what it does with the value that they stand for, bit for
+ * bit. */
+#include "compare.h"
+#include "integrate.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <string.h>
+
+typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_input_rates *,
+                             double, tdmf_motion *);
+
+static const tdmf_input_rates held = {0.0, 0.0};
+static const tdmf_change nothing_given = {0};
+
+static runner started(void) {
+    runner runner = runner_default(0.6);
+    runner_start(&runner);
+    return runner;
+}
+
+static tdmf_motion motion_of(const runner *runner) {
+    tdmf_motion motion;
+    memset(&motion, 0, sizeof motion);
+    motion.mode = runner->mode;
+    motion.record = runner->record;
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    return motion;
+}
+
+static void assert_same_numbers(const double *a, const double *b, int count) {
+    for (int i = 0; i < count; ++i) {
+        assert_true(a[i] == b[i]);
+    }
+}
+
+static void without_rates_inputs_are_held(void **unused) {
+    (void)unused;
+    advance *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
+    const runner runner = started();
+    for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
+        tdmf_motion given = motion_of(&runner), none = given;
+        tdmf_solver solver = tdmf_solver_default();
+        assert_int_equal(solvers[i](&solver, &runner.model, &runner.inputs, &held, 30.0, &given),
+                         TDMF_ARRIVED);
+        assert_int_equal(solvers[i](&solver, &runner.model, &runner.inputs, NULL, 30.0, &none), TDMF_ARRIVED);
+        assert_same_numbers(none.state, given.state, TDMF_STATE_COUNT);
+        assert_int_equal(none.record.event_count, given.record.event_count);
+    }
+    const tdmf_inputs later = tdmf_inputs_after(&runner.inputs, NULL, 7.0);
+    assert_true(later.ground.friction == runner.inputs.ground.friction);
+    assert_true(later.hip.external_torque == runner.inputs.hip.external_torque);
+}
+
+static void without_rates_guards_have_those_of_held_inputs(void **unused) {
+    (void)unused;
+    const runner runner = started();
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        tdmf_mode mode = runner.mode;
+        double derivatives[TDMF_STATE_COUNT];
+        mode.contact = (tdmf_contact_mode)contact;
+        tdmf_derivatives(&runner.model, &runner.inputs, &mode, runner.state, derivatives);
+        const tdmf_watch given =
+            tdmf_watch_guards(&runner.model, &runner.inputs, &held, &mode, runner.state, derivatives);
+        const tdmf_watch none =
+            tdmf_watch_guards(&runner.model, &runner.inputs, NULL, &mode, runner.state, derivatives);
+        assert_same_numbers(none.value, given.value, TDMF_GUARD_COUNT);
+        assert_same_numbers(none.rate, given.rate, TDMF_GUARD_COUNT);
+    }
+}
+
+static void without_a_direction_nothing_changes(void **unused) {
+    (void)unused;
+    const runner runner = started();
+    const tdmf_variation along_length = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
+    const double zeros[TDMF_STATE_COUNT] = {0.0};
+    const tdmf_tangent given = tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state,
+                                                  &nothing_given, &along_length);
+    const tdmf_tangent no_change =
+        tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, &along_length);
+    const tdmf_tangent nothing =
+        tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, NULL);
+    assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
+    assert_same_numbers(nothing.derivatives, zeros, TDMF_STATE_COUNT);
+    double before[TDMF_STATE_COUNT];
+    tdmf_mode mode;
+    tdmf_record record;
+    memcpy(before, runner.state, sizeof before);
+    before[TDMF_FOOT_Y] = 0.0;
+    before[TDMF_FOOT_VY] = -0.3;
+    double after[TDMF_STATE_COUNT];
+    memcpy(after, before, sizeof after);
+    assert_null(tdmf_start(&runner.model, &runner.inputs, 0.0, after, &mode, &record).variable);
+    const tdmf_start_variation varied =
+        tdmf_vary_start(&runner.model, &runner.inputs, before, after, &nothing_given, along_length.state);
+    const tdmf_start_variation unchanged =
+        tdmf_vary_start(&runner.model, &runner.inputs, before, after, NULL, along_length.state);
+    assert_same_numbers(unchanged.variation.state, varied.variation.state, TDMF_STATE_COUNT);
+    assert_true(unchanged.impact_loss == varied.impact_loss);
+}
+
+static void default_section(double section[TDMF_SECTION_COUNT]) {
+    const double values[TDMF_SECTION_COUNT] = {1.33, 1.13, 1.004, 1.24, 0.0, 0.217};
+    memcpy(section, values, sizeof values);
+}
+
+static void arrays_of_no_elements_may_be_absent(void **unused) {
+    (void)unused;
+    const runner runner = started();
+    tdmf_solver solver = tdmf_solver_default();
+    double section[TDMF_SECTION_COUNT];
+    default_section(section);
+    const tdmf_return none =
+        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, 0);
+    const tdmf_return one =
+        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, &nothing_given, 1);
+    assert_true(none.outcome.closed && one.outcome.closed);
+    assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
+    assert_same_numbers(none.by_section[0].apex, one.by_section[0].apex, TDMF_SECTION_COUNT);
+    tdmf_motion motion = motion_of(&runner), varied = motion;
+    assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e3, &motion).closed);
+    assert_true(tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &varied, NULL, NULL, 0)
+                    .closed);
+    assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
+    const tdmf_orbit plain = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL);
+    const tdmf_orbit along = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, &nothing_given);
+    assert_int_equal(plain.outcome, along.outcome);
+    assert_same_numbers(plain.section, along.section, TDMF_SECTION_COUNT);
+    const tdmf_refusal accepted = {0};
+    assert_null(tdmf_refusal_text(&accepted, NULL, 0));
+}
+
+static void a_number_below_zero_is_refused(void **unused) {
+    (void)unused;
+    const runner runner = started();
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_motion motion = motion_of(&runner);
+    double section[TDMF_SECTION_COUNT];
+    default_section(section);
+    assert_int_equal(
+        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, -1).outcome.outcome,
+        TDMF_REFUSED);
+    assert_int_equal(
+        tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &motion, NULL, NULL, -1)
+            .outcome,
+        TDMF_REFUSED);
+    assert_true(motion.time == 0.0);
+}
+
+static void an_ensemble_needs_no_more_than_its_runners(void **unused) {
+    (void)unused;
+    const runner runner = started();
+    const tdmf_ensemble_case its_case = {&runner.model, runner.inputs, {NULL, 0, 0.0, 2}};
+    double starts[2][TDMF_SECTION_COUNT];
+    const int first[2] = {0, 0};
+    tdmf_ensemble_end ends[2], others[2];
+    tdmf_ensemble_work work;
+    default_section(starts[0]);
+    default_section(starts[1]);
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = 2,
+                              .relative_tolerance = 1e-9,
+                              .threads = 1};
+    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+    ensemble.case_of = first;
+    assert_true(tdmf_run_ensemble(&ensemble, others, &work));
+    for (int i = 0; i < 2; ++i) {
+        assert_int_equal(ends[i].strides, 2);
+        assert_same_numbers(ends[i].apex, others[i].apex, TDMF_SECTION_COUNT);
+    }
+    const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
+    assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
+    assert_int_equal(work.strides, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(without_rates_inputs_are_held),
+        cmocka_unit_test(without_rates_guards_have_those_of_held_inputs),
+        cmocka_unit_test(without_a_direction_nothing_changes),
+        cmocka_unit_test(arrays_of_no_elements_may_be_absent),
+        cmocka_unit_test(a_number_below_zero_is_refused),
+        cmocka_unit_test(an_ensemble_needs_no_more_than_its_runners),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
