@@ -116,8 +116,11 @@ _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
 """By how many the eigenvalues outside the unit circle may become more or fewer, where one thing happens."""
 
 
-def _unstable(point: Point) -> int:
-    return int(np.count_nonzero(np.abs(point.orbit.eigenvalues) > 1.0))
+def _unstable(point: Point, *, of_pairs: bool = False) -> int:
+    """How many eigenvalues are outside the unit circle: all, or of complex pairs."""
+    values = point.orbit.eigenvalues
+    counted = values[values.imag != 0.0] if of_pairs else values
+    return int(np.count_nonzero(np.abs(counted) > 1.0))
 
 
 def _changes(before: Point, after: Point) -> tuple[str, ...]:
@@ -126,8 +129,16 @@ def _changes(before: Point, after: Point) -> tuple[str, ...]:
 
 
 def _is_simple(before: Point, after: Point) -> bool:
-    allowed = _STABILITY_CHANGES.get(_changes(before, after), ())
-    return abs(_unstable(after) - _unstable(before)) in allowed
+    """The one thing that happens explains how many eigenvalues get across the unit circle.
+
+    Two real ones that leave it make the same sign change as a complex pair.
+    """
+    changes = _changes(before, after)
+    more = _unstable(after) - _unstable(before)
+    pairs = _unstable(after, of_pairs=True) - _unstable(before, of_pairs=True)
+    if changes == (NEIMARK_SACKER,) and more not in (0, pairs):
+        return False
+    return abs(more) in _STABILITY_CHANGES.get(changes, ())
 
 
 def _matters(before: Point, after: Point, changes: tuple[str, ...]) -> bool:

@@ -1,0 +1,152 @@
+"""What a branch's eigenvalues say: made branches, of which it is known what happens where."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tdmf_slip.bifurcations import happenings
+from tdmf_slip.family import Point
+from tdmf_slip.orbit import Runner, find_orbit
+
+NAME = "leg.damping"
+
+
+@pytest.fixture(scope="module")
+def gait(unit):
+    return find_orbit(Runner.of({}, unit))
+
+
+class Made:
+    """A branch by its arclength s: eigenvalues, the parameter's value, and the word."""
+
+    def __init__(self, gait, eigenvalues, value=lambda s: s, word=lambda s: "+0+"):
+        self.gait, self.eigenvalues, self.value, self.word = gait, eigenvalues, value, word
+        self.name, self.runner = NAME, gait.runner
+
+    def orbit(self, value, _guess):
+        return self.point(value).orbit
+
+    def point(self, s):
+        jacobian = np.zeros((6, 6))
+        for place, entry in enumerate(self.eigenvalues(s)):
+            jacobian[2 * place : 2 * place + 2, 2 * place : 2 * place + 2] = entry
+        value = float(self.value(s))
+        orbit = replace(
+            self.gait,
+            runner=self.runner.but(NAME, value),
+            apex=np.array([s, 0, 0, 0, 0, 0]),
+            jacobian=jacobian,
+            word=self.word(s),
+        )
+        slope = (self.value(s + 1e-7) - self.value(s - 1e-7)) / 2e-7
+        return Point(orbit, value, np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope))
+
+    def distance(self, before, after):
+        return abs(after.orbit.apex[0] - before.orbit.apex[0])
+
+    def between(self, before, after, share):
+        return self.point(before.orbit.apex[0] + share * (after.orbit.apex[0] - before.orbit.apex[0]))
+
+    def told(self, low=0.5, high=1.5):
+        _, specials = happenings(self, self.point(low), self.point(high))
+        return [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in specials]
+
+
+def real(first, second=0.0):
+    return np.diag([first, second])
+
+
+def pair(radius, angle=1.0):
+    return radius * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def test_each_bifurcation_by_its_eigenvalues(gait):
+    assert Made(gait, lambda s: [real(-s)]).told() == [("period doubling", 1.0)]
+    assert Made(gait, lambda s: [pair(s)]).told() == [("Neimark-Sacker", 1.0)]
+    turning = Made(gait, lambda s: [real(s)], value=lambda s: 2.0 - (s - 1.0) ** 2)
+    assert turning.told() == [("fold", 2.0)]
+
+
+def test_located_where_it_is(gait):
+    """However curved the way there is."""
+    found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.point(0.5), made.point(1.5))[1]
+    assert [special.kind for special in found] == ["period doubling"]
+    assert found[0].value == pytest.approx(1.0, abs=1e-10)
+    assert found[0].between == (0.5, 1.5) and found[0].orbit.runner.values[NAME] == found[0].value
+
+
+@pytest.mark.parametrize(
+    "eigenvalues",
+    [
+        lambda s: [
+            real(2.0 * s + 0.5, 0.4)
+        ],  # a neutral saddle: the product passes 1, no eigenvalue the circle
+        lambda s: [real(1.2 + max(0.0, 1.0 - s), 1.2)] if s < 1.0 else [pair(1.2, s - 1.0)],
+        lambda s: [real(0.5 * s, -0.3)],
+    ],
+)
+def test_nothing_is_told_where_none_passes_the_unit_circle(gait, eigenvalues):
+    assert Made(gait, eigenvalues).told() == []
+
+
+def test_what_happens_within_one_step_is_told_apart(gait):
+    two = Made(gait, lambda s: [real(-s, -s - 0.05)])
+    assert two.told() == [("period doubling", 0.95), ("period doubling", 1.0)]
+    mixed = Made(gait, lambda s: [pair(s + 0.2), real(-s - 0.03), real(0.1)])
+    assert mixed.told() == [("Neimark-Sacker", 0.8), ("period doubling", 0.97)]
+    turning = Made(gait, lambda s: [real(s - 0.03), real(-s - 0.07)], value=lambda s: 2.0 - (s - 1.03) ** 2)
+    assert turning.told() == [("period doubling", 1.99), ("fold", 2.0)]
+
+
+@pytest.mark.parametrize(
+    "eigenvalues",
+    [
+        lambda s: [real(0.9 if s < 1.0 else 1.1)],  # jumps
+        lambda s: [pair(0.9 if s < 1.0 else 1.1)],
+        lambda s: [pair(0.9) if s < 1.0 else real(1.1, 1.2)],
+        lambda s: [real(s)],  # passes +1, but the branch goes on: two branches cross
+        lambda s: [real(-s - 1e-7, -s - 1e-7)],  # two at once
+        lambda s: [pair(s + 1e-7), real(-s - 1e-7)],
+    ],
+)
+def test_what_is_none_of_them_is_not_judged(gait, eigenvalues):
+    assert Made(gait, eigenvalues).told() == [("not judged", 1.0)]
+
+
+def test_a_turn_without_an_eigenvalue_of_one_is_not_judged(gait):
+    made = Made(gait, lambda s: [real(0.5)], value=lambda s: 2.0 - (s - 1.0) ** 2)
+    assert made.told() == [("not judged", 2.0)]
+
+
+def test_eigenvalues_may_jump_at_a_border(gait):
+    """What matters is whether one of them gets across the unit circle."""
+
+    def word(s):
+        return "+0+" if s < 1.0 else "+0-0+"
+
+    for low, high, told in (
+        (real(1.8, 0.5), real(2.1, 0.5), []),
+        (real(0.8), real(0.9), []),
+        (real(0.8), real(1.1), [("not judged", 1.0)]),
+        (real(-0.8), real(-1.1), [("not judged", 1.0)]),
+        (real(-1.1), real(1.1), [("not judged", 1.0)]),
+    ):
+        made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
+        assert made.told() == [("word border", 1.0), *told]
+        borders, _ = happenings(made, made.point(0.5), made.point(1.5))
+        assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
+
+
+def test_a_branch_that_cannot_be_parted_is_not_judged(gait):
+    """Newton's method may come back to the same gait again and again."""
+    made = Made(gait, lambda s: [real(-s, -s - 0.05)])
+    made.between = lambda before, after, share: after
+    (special,) = happenings(made, made.point(0.5), made.point(1.5))[1]
+    assert (special.kind, special.between) == ("not judged", (0.5, 1.5))
+    assert special.why == "0 eigenvalues outside the unit circle become 2"
+    assert special.as_json() == {
+        "kind": "not judged",
+        "value": 1.0,
+        "between": [0.5, 1.5],
+        "why": special.why,
+    }
