@@ -82,6 +82,7 @@ def test_located_where_it_is(gait):
             real(2.0 * s + 0.5, 0.4)
         ],  # a neutral saddle: the product passes 1, no eigenvalue the circle
         lambda s: [real(1.2 + max(0.0, 1.0 - s), 1.2)] if s < 1.0 else [pair(1.2, s - 1.0)],
+        lambda s: [real(2.0 * s + 0.5, 0.4), real(1.0 - 1e-7)],
         lambda s: [real(0.5 * s, -0.3)],
     ],
 )

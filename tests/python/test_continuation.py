@@ -225,6 +225,63 @@ def test_the_first_step_is_predicted_along_the_right_parameter(runner):
         np.testing.assert_array_equal(orbit.apex, found[0].apex)
 
 
+@pytest.fixture
+def looked(monkeypatch):
+    """What gaits were looked for: value, guess, and the gait."""
+    honest, seen = Family.orbit, []
+
+    def remembered(self, value, guess):
+        orbit = honest(self, value, guess)
+        seen.append((value, np.array(guess), orbit))
+        return orbit
+
+    monkeypatch.setattr(Family, "orbit", remembered)
+    return seen
+
+
+def test_gaits_are_predicted_along_the_branch(runner, looked):
+    """The guess is off by the square of the step."""
+    first = find_orbit(runner, along="leg.damping")
+    list(gaits_over(runner, "leg.damping", [0.202, 0.204], first))
+    for _, guess, orbit in looked:
+        assert np.max(np.abs(guess - orbit.apex)) < 1e-4
+    assert np.max(np.abs(looked[0][2].apex - first.apex)) > 1e-3
+
+
+def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
+    honest, values = Family.orbit, []
+
+    def hard_at_first(self, value, guess):
+        if len(values) == 0 and abs(value - 0.2) > 0.0101:
+            raise RunError("too far")
+        values.append(value)
+        return honest(self, value, guess)
+
+    first = find_orbit(runner, along="leg.damping")
+    monkeypatch.setattr(Family, "orbit", hard_at_first)
+    (last,) = gaits_over(runner, "leg.damping", [0.36], first)
+    assert values == pytest.approx([0.21, 0.23, 0.27, 0.35, 0.36])
+    assert last.runner.values["leg.damping"] == 0.36
+
+
+def test_gaits_are_followed_up_to_where_they_end(human, looked):
+    """The fold at 0.3836 is met from above to 1e-6."""
+    found = []
+    with pytest.raises(RunError):
+        found.extend(gaits_over(human, FRICTION, [0.5, 0.4, 0.3], find_orbit(human)))
+    assert [orbit.friction for orbit in found] == [0.5, 0.4]
+    assert 0.0 <= min(value for value, *_ in looked) - 0.38360208 < 1e-6
+
+
+def test_each_gait_is_told_as_it_is_found(runner):
+    steps = []
+    first = find_orbit(runner)
+    found = list(gaits_over(runner, FRICTION, [0.7, 0.8], first, lambda: steps.append("value")))
+    branch = trace(runner, FRICTION, first, 0.7, step_finished=lambda: steps.append("point"))
+    assert steps == ["value"] * len(found) + ["point"] * (len(branch.orbits) - 1)
+    assert np.max(np.diff(branch.values)) / 0.6 <= 0.05
+
+
 def test_the_range_of_a_branch_is_checked(runner):
     first = find_orbit(runner)
     for end in (first.friction, float("nan")):

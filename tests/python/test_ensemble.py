@@ -144,7 +144,7 @@ def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
         {"most_strides": 10**12},
         {"most_strides": float("nan")},
         {"near": -1.0},
-        {"case_of": np.array([0, 7])},
+        {"case_of": np.array([0, 1])},
         {"case_of": [0.7, 0.0]},
         {"case_of": [0, 2**32]},
         {"case_of": ["a", "b"]},

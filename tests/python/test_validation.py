@@ -1,0 +1,69 @@
+"""The verdict of a validation, in an object and in words."""
+
+import math
+from dataclasses import replace
+
+import pytest
+from tdmf_slip.claims import WORDS, Claim
+from tdmf_slip.gait import Gait
+from tdmf_slip.reference import Drift
+from tdmf_slip.validation import Validation
+
+CLAIMS = [Claim("speed", "rises", "falls", False), Claim("cost", "least", "least", True)]
+MET = [
+    Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6),
+    Drift(0.6, "speed", 1.0, 1.0, 5e-9, 1e-6),
+    Drift(0.6, "apex", 1.0, 1.0, 7e-8, 1e-5),
+    Drift(math.nan, "a border", 0.5, 0.5, 4e-5, 5e-5),
+]
+MISSED = Drift(math.nan, "another border", 0.5, 0.6, 0.1, 5e-5)
+
+
+@pytest.fixture
+def gaits():
+    one = Gait(
+        friction=0.6,
+        word=WORDS[0.6],
+        period=24.764449999,
+        length=26.3,
+        speed=1.0617424,
+        work=0.1,
+        cost_of_transport=0.3717054,
+        liftoff_angle=-0.5,
+        apex=(1.0,) * 6,
+        start_values={},
+        strides=60,
+        change=0.0,
+    )
+    return [one, replace(one, friction=0.2, word="+0-")]
+
+
+def test_a_validation_passes_if_nothing_is_missed(gaits):
+    assert Validation(gaits, CLAIMS, MET).passed
+    assert not Validation(gaits, CLAIMS, [MISSED, *MET]).passed
+    told = Validation(gaits, CLAIMS, [*MET, MISSED]).as_json()
+    assert [gait["published_word"] for gait in told["gaits"]] == ["+0-0+", "+-"]
+    assert [claim["verdict"] for claim in told["claims"]] == ["differs", "agrees"]
+    assert [drift["passed"] for drift in told["drifts"]] == [True] * 4 + [False] and not told["passed"]
+
+
+def test_the_tables_of_a_validation(gaits):
+    by_word, claims, drifts = Validation(gaits, CLAIMS, MET).as_text().split("\n\n")
+    first, second = by_word.splitlines()[2:4]
+    assert first.split() == ["0.6", "+0-0+", "+0-0+", "24.76445", "1.061742", "0.371705", "same", "word"]
+    assert second.startswith("0.2") and second.endswith("OTHER WORD")
+    assert [line.split() for line in claims.splitlines()[2:]] == [
+        ["speed", "rises", "falls", "differs"],
+        ["cost", "least", "least", "agrees"],
+    ]
+    assert "all 4 recorded values are met" in drifts
+    assert "of a gait 5.0e-09 (allowed 1e-06), of an apex 7.0e-08 (allowed 1e-05)" in drifts
+
+
+def test_what_is_missed_is_listed(gaits):
+    text = Validation(gaits, CLAIMS, [*MET, MISSED, replace(MISSED, friction=0.43)]).as_text()
+    said, header, rule, *rows = text.split("\n\n")[-1].splitlines()
+    assert "2 of 6 recorded values are NOT met" in said
+    assert header.startswith("friction") and set(rule) <= {"-", " "}
+    assert rows[0].split() == ["another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
+    assert rows[1].split() == ["0.43", "another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
