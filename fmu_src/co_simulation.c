@@ -20,7 +20,9 @@ call_status step_on(instance *instance, const char *call, double time, double st
         return refuse(instance, call, "the step is not a positive number");
     }
     if (!(time + step > time)) {
-        return fail(instance, call, "a step of %g s is lost in the rounding of the time, %g s", step, time);
+        char length[TIME_CAPACITY], clock[TIME_CAPACITY];
+        return refuse(instance, call, "a step of %s s is lost in the rounding of the time, %s s",
+                      time_text(step, length), time_text(time, clock));
     }
     const double allowed = clock_rounding(time, step);
     if (!(fabs(time - unit->motion.time) <= allowed)) {

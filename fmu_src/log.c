@@ -123,7 +123,7 @@ call_status set_logging(instance *instance, const char *call, bool on, size_t co
 /* ---- events ------------------------------------------------------------------------------------------- */
 
 char *time_text(double time, char text[TIME_CAPACITY]) {
-    snprintf(text, TIME_CAPACITY, "%.12g", time);
+    snprintf(text, TIME_CAPACITY, "%.15g", time);
     char *comma = strchr(text, ','); /* of the locale */
     if (comma != NULL) {
         *comma = '.';

@@ -62,6 +62,24 @@ static void what_follows_from_start_values_is_read_before_initialization(void **
     fmi2FreeInstance(component);
 }
 
+/* An enumeration never reads 0, which is none of its values, whatever was refused before. */
+static void enumerations_have_a_value_of_theirs_after_refusals(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        fmi2Component component = i == 0 ? new_instance() : new_slave();
+        fmi3Instance instance = i == 0 ? new_exchange() : new_stepper(true, true);
+        assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2Error);
+        assert_int_equal(fmi2EnterEventMode(component), fmi2Error);
+        assert_int_equal(fmi3EnterEventMode(instance), fmi3Error);
+        assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+        assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
+        assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
+        assert_int_equal(get_enumeration(instance, "hip.phase"), TDMF_PHASE_PLACE);
+        fmi2FreeInstance(component);
+        fmi3FreeInstance(instance);
+    }
+}
+
 /* They cannot tell of a run that cannot begin; nothing is spoilt by asking. */
 static void contradicting_start_values_are_read_and_what_follows_is_not(void **state) {
     const fmi2ValueReference mode = reference_of("contact.mode"), word = reference_of("stride.word"),
@@ -347,6 +365,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(start_values_are_read_before_initialization),
         cmocka_unit_test(what_follows_from_start_values_is_read_before_initialization),
+        cmocka_unit_test(enumerations_have_a_value_of_theirs_after_refusals),
         cmocka_unit_test(contradicting_start_values_are_read_and_what_follows_is_not),
         cmocka_unit_test(states_set_one_by_one_are_states_set_as_a_whole),
         cmocka_unit_test(differences_of_states_set_one_by_one_are_the_directional_derivatives),

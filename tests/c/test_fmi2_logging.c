@@ -103,6 +103,15 @@ static void categories_are_switched_one_by_one(void **state) {
     }
 }
 
+static void what_is_switched_off_switches_nothing_on(void **state) {
+    (void)state;
+    fmi2Component component = logging_instance(fmi2False);
+    initialize(component);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, errors_category), fmi2OK);
+    assert_heard(component, false, false, false);
+    fmi2FreeInstance(component);
+}
+
 static void a_category_switched_off_first_leaves_the_others(void **state) {
     (void)state;
     fmi2Component component = logging_instance(fmi2True);
@@ -180,7 +189,7 @@ static void every_event_of_a_step_is_logged_with_its_time(void **state) {
     }
     assert_non_null(strstr(first[0], "touchdown at 11.9085"));
     assert_non_null(strstr(first[0], " s: flight, place -> slip_positive, drive"));
-    assert_non_null(strstr(first[8], "apex at 24.764449228 s: flight, retract -> flight, place"));
+    assert_non_null(strstr(first[8], "apex at 24.764449228"));
 }
 
 /* What is said of an event that the importer takes is what is said of one that the unit takes itself. */
@@ -238,6 +247,17 @@ static void logging_changes_no_bit_of_a_run(void **state) {
     assert_true(compared == 9 || compared == 18);
 }
 
+/* A step that is logged goes by portions of events; the next, silent one has all of its events again. */
+static void a_silent_step_after_a_logged_one_goes_as_far(void **state) {
+    (void)state;
+    fmi2Component component = stepped(fmi2True, SOLVER_NATIVE, ten_strides);
+    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, ten_strides, ten_strides, fmi2True), fmi2OK);
+    assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
+    assert_int_equal(get_integer(component, "event.count"), 2 * EVENTS_OF_TEN_STRIDES);
+    fmi2FreeInstance(component);
+}
+
 static void an_input_that_jumps_between_steps_makes_an_event_too(void **state) {
     (void)state;
     fmi2Component component = logging_instance(fmi2True);
@@ -266,6 +286,74 @@ static void a_fall_is_logged_as_one(void **state) {
     assert_true(strncmp(last_message, "body_down", 9) == 0 ||
                 strncmp(last_message, "leg_too_short", 13) == 0);
     fmi2FreeInstance(component);
+}
+
+/* Changes a runner on or off the ground by hand in Model Exchange, and goes through event mode there. */
+static void update_with(fmi2Component component, const char *name, double value) {
+    fmi2EventInfo info;
+    assert_int_equal(set_real(component, name, value), fmi2OK);
+    forget_messages();
+    assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
+    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
+}
+
+static void every_guard_gives_its_event_its_name(void **state) {
+    static const struct {
+        const char *name, *changed;
+        double value, foot_y, foot_vx, foot_vy;
+    } cases[] = {
+        {"touchdown", "foot.y", -1e-12, 0.5, 0.0, -0.4},
+        {"apex", "foot.vy", -0.5, 0.5, 0.0, 1.0},
+        {"lift_off", "leg.length", 1.5, 0.0, 0.0, 0.0},
+        {"mid_stance", "leg.angle", -1e-3, 0.0, 0.0, 0.0},
+        {"slip_velocity_zero", "foot.vx", -1e-6, 0.0, 0.5, 0.0},
+        {"slip_onset_", "ground.friction", 0.0, 0.0, 0.0, 0.0},
+        {"body_down", "leg.angle", 2.0, 0.0, 0.0, 0.0},
+        {"leg_too_short", "leg.length", 0.01, 0.0, 0.0, 0.0},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        fmi2Component component = new_instance();
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
+        assert_int_equal(set_real(component, "ground.friction", 10.0), fmi2OK); /* the foot at rest sticks */
+        assert_int_equal(set_real(component, "foot.y", cases[i].foot_y), fmi2OK);
+        assert_int_equal(set_real(component, "foot.vx", cases[i].foot_vx), fmi2OK);
+        assert_int_equal(set_real(component, "foot.vy", cases[i].foot_vy), fmi2OK);
+        assert_int_equal(set_real(component, "leg.length", 0.8), fmi2OK);
+        assert_int_equal(set_real(component, "leg.angle", 0.2), fmi2OK);
+        assert_int_equal(set_real(component, "leg.angle_rate", -0.1), fmi2OK);
+        start_running(component);
+        update_with(component, cases[i].changed, cases[i].value);
+        if (message_count != 1 || strncmp(last_message, cases[i].name, strlen(cases[i].name)) != 0) {
+            fail_msg("expected %s, found %s", cases[i].name, last_message);
+        }
+        fmi2FreeInstance(component);
+    }
+}
+
+/* A foot found below the ground moving up was put there by rounding: it is lifted, and that is no event. But
+ * a landing that throws the foot off again at once is one, although the modes are what they were. */
+static void what_is_an_event_does_not_go_by_the_modes_alone(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        const double vy = i == 0 ? 1e-3 : -1e-3;
+        fmi2Component component = new_instance();
+        assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
+        assert_int_equal(set_real(component, "foot.y", 0.5), fmi2OK);
+        assert_int_equal(set_real(component, "foot.vy", vy), fmi2OK);
+        assert_int_equal(set_real(component, "leg.length", 1.5), fmi2OK);
+        assert_int_equal(set_real(component, "leg.angle", 0.1), fmi2OK);
+        assert_int_equal(set_real(component, "leg.angle_rate", 0.0), fmi2OK);
+        assert_int_equal(set_real(component, "leg.length_rate", -0.5), fmi2OK);
+        start_running(component);
+        assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
+        update_with(component, "foot.y", -1e-12);
+        assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+        assert_int_equal(get_integer(component, "event.count"), i);
+        assert_int_equal(message_count, i);
+        assert_true(i == 0 || strstr(last_message, " s: flight, place -> flight, place") != NULL);
+        fmi2FreeInstance(component);
+    }
 }
 
 /* Model Exchange: the importer stops where a guard is down, and what is taken there is named by it. */
@@ -297,13 +385,17 @@ int main(void) {
         cmocka_unit_test(an_instance_made_with_logging_says_everything),
         cmocka_unit_test(all_is_switched_off_and_on),
         cmocka_unit_test(categories_are_switched_one_by_one),
+        cmocka_unit_test(what_is_switched_off_switches_nothing_on),
         cmocka_unit_test(a_category_switched_off_first_leaves_the_others),
         cmocka_unit_test(unknown_categories_are_warned_of_and_the_others_taken),
         cmocka_unit_test(every_event_of_a_step_is_logged_with_its_time),
         cmocka_unit_test(an_event_is_told_alike_in_event_mode),
         cmocka_unit_test(logging_changes_no_bit_of_a_run),
+        cmocka_unit_test(a_silent_step_after_a_logged_one_goes_as_far),
         cmocka_unit_test(an_input_that_jumps_between_steps_makes_an_event_too),
         cmocka_unit_test(a_fall_is_logged_as_one),
+        cmocka_unit_test(every_guard_gives_its_event_its_name),
+        cmocka_unit_test(what_is_an_event_does_not_go_by_the_modes_alone),
         cmocka_unit_test(an_event_of_model_exchange_is_named_by_its_guard),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

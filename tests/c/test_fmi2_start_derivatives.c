@@ -13,8 +13,7 @@
 enum { MOST_VARIABLES = 160, SETTINGS = 8 };
 
 /* A start, and the knowns by which nothing is differentiable there: a step either way makes another mode of
- * it. Names end with NULL. An external torque keeps the hip's power from zero, where positive work has a
- * kink. */
+ * it. Names end with NULL. */
 typedef struct {
     const char *what;
     struct {
@@ -37,6 +36,19 @@ static const start starts[] = {
      TDMF_PHASE_PLACE,
      {"foot.vy", "leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "body.mass", "foot.mass",
       NULL}},
+    {"at an apex, upright",
+     {FOOT(0.5, 0.3, 0.0), {"leg.angle", 0.0}, {"leg.length_rate", 0.0}, {"leg.angle_rate", 0.0}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_PLACE,
+     {"foot.vy", "leg.length_rate", NULL}},
+    {"at an apex, the leg level",
+     {FOOT(0.5, 0.3, 0.0),
+      {"leg.angle", 1.5707963267948966},
+      {"leg.length_rate", 0.0},
+      {"leg.angle_rate", 0.0}},
+     TDMF_CONTACT_FLIGHT,
+     TDMF_PHASE_PLACE,
+     {"foot.vy", "leg.angle_rate", NULL}},
     {"rising, the leg swung back, the clamp open",
      {FOOT(0.5, 0.3, 1.0), {"leg.angle", -0.6}, {"leg.angle_rate", -1.0}},
      TDMF_CONTACT_FLIGHT,
@@ -161,6 +173,9 @@ static void differences(fmi2Component component, const char *known, double value
 /* Compares a column; returns how many entries are not zero. */
 static int compare_column(fmi2Component component, const start *start, fmi2ValueReference known) {
     double values[MOST_VARIABLES], noise[MOST_VARIABLES];
+    /* Positive work has a kink where the hip's power is zero. */
+    const fmi2ValueReference positive_power = reference_of("der(hip.positive_work)");
+    const double power = get_real(component, "der(hip.work)");
     int nonzero = 0;
     double largest = 0.0;
     differences(component, unit_variables[known].name, values, noise);
@@ -173,7 +188,7 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
         const fmi2ValueReference unknown = (fmi2ValueReference)i;
         const double one = 1.0;
         double exact = 0.0;
-        if (!is_unknown(&unit_variables[i])) {
+        if (!is_unknown(&unit_variables[i]) || (unknown == positive_power && power == 0.0)) {
             continue;
         }
         assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &exact),
@@ -232,7 +247,7 @@ static void by_time_they_are_those_of_the_instants(void **state) {
                 nonzero += exact != 0.0 ? 1 : 0;
             }
         }
-        assert_int_equal(nonzero, k == 0 ? 2 : 1); /* event.last_time and, at an apex, apex.time */
+        assert_int_equal(nonzero, k < 3 ? 2 : 1); /* event.last_time and, at an apex, apex.time */
         fmi2FreeInstance(component);
     }
 }
@@ -309,6 +324,21 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
     }
 }
 
+/* What a start sets to zero depends on nothing, whatever was in it. */
+static void integrals_begin_at_zero(void **state) {
+    const fmi2ValueReference work = reference_of("hip.work");
+    const double one = 1.0;
+    double value = 1.0;
+    (void)state;
+    fmi2Component component = begun(&starts[0], 0.0);
+    assert_int_equal(fmi2GetDirectionalDerivative(component, &work, 1, &work, 1, &one, &value), fmi2OK);
+    assert_true(value == 0.0);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    assert_int_equal(fmi2GetDirectionalDerivative(component, &work, 1, &work, 1, &one, &value), fmi2OK);
+    assert_true(value == 1.0);
+    fmi2FreeInstance(component);
+}
+
 static void start_values_are_no_knowns_of_a_run(void **state) {
     const fmi2ValueReference unknown = reference_of("body.y"), mass = reference_of("body.mass"),
                              output = reference_of("body.x");
@@ -331,6 +361,7 @@ int main(void) {
         cmocka_unit_test(by_time_they_are_those_of_the_instants),
         cmocka_unit_test(by_time_nothing_changes_in_a_run),
         cmocka_unit_test(fmi3_gives_the_same_both_ways_round),
+        cmocka_unit_test(integrals_begin_at_zero),
         cmocka_unit_test(start_values_are_no_knowns_of_a_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
