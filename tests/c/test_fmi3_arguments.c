@@ -338,6 +338,24 @@ static void rates_are_numbers_and_set_in_their_states(void **state) {
     fmi2FreeInstance(exchange);
 }
 
+/* The runner is frozen, its surroundings are not. */
+static void inputs_go_on_at_their_rates_after_a_fall(void **state) {
+    const fmi2ValueReference torque = reference_of("hip.external_torque");
+    const fmi2Integer first = 1;
+    const double rate = 1e-3;
+    (void)state;
+    fmi2Component component = new_slave();
+    assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
+    initialize(component);
+    assert_int_equal(fmi2SetRealInputDerivatives(component, &torque, 1, &first, &rate), fmi2OK);
+    assert_int_equal(fmi2DoStep(component, 0.0, 2000.0, fmi2True), fmi2OK);
+    assert_true(get_real(component, "event.last_time") < 1000.0);
+    assert_close(get_real(component, "hip.external_torque"), 2.0, 1e-12);
+    assert_int_equal(fmi2DoStep(component, 2000.0, 500.0, fmi2True), fmi2OK);
+    assert_close(get_real(component, "hip.external_torque"), 2.5, 1e-12);
+    fmi2FreeInstance(component);
+}
+
 /* With inputs that move, outputs go with them. */
 static void output_derivatives_go_with_the_rates_of_inputs(void **state) {
     static const char *const names[] = {"contact.fx", "hip.torque"};
@@ -408,6 +426,7 @@ int main(void) {
         cmocka_unit_test(a_step_that_ends_at_an_event_is_not_early),
         cmocka_unit_test(an_apex_under_another_input_is_at_the_same_time),
         cmocka_unit_test(rates_are_numbers_and_set_in_their_states),
+        cmocka_unit_test(inputs_go_on_at_their_rates_after_a_fall),
         cmocka_unit_test(output_derivatives_go_with_the_rates_of_inputs),
         cmocka_unit_test(statuses_are_those_of_steps_that_are_done),
     };
