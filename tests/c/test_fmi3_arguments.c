@@ -177,6 +177,24 @@ static void counts_of_work_end_at_the_largest_integer(void **state) {
     fmi2FreeInstance(component);
 }
 
+/* Out of memory, say: enumerations have no value 0, and there is a start to read. */
+static void an_instance_that_fails_before_its_run_shows_its_start(void **state) {
+    const fmi2ValueReference mode = reference_of("contact.mode");
+    fmi2Integer value = 77;
+    (void)state;
+    fmi2Component component = new_slave();
+    instance *inside = component;
+    inside->state = FAILED;
+    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
+    inside->state = INSTANTIATED;
+    assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
+    inside->state = FAILED;
+    assert_int_equal(fmi2GetInteger(component, &mode, 1, &value), fmi2Discard);
+    assert_int_equal(value, 77);
+    fmi2FreeInstance(component);
+}
+
 /* The force of this instant is met before an input may change it: the stride's peak has it. */
 static void event_mode_is_entered_with_the_force_noted(void **state) {
     double states[TDMF_STATE_COUNT];
@@ -417,6 +435,7 @@ int main(void) {
         cmocka_unit_test(texts_are_set_nowhere_and_none_of_them_where_setting_is_allowed),
         cmocka_unit_test(a_completed_step_asks_for_nothing),
         cmocka_unit_test(counts_of_work_end_at_the_largest_integer),
+        cmocka_unit_test(an_instance_that_fails_before_its_run_shows_its_start),
         cmocka_unit_test(event_mode_is_entered_with_the_force_noted),
         cmocka_unit_test(a_run_may_stop_where_it_starts),
         cmocka_unit_test(an_endless_tolerance_is_refused),
