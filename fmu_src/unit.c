@@ -344,9 +344,11 @@ tdmf_resolution unit_update(unit *unit, const unit_observer *observer) {
 }
 
 const char *unit_advance(unit *unit, double until, const unit_observer *observer) {
-    unit_update(unit, observer); /* an input may have jumped */
-    return conclude(
-        unit, observer->note != NULL ? advance_observed(unit, until, observer) : advance(unit, until), until);
+    const bool observed = observer->note != NULL;
+    if (observed || unit->event_is_pending) {
+        unit_update(unit, observer); /* an input may have jumped; unseen, that is the solver's to find */
+    }
+    return conclude(unit, observed ? advance_observed(unit, until, observer) : advance(unit, until), until);
 }
 
 /* Integrates for a time that the clock may be too coarse for: it is set to 0 for that, which no event takes

@@ -277,10 +277,10 @@ static void communication_points_are_off_by_rounding_only(void **state) {
 static void a_step_beyond_all_numbers_is_refused(void **state) {
     (void)state;
     fmi2Component component = new_slave();
-    assert_int_equal(initialize_from(component, DBL_MAX, false, 0.0), fmi2OK);
+    initialize(component);
     assert_int_equal(fmi2DoStep(component, DBL_MAX, DBL_MAX, fmi2True), fmi2Error);
     assert_non_null(strstr(last_message, "not a positive number"));
-    assert_true(get_real(component, "time") == DBL_MAX);
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
     fmi2FreeInstance(component);
 }
 
