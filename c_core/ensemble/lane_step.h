@@ -92,20 +92,37 @@ static inline void expand_drop(const flight_series *f, real sine0, real cosine0,
     }
 }
 
-static inline void watch_length(lane_search *search, const member_frame *frame, const real *length,
-                                int order) {
+/* Begins a search within a step that is short enough for the leg: see size_without_pole in step.c. Returns
+ * how much the length may change in it. */
+static inline real search_without_pole(lane_search *search, real size, const real *length, int order,
+                                       choice live, real due_below) {
+    search_within(search, size, order, live, due_below);
+    const real most = SERIES_MOST_CHANGE * length[0];
+    const real change = spread_of(search, length, order);
+    const choice too_long = live & (change > most);
+    if (!any(too_long)) {
+        return change;
+    }
+    search_within(search, pick(too_long, size * most / change, size), order, live, due_below);
+    return spread_of(search, length, order);
+}
+
+static inline void watch_length(lane_search *search, const member_frame *frame, const real *length, int order,
+                                real change) {
     const guard_series g = {length, real_of(1.0), length[0] - frame->min_length, order};
+    if (!any(search->live & ~(g.start > change))) {
+        return;
+    }
     watch(search, TDMF_GUARD_LEG_TOO_SHORT, search->live, &g, search->due_below * frame->length_scale);
 }
 
 /* Lanes in which the leg may reach the ground by either end: a parabola is lowest at an end, and a leg does
  * not drop further than its longest at the angle that brings it nearest to the vertical. */
 static inline choice may_reach_ground(const lane_search *search, const flying_member *m,
-                                      const flight_series *f, int order, real com_y, real com_vy, real sine,
-                                      real cosine) {
+                                      const flight_series *f, int order, real longest, real com_y,
+                                      real com_vy, real sine, real cosine) {
     const real t = search->size;
     const real lowest = smaller(com_y, com_y + t * (com_vy - 0.5 * m->frame.gravity * t));
-    const real longest = f->length[0] + spread_of(search, f->length, order);
     const real turn = spread_of(search, f->angle, order);
     const real change = turn * (real_abs(sine) + 0.5 * turn);
     const real down = m->share * longest * smaller(cosine + change, real_of(1.0));
@@ -115,12 +132,12 @@ static inline choice may_reach_ground(const lane_search *search, const flying_me
 
 /* Heights of foot and body: a parabola and a share of the leg's drop. */
 static inline void watch_heights(lane_search *search, const flying_member *m, const flight_series *f,
-                                 int order, double tolerance, real com_y, real com_vy) {
+                                 int order, double tolerance, real longest, real com_y, real com_vy) {
     lane_remainder remainder = {real_of(0.0), real_of(0.0)};
     const real floor = search->due_below * m->frame.length_scale;
     real sine, cosine, drop[SERIES_TERMS], height[SERIES_TERMS];
     sine_and_cosine(f->angle[0], &sine, &cosine);
-    const choice low = may_reach_ground(search, m, f, order, com_y, com_vy, sine, cosine);
+    const choice low = may_reach_ground(search, m, f, order, longest, com_y, com_vy, sine, cosine);
     if (!any(low)) {
         return;
     }
@@ -207,17 +224,18 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     const real longest = longest_flight_step(&m->law, m->length, order);
     const real size =
         smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
-    search_within(&search, size, order, live, due_below(tolerance) * m->frame.patience);
+    const real change =
+        search_without_pole(&search, size, f->length, order, live, due_below(tolerance) * m->frame.patience);
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
-    watch_length(&search, &m->frame, f->length, order);
-    watch_heights(&search, m, f, order, tolerance, com_y, com_vy);
+    watch_length(&search, &m->frame, f->length, order, change);
+    watch_heights(&search, m, f, order, tolerance, f->length[0] + change, com_y, com_vy);
     if (retracts) {
         watch_apex_in_flight(&search, m, com_vy);
         watch_clamp(&search, m, f, order);
     }
     march_up(&search);
-    const real end = smaller(search.time, size);
+    const real end = smaller(search.time, search.size);
     const choice too_stiff = opens_too_stiff(&m->now, &m->frame, longest);
     fly_on(m, f, order, end);
     return move_on(&m->now, &m->frame, &search, too_stiff, end);
@@ -226,10 +244,10 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
 static inline void watch_standing_leg(lane_search *search, const standing_member *m, const ground_series *g,
-                                      int order) {
+                                      int order, real change) {
     const guard_series body = {g->y, real_of(1.0), g->y[0], order};
     watch(search, TDMF_GUARD_BODY_DOWN, search->live, &body, search->due_below * m->frame.length_scale);
-    watch_length(search, &m->frame, g->length, order);
+    watch_length(search, &m->frame, g->length, order, change);
 }
 
 /* theta, by the body's place over the foot. */
@@ -367,8 +385,9 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
     const real size =
         smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
-    search_within(&search, size, order, live, due_below(tolerance) * m->frame.patience);
-    watch_standing_leg(&search, m, g, order);
+    const real change =
+        search_without_pole(&search, size, g->length, order, live, due_below(tolerance) * m->frame.patience);
+    watch_standing_leg(&search, m, g, order, change);
     if (grazes) {
         watch_graze(&search, m, g, order);
     } else {
@@ -384,7 +403,7 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     if (grazes) {
         search.is_root &= search.first != TDMF_GUARD_CLAMP;
     }
-    const real end = smaller(search.time, size);
+    const real end = smaller(search.time, search.size);
     const choice sticks = bits_of(slips || grazes ? 0 : -1);
     const choice too_stiff = sticks & opens_too_stiff(&m->now, &m->frame, longest);
     stand_on(m, g, order, slips, grazes, end);

@@ -113,6 +113,17 @@ static double trusted_size(const remainder_of_series *remainder, double longest,
     return size;
 }
 
+/* Where the length's coefficients add up to less than itself it has no zero for any complex time in reach:
+ * what is divided by it has no pole there, which coefficients might not show, be it ever so weak. */
+static double size_without_pole(const double *length, int order, double size) {
+    const double most = SERIES_MOST_CHANGE * length[0];
+    double change = 0.0;
+    for (int k = order; k > 0; --k) {
+        change = (change + fabs(length[k])) * size;
+    }
+    return change > most ? size * most / change : size;
+}
+
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance) {
     const tdmf_scales *scales = &chart->model->scales;
     remainder_of_series remainder = {0.0, 0.0, 0};
@@ -130,7 +141,9 @@ void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, doubl
         note_remainder(&remainder, step->series.ground.pull, scales->force);
         note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
     }
-    step->size = trusted_size(&remainder, step->longest, tolerance);
+    const double *length =
+        chart->contact == TDMF_CONTACT_FLIGHT ? step->series.flight.length : step->series.ground.length;
+    step->size = size_without_pole(length, order - 1, trusted_size(&remainder, step->longest, tolerance));
 }
 
 double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit) {

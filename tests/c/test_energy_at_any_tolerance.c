@@ -1,0 +1,214 @@
+/* No outcome carries an energy that the ledger does not, whatever the parameters and however loose the
+ * tolerance: not when the run arrives, nor when it falls, nor when it is given up. */
+#include "compare.h"
+#include "scene.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Above rounding and a few hundred steps' errors; energies from nothing were as large as all there is. */
+static double allowed(double tolerance) {
+    return 1e-6 + 30.0 * tolerance;
+}
+
+static double energy_in(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_energy energy = tdmf_mechanical_energy(model, state);
+    return energy.kinetic + fabs(energy.potential) + energy.elastic;
+}
+
+/* A value within some decades of another. */
+static double near(random_source *source, double value, double decades) {
+    return value * random_magnitude(source, pow(10.0, -decades), pow(10.0, decades));
+}
+
+/* Parameters over the declared ranges, most of which hold numbers that no runner has. */
+static tdmf_parameters wide_parameters(random_source *source, double decades) {
+    tdmf_parameters p = tdmf_default_parameters();
+    p.body.mass = near(source, 1.0, decades);
+    p.leg.stiffness = near(source, 1.0, decades);
+    p.leg.free_length = near(source, 1.0, decades);
+    const double length = p.leg.free_length;
+    const double energy = p.leg.stiffness * length * length;
+    const double impedance = sqrt(p.body.mass * p.leg.stiffness);
+    p.leg.min_length = length * random_magnitude(source, 1e-6, 1.0);
+    p.foot.mass = near(source, 0.1 * p.body.mass, decades);
+    p.leg.damping = random_chance(source, 0.2) ? 0.0 : near(source, 0.2 * impedance, decades);
+    p.gravity = near(source, 0.01 * p.leg.stiffness * length / p.body.mass, decades);
+    p.hip.stance_torque = near(source, 0.2 * energy, decades);
+    p.hip.touchdown_angle = random_uniform(source, -1.57, 1.57);
+    p.hip.kp = random_chance(source, 0.2) ? 0.0 : near(source, 0.1 * energy, decades);
+    p.hip.kd = random_chance(source, 0.2) ? 0.0 : near(source, 0.1 * impedance * length * length, decades);
+    p.hip.liftoff_angle_factor = random_uniform(source, 0.0, 3.0);
+    return p;
+}
+
+/* Speeds, some of them zero, of either sign. */
+static void wide_state(random_source *source, const tdmf_model *model, double decades,
+                       double state[TDMF_STATE_COUNT]) {
+    const tdmf_scales *scales = &model->scales;
+    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
+    state[TDMF_FOOT_Y] = random_chance(source, 0.3) ? 0.0 : near(source, scales->length, decades);
+    state[TDMF_LEG_LENGTH] = fmax(model->parameters.leg.min_length, near(source, scales->length, decades));
+    state[TDMF_LEG_ANGLE] = random_uniform(source, -1.6, 1.6);
+    for (int i = TDMF_FOOT_VX; i <= TDMF_LEG_ANGLE_RATE; ++i) {
+        const double scale = i == TDMF_LEG_ANGLE_RATE ? 1.0 / scales->time : scales->speed;
+        const double sign = random_chance(source, 0.5) ? 1.0 : -1.0;
+        state[i] = random_chance(source, 0.2) ? 0.0 : sign * near(source, scale, decades);
+    }
+}
+
+/* How often a run ended how, of those that could start. */
+typedef struct {
+    int ended[TDMF_REFUSED + 1];
+    int runs;
+} tally;
+
+static void run_and_check(const runner *runner, double tolerance, tally *seen) {
+    enum { CALLS = 5 };
+    static const tdmf_input_rates held = {0.0, 0.0};
+    const tdmf_model *model = &runner->model;
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_outcome outcome = TDMF_ARRIVED;
+    tdmf_motion motion;
+    memset(&motion, 0, sizeof motion);
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    if (tdmf_start(model, &runner->inputs, 0.0, motion.state, &motion.mode, &motion.record).variable) {
+        return;
+    }
+    double most = energy_in(model, runner->state);
+    solver.relative_tolerance = tolerance;
+    for (int call = 0; call < CALLS && outcome == TDMF_ARRIVED; ++call) {
+        outcome = tdmf_native_advance(&solver, model, &runner->inputs, &held,
+                                      motion.time + 2.0 * model->scales.time, &motion);
+        const double change = tdmf_mechanical_energy(model, motion.state).total -
+                              tdmf_mechanical_energy(model, runner->state).total;
+        const double booked = motion.state[TDMF_HIP_WORK] - motion.state[TDMF_ENERGY_DAMPER_LOSS] -
+                              motion.state[TDMF_ENERGY_FRICTION_LOSS] - motion.record.impact_loss;
+        most = fmax(most, energy_in(model, motion.state));
+        assert_close(change / most, booked / most, allowed(tolerance));
+    }
+    ++seen->runs;
+    ++seen->ended[outcome];
+}
+
+static void of_any_runner(void **state) {
+    enum { RUNS = 4000 };
+    tally seen = {{0}, 0};
+    (void)state;
+    for (uint64_t seed = 0; seed < RUNS; ++seed) {
+        random_source source = {seed};
+        const double decades = random_uniform(&source, 0.3, 2.5);
+        const tdmf_parameters parameters = wide_parameters(&source, decades);
+        runner runner = runner_default(near(&source, 0.6, decades));
+        if (tdmf_model_create(&runner.model, &parameters).variable == NULL) {
+            wide_state(&source, &runner.model, decades, runner.state);
+            run_and_check(&runner, random_magnitude(&source, 1e-14, 1e-2), &seen);
+        }
+    }
+    assert_true(seen.runs > RUNS / 2);
+    assert_true(seen.ended[TDMF_ARRIVED] > RUNS / 10 && seen.ended[TDMF_FELL] > RUNS / 10);
+    assert_true(seen.ended[TDMF_TOO_STIFF] > 5);
+}
+
+/* In flight, foot and body fly past each other so near that the leg turns by half a turn in next to no time:
+ * what little angular momentum it has throws them apart, though at a loose tolerance it hardly showed before.
+ */
+static runner leg_about_to_vanish(random_source *source) {
+    tdmf_parameters p = tdmf_default_parameters();
+    p.leg.min_length = random_magnitude(source, 1e-6, 1e-4);
+    p.leg.damping = random_chance(source, 0.5) ? 0.0 : random_magnitude(source, 1e-4, 1e-2);
+    p.foot.mass = random_magnitude(source, 1e-3, 1.0);
+    p.hip.kp = random_magnitude(source, 1e-6, 1e-2);
+    p.hip.kd = random_magnitude(source, 1e-6, 1e-2);
+    runner runner = runner_default(0.6);
+    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_FOOT_Y] = 100.0;
+    runner.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.5, 20.0);
+    runner.state[TDMF_LEG_ANGLE] = random_uniform(source, -1.5, 1.5);
+    runner.state[TDMF_LEG_LENGTH_RATE] = -random_magnitude(source, 1.0, 100.0);
+    runner.state[TDMF_LEG_ANGLE_RATE] = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.1, 0.1);
+    return runner;
+}
+
+static void of_legs_that_nearly_vanish(void **state) {
+    enum { RUNS = 2000 };
+    tally seen = {{0}, 0};
+    random_source source = {21};
+    (void)state;
+    for (int i = 0; i < RUNS; ++i) {
+        const runner runner = leg_about_to_vanish(&source);
+        run_and_check(&runner, random_magnitude(&source, 1e-5, 1e-2), &seen);
+    }
+    assert_int_equal(seen.runs, RUNS);
+    assert_true(seen.ended[TDMF_ARRIVED] + seen.ended[TDMF_FELL] > RUNS / 2);
+}
+
+/* Strides of an ensemble, from apices at which the leg is about to vanish. */
+static void of_strides_in_every_kind_of_lane(void **state) {
+    enum { RUNNERS = 2000 };
+    static tdmf_model models[RUNNERS];
+    static tdmf_ensemble_case cases[RUNNERS];
+    static tdmf_ensemble_end ends[RUNNERS];
+    static double starts[RUNNERS][TDMF_SECTION_COUNT];
+    static int case_of[RUNNERS];
+    const double tolerance = 1e-3;
+    random_source source = {22};
+    int sets = 0;
+    (void)state;
+    for (int i = 0; i < RUNNERS; ++i) {
+        const runner runner = leg_about_to_vanish(&source);
+        const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.state);
+        const double section[TDMF_SECTION_COUNT] = {com.y - 90.0 + runner.state[TDMF_LEG_LENGTH],
+                                                    com.vx,
+                                                    runner.state[TDMF_LEG_LENGTH],
+                                                    runner.state[TDMF_LEG_ANGLE],
+                                                    runner.state[TDMF_LEG_LENGTH_RATE],
+                                                    runner.state[TDMF_LEG_ANGLE_RATE]};
+        const tdmf_ensemble_case its_case = {&models[i], runner.inputs, {NULL, 0, 0.0, 1}};
+        models[i] = runner.model;
+        cases[i] = its_case;
+        case_of[i] = i;
+        memcpy(starts[i], section, sizeof section);
+    }
+    tdmf_ensemble ensemble = {.cases = cases,
+                              .case_count = RUNNERS,
+                              .case_of = case_of,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = RUNNERS,
+                              .relative_tolerance = tolerance,
+                              .threads = 1};
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(ensemble.instructions)) {
+            continue;
+        }
+        ++sets;
+        assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+        int closed = 0;
+        for (int i = 0; i < RUNNERS; ++i) {
+            double first[TDMF_STATE_COUNT], last[TDMF_STATE_COUNT];
+            tdmf_section_state(&models[i], starts[i], first);
+            tdmf_section_state(&models[i], ends[i].apex, last);
+            const double most = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
+            const double change = tdmf_mechanical_energy(&models[i], last).total -
+                                  tdmf_mechanical_energy(&models[i], first).total;
+            const double booked =
+                ends[i].work - ends[i].damper_loss - ends[i].friction_loss - ends[i].impact_loss;
+            assert_close(change / most, booked / most, allowed(tolerance));
+            closed += ends[i].strides > 0;
+        }
+        assert_true(closed > RUNNERS / 50);
+    }
+    assert_true(sets >= 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(of_any_runner),
+        cmocka_unit_test(of_legs_that_nearly_vanish),
+        cmocka_unit_test(of_strides_in_every_kind_of_lane),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
