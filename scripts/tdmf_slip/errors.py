@@ -19,6 +19,13 @@ class RunError(TdmfSlipError):
     """A run was begun and failed; the message carries what the unit and FMPy said."""
 
 
+def reason(problem: Exception) -> str:
+    """Why a file could not be read, in words for its user."""
+    if isinstance(problem, UnicodeDecodeError):
+        return "no text in UTF-8"
+    return getattr(problem, "strerror", None) or str(problem)
+
+
 def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed: str) -> None:
     """Refuse what is of another kind than wanted.
 

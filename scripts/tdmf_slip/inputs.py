@@ -1,14 +1,14 @@
 """Inputs that change in time, as tables."""
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .errors import InputError, check_kind
-from .unit import Unit
+from .errors import InputError, check_kind, reason
+from .unit import Unit, Variable
 
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
 """By name of an input: times in s, ascending, and values. Values in between are interpolated linearly; a time
@@ -43,6 +43,8 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
 def read_tables(path: Path | str, unit: Unit) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
+    A value is a number in its input's unit, or has a unit after a space.
+
     Raises:
         InputError: unreadable, not such a file, or not inputs of the unit.
     """
@@ -52,27 +54,35 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
             reader = csv.reader(file, strict=True)
             lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
     except (OSError, ValueError, csv.Error) as problem:
-        reason = getattr(problem, "strerror", None) or problem
-        raise InputError(f"{path}: not a table of inputs: {reason}") from problem
+        raise InputError(f"{path}: not a table of inputs: {reason(problem)}") from problem
     header = lines[0][1] if lines else []
     if header[:1] != ["time"] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
         raise InputError(
             f"{path}: the header has to be time,<input>,..., each once, with rows below; "
             f"found {','.join(header) or 'nothing'}"
         )
-    columns = np.array([_numbers(path, line, row, len(header)) for line, row in lines[1:]]).T
+    inputs = [unit.find(name, str(path)) for name in header[1:]]
+    columns = np.array([_numbers(path, line, row, inputs) for line, row in lines[1:]]).T
     tables = {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
     return {name: _checked(unit, name, table, str(path)) for name, table in tables.items()}
 
 
-def _numbers(path: Path, line: int, row: list[str], columns: int) -> list[float]:
+def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) -> list[float]:
+    where = f"{path}, line {line}"
+    if len(row) != 1 + len(inputs):
+        raise InputError(f"{where}: {len(row)} numbers; allowed: {1 + len(inputs)}, as in the header")
     try:
-        numbers = [float(cell) for cell in row]
+        time = float(row[0])
     except ValueError as problem:
-        raise InputError(f"{path}, line {line}: {problem}; allowed: numbers") from None
-    if len(numbers) != columns:
-        raise InputError(f"{path}, line {line}: {len(numbers)} numbers; allowed: {columns}, as in the header")
-    return numbers
+        raise InputError(f"{where}: {problem}; allowed: numbers") from None
+    return [time, *(_number(cell, variable, where) for cell, variable in zip(row[1:], inputs, strict=True))]
+
+
+def _number(cell: str, variable: Variable, where: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return variable.value_of(cell, where)
 
 
 def _checked(

@@ -19,9 +19,13 @@ class Command(click.Command):
         """Read the command line.
 
         Raises:
-            UsageError: an option that takes one value has two.
+            UsageError: an option that takes one value has two, or there is no such option.
         """
-        _, _, given = self.make_parser(ctx).parse_args(args=list(args))
+        try:
+            _, _, given = self.make_parser(ctx).parse_args(args=list(args))
+        except click.UsageError as problem:
+            problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
+            raise
         once = [option for option in given if not getattr(option, "multiple", True) and not option.is_flag]
         twice = next((option for option in once if once.count(option) > 1), None)
         if twice is not None:

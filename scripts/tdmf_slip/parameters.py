@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from .errors import InputError, check_kind
+from .errors import InputError, check_kind, reason
 
 PRESETS = Path(__file__).parent / "presets"
 GAIT = "what `tdmf-slip gait --json` prints"
@@ -44,7 +44,7 @@ def read_parameters(name: str | Path) -> dict[str, object]:
         content = _parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
         return _keys_once(list(_flat(content)))  # a name may be given whole and nested
     except (OSError, ValueError) as problem:
-        raise InputError(f"parameters {path}: {_reason(problem)}") from None
+        raise InputError(f"parameters {path}: {reason(problem)}") from None
 
 
 def read_gait(name: str) -> dict[str, object]:
@@ -63,7 +63,7 @@ def read_gait(name: str) -> dict[str, object]:
         text = sys.stdin.read() if name == "-" else Path(name).read_text(encoding="utf-8")
         content = _parsed(text, _loads_json, GAIT)
     except (OSError, ValueError) as problem:
-        raise InputError(f"gait of {where}: {_reason(problem)}") from None
+        raise InputError(f"gait of {where}: {reason(problem)}") from None
     if not isinstance(content.get("start_values"), Mapping):
         raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
     return dict(content["start_values"])
@@ -84,10 +84,6 @@ def _parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping:
     if not isinstance(content, Mapping):
         raise ValueError(f"found {type(content).__name__}; allowed: {allowed}")
     return content
-
-
-def _reason(problem: OSError | ValueError) -> str:
-    return getattr(problem, "strerror", None) or str(problem)
 
 
 def _loads_json(text: str) -> object:

@@ -145,7 +145,8 @@ class Variable:
         try:
             value = float(number) / factors[unit.strip()]
         except (TypeError, ValueError, OverflowError):
-            hint = ", a unit after a space" if isinstance(given, str) and not self.items else ""
+            has_unit = self.unit not in ("", "1")
+            hint = ", a unit after a space" if isinstance(given, str) and has_unit else ""
             raise self._refusal(given, where, hint) from None
         if isinstance(given, bool | np.bool_ | bytes) or not math.isfinite(value):
             raise self._refusal(given, where)

@@ -163,6 +163,9 @@ def test_a_table_of_inputs_may_come_from_anywhere(command, tmp_path):
         ("time,ground.friction,ground.friction\n0,1,2\n", ["each once"]),
         ("time,ground.friction\n0,1\n5\n", ["line 3", "1 numbers", "2"]),
         ("time,ground.friction\n0,high\n", ["line 2", "high"]),
+        ("time,ground.friction\nearly,1\n", ["line 2", "early"]),
+        ("time,hip.external_torque\n0,1 kg\n", ["line 2", "kg", "N.m"]),
+        ("time,ground.frictoin\n0,1\n", ["in.csv", "ground.friction"]),
         ("time,ground.friction\n0,1\n3,-1\n", ["in.csv", "time 3", "ground.friction = -1"]),
         ('time,ground.friction\n0,"1', ["in.csv", "unexpected end"]),
         ("time,ground.friction\n5,1\n0,1\n", ["ascending"]),
@@ -174,6 +177,27 @@ def test_a_table_that_is_none_is_told(command, tmp_path, text, words):
     status, out, message = command("simulate", "--inputs", "in.csv", "--stop-time", 1)
     assert (status, out) == (2, "")
     assert len(message.strip().splitlines()) == 1 and all(word in message for word in words), message
+
+
+def test_a_table_of_inputs_may_have_units(command, tmp_path):
+    answers = []
+    for torque in ("0.001", "0.001 N.m"):
+        (tmp_path / "in.csv").write_text(f"time,hip.external_torque\n0,{torque}\n")
+        answers.append(command("simulate", "--inputs", "in.csv", "--stop-time", 13, "--json"))
+    assert answers[0] == answers[1] and answers[0][0] == 0
+
+
+@pytest.mark.parametrize("option", ["--parameters", "--inputs", "--from-gait"])
+def test_a_file_that_is_no_text_is_told(command, tmp_path, option):
+    (tmp_path / "in.json").write_bytes(b"\xff\xfe\x00")
+    status, out, said = command("simulate", option, "in.json", "--stop-time", 1)
+    assert (status, out) == (2, "") and "no text in UTF-8" in said and "in.json" in said
+
+
+def test_the_help_that_is_named_is_that_of_the_command(command):
+    for wrong in (("basin", "--axes", "com_height"), ("gait", "--friction"), ("gait", "--nosuch")):
+        status, _, said = command(*wrong)
+        assert status == 2 and f"(see tdmf-slip {wrong[0]} --help)" in said
 
 
 @pytest.mark.parametrize(
