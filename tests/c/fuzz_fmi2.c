@@ -219,11 +219,18 @@ static void save_and_restore(void *self) {
     }
 }
 
+/* With its events logged, a step goes another way. */
+static void switch_logging(void *self) {
+    subject *on = self;
+    fmi2SetDebugLogging(on->component, random_chance(on->source, 0.5), 1, events_category);
+}
+
 /* ---- sequences ---------------------------------------------------------------------------------------- */
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
-    static void (*const calls[])(void *) = {get_any,  get_all,       set_any, change_mode,      start_over,
-                                            evaluate, differentiate, step,    save_and_restore, step};
+    static void (*const calls[])(void *) = {get_any,        get_all,          set_any,  change_mode,
+                                            switch_logging, start_over,       evaluate, differentiate,
+                                            step,           save_and_restore, step};
     random_source source = {0};
     subject on;
     random_draw_from(bytes, size);
