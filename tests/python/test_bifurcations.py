@@ -67,6 +67,13 @@ def test_each_bifurcation_by_its_eigenvalues(gait):
     assert turning.told() == [("fold", 2.0)]
 
 
+def test_a_gait_is_stable_inside_the_unit_circle(gait):
+    for radius, stable in ((0.9, True), (1.1, False)):
+        orbit = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).point(1.0).orbit
+        assert orbit.stable == stable
+        assert np.abs(orbit.eigenvalues[:3]) == pytest.approx([radius, radius, 0.3])
+
+
 def test_located_where_it_is(gait):
     """However curved the way there is."""
     found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.point(0.5), made.point(1.5))[1]

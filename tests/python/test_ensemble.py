@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, attraction, basin, ensemble, orbit
+from tdmf_slip import InputError, attraction, basin, ensemble, library, orbit
 from tdmf_slip.orbit import Runner
 
 
@@ -157,6 +157,24 @@ def test_what_is_not_allowed_is_said(gaits, starts, wrong):
     arguments = {"starts": starts[:2], "most_strides": 1} | wrong
     with pytest.raises(InputError, match="allowed"):
         ensemble.run([ensemble.Case(gaits[0].runner)], arguments.pop("starts"), **arguments)
+
+
+def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkeypatch):
+    class Poor:
+        """A processor without vector registers of its own."""
+
+        def __getattr__(self, name):
+            return getattr(library.c, name)
+
+        def tdmf_has_instructions(self, number):
+            return number <= library.c.TDMF_TWO_LANES
+
+    monkeypatch.setattr(ensemble, "c", Poor())
+    assert ensemble.instruction_sets() == ("one by one", "two lanes")
+    with pytest.raises(InputError, match="avx2: allowed here: one by one, two lanes"):
+        ensemble.run(
+            [ensemble.Case(gaits[0].runner)], starts[:2], most_strides=1, instructions="avx2", threads=1
+        )
 
 
 @pytest.mark.parametrize("wrong", [[[1.0] * 5], [[1.0] * 7], [[float("nan")] * 6], [3.0]])

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import pickle
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,9 +11,9 @@ import xarray
 from tdmf_slip import InputError, RunError, ensemble, load, reference, section
 from tdmf_slip import sweep as sweeps
 from tdmf_slip.borders import borders_between
-from tdmf_slip.continuation import gaits_over
+from tdmf_slip.continuation import gaits_over, trace
 from tdmf_slip.library import c, ffi
-from tdmf_slip.orbit import Runner, find_orbit, stride_from
+from tdmf_slip.orbit import LETTERS, Runner, find_orbit, stride_from
 from tdmf_slip.parameters import read_parameters
 from tdmf_slip.ranges import values_of
 from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep
@@ -167,6 +169,55 @@ def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
         assert find_orbit(other).error < 1e-12
 
 
+def test_events_and_letters_are_those_of_one_stride(unit):
+    """A word's letters with their durations, in stances of their own too."""
+    human = Runner.of(read_parameters("human"), unit)
+    branch = trace(human, "leg.stiffness", find_orbit(human), 17000.0, largest_step=0.1, most_points=25)
+    assert {orbit.word for orbit in branch.orbits} == {"+0+", "+|+0+"}
+    for orbit in branch.orbits:
+        assert "".join(letter for letter, _ in orbit.letters) == orbit.word.replace("|", "")
+        times = [event.time for event in orbit.events]
+        assert times == sorted(times) and times[0] >= 0.0 and times[-1] <= orbit.period * (1.0 + 1e-9)
+        standing = [
+            after.time - event.time
+            for event, after in pairwise(orbit.events)
+            if event.contact_after in LETTERS
+        ]
+        assert sum(duration for _, duration in orbit.letters) == pytest.approx(sum(standing), rel=1e-12)
+        assert 0.0 < sum(standing) <= orbit.stride["stance_time"] * (1.0 + 1e-9)
+
+
+def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
+    sent = pickle.loads(pickle.dumps(Runner(runner.values, 1e-9)))
+    assert (sent.relative_tolerance, sent.values) == (1e-9, dict(runner.values))
+    with pytest.raises(InputError, match="relative_tolerance"):
+        Runner(runner.values, 0.0).solver()
+
+
+def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_path):
+    frictions = np.linspace(0.6, 0.02, 4)
+    found = grid(runner, frictions, "hip.touchdown_angle", [1.0], tmp_path / "l.nc", workers=1, unit=unit)
+    known = np.isfinite(found["period"].values[0]).tolist()
+    assert known == [True, True, False, False] and str(found["problem"].values[0])
+    assert found["word"].values[0].tolist()[2:] == ["", ""]
+    first = first_orbit(runner.but("hip.touchdown_angle", 1.0), unit)
+    assert float(found["lambda_max"][0, 0]) == pytest.approx(np.max(np.abs(first.eigenvalues)), rel=1e-9)
+    for name in ("speed", "work", "impact_loss"):
+        assert float(found[name][0, 0]) == pytest.approx(first.stride[name], rel=1e-9)
+    with pytest.raises(RunError, match=r"at friction 0\.02"):
+        first_orbit(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), unit)
+
+
+def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
+    def none(*_):
+        raise RunError("not located")
+        yield
+
+    monkeypatch.setattr(sweeps, "crossings", none)
+    found = sweep(runner, [0.6, 0.7])
+    assert len(found.orbits) == 2 and found.problem == "not located"
+
+
 def test_a_grid_over_a_mass(runner, unit, tmp_path):
     """A row whose start values are refused has its reason, and the others are done."""
     found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", workers=1, unit=unit)
@@ -295,6 +346,11 @@ def test_a_grid_without_gaits_says_why(command):
     assert status == 1 and json.loads(out)["gaits"] == 0
     assert "the runner fell" in said and "0 of 6" in said
     assert all(xarray.load_dataset("none.nc")["problem"].values)
+
+
+def test_a_logarithmic_range_has_no_zero(unit):
+    with pytest.raises(InputError, match="above 0"):
+        values_of("0:1:3", "log", unit.variables[FRICTION], "--friction")
 
 
 @pytest.mark.parametrize("text", ["1:2", "a:b:3", "1:2:0", "nan:1:3", "1:inf:4"])
