@@ -1,4 +1,26 @@
-# Warnings and floating point, for every target of ours.
+# Hardening, where compiler and platform have it: stacks are checked, and calls of the C library that write where the
+# size is known; in ELF files the loader binds all symbols at once and then makes their table read-only. MSVC checks
+# stacks by itself, Windows and macOS have no such table; the C library of MinGW checks nothing.
+include(CheckCCompilerFlag)
+include(CheckLinkerFlag)
+check_c_compiler_flag(-fstack-protector-strong TDMF_SLIP_COMPILER_CHECKS_STACKS)
+set(bind_at_once LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
+if(NOT WIN32 AND NOT APPLE)
+    check_linker_flag(C "${bind_at_once}" TDMF_SLIP_LINKER_BINDS_AT_ONCE)
+endif()
+function(harden target)
+    if(TDMF_SLIP_COMPILER_CHECKS_STACKS)
+        target_compile_options(${target} PRIVATE -fstack-protector-strong)
+    endif()
+    if(NOT WIN32 AND NOT TDMF_SLIP_SANITIZE) # sanitizers check more
+        target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)
+    endif()
+    if(TDMF_SLIP_LINKER_BINDS_AT_ONCE)
+        target_link_options(${target} PRIVATE ${bind_at_once})
+    endif()
+endfunction()
+
+# Warnings, floating point and hardening, for every target of ours.
 function(tdmf_slip_compile target)
     if(MSVC)
         target_compile_options(${target} PRIVATE /W4 /fp:precise $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:/WX>)
@@ -8,6 +30,7 @@ function(tdmf_slip_compile target)
     # Contraction into fused multiply-adds would make results depend on the processor.
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off -fno-math-errno
                            $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:-Werror>)
+    harden(${target})
     if(TDMF_SLIP_SANITIZE)
         set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
             $<$<BOOL:${TDMF_SLIP_FUZZ}>:-fsanitize=fuzzer-no-link>)
