@@ -266,6 +266,22 @@ static void a_state_goes_on_at_the_rates_that_follow(void **state) {
     }
 }
 
+/* To the last bit, whatever rounding there is in the rates. */
+static void a_foot_on_the_ground_stays_there(void **state) {
+    static const tdmf_contact_mode grounded[] = {TDMF_CONTACT_STICK, TDMF_CONTACT_SLIP_NEGATIVE,
+                                                 TDMF_CONTACT_GRAZE};
+    random_source source = {19};
+    (void)state;
+    for (size_t i = 0; i < sizeof grounded / sizeof grounded[0]; ++i) {
+        const runner runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
+        event event = random_event(&source, &runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, grounded[i]);
+        choose_direction(&source, event.after.derivatives);
+        const tdmf_variation after = taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event);
+        assert_true(after.state[TDMF_FOOT_Y] == 0.0 && after.state[TDMF_FOOT_VY] == 0.0);
+        assert_true((after.state[TDMF_FOOT_VX] == 0.0) == (grounded[i] == TDMF_CONTACT_STICK));
+    }
+}
+
 /* ---- impacts ------------------------------------------------------------------------------------------- */
 
 typedef struct {
@@ -355,6 +371,7 @@ int main(void) {
         cmocka_unit_test(an_event_shifts_with_what_its_guard_watches),
         cmocka_unit_test(the_lift_off_angle_is_latched_where_a_contact_or_an_impact_is_left),
         cmocka_unit_test(a_state_goes_on_at_the_rates_that_follow),
+        cmocka_unit_test(a_foot_on_the_ground_stays_there),
         cmocka_unit_test(the_impact_map_is_differentiated),
         cmocka_unit_test(what_has_no_derivative_gets_no_number),
     };
