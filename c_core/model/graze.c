@@ -30,11 +30,14 @@ static const double narrowest_graze = 1e-10;
 /* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
 static const double smallest_sine = 1e-12;
 
+double tdmf_leg_graze_sine(const tdmf_leg *leg) {
+    return copysign(fmax(fabs(leg->sine), smallest_sine), leg->sine);
+}
+
 double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg) {
     const double press =
         leg->axial_force * leg->cosine + model->parameters.foot.mass * model->parameters.gravity;
-    const double sine = copysign(fmax(fabs(leg->sine), smallest_sine), leg->sine);
-    return press / (sine * leg->inverse_length);
+    return press / (tdmf_leg_graze_sine(leg) * leg->inverse_length);
 }
 
 double tdmf_graze_torque(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {

@@ -57,6 +57,9 @@ tdmf_ground_force tdmf_leg_sticking_force_rate(const tdmf_model *model, double t
 tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                          const tdmf_mode *mode, double torque, const tdmf_leg *leg);
 
+/* sin(theta) as graze divides by it: kept off zero. */
+double tdmf_leg_graze_sine(const tdmf_leg *leg);
+
 double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg);
 
 double tdmf_leg_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

@@ -54,9 +54,11 @@ static double change_of_graze_torque(const point *at) {
     const tdmf_leg *dleg = &at->dleg;
     const double dpress =
         dleg->axial_force * leg->cosine + leg->axial_force * dleg->cosine + change_of_foot_weight(at);
-    const double lever = leg->sine * leg->inverse_length;
-    const double dlever = dleg->sine * leg->inverse_length + leg->sine * dleg->inverse_length;
-    return lever == 0.0 ? 0.0 : (dpress - at->torque * dlever) / lever;
+    const double sine = tdmf_leg_graze_sine(leg);
+    const double dsine = sine == leg->sine ? dleg->sine : 0.0;
+    const double lever = sine * leg->inverse_length;
+    const double dlever = dsine * leg->inverse_length + sine * dleg->inverse_length;
+    return (dpress - at->torque * dlever) / lever;
 }
 
 /* -kp (theta - target) - kd thetadot, differentiated. */
