@@ -67,10 +67,81 @@ static void requests_without_sense_are_refused(void **state) {
     assert_memory_equal(&run.motion, &before, sizeof before);
 }
 
+/* Lengths, times and masses scaled by powers of two: every number is the same but for its exponent, and CVODE
+ * makes the same steps, but for the pivots of its linear solver. */
+static void another_scale_is_the_same_work(void **state) {
+    static const int exponents[][3] = {{0, -10, 0}, {-8, 6, 3}, {10, -4, -5}, {0, 9, 0}};
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    run plain = begin();
+    assert_int_equal(advance(&plain, 60.0), TDMF_ARRIVED);
+    assert_int_equal(plain.motion.record.stride.count, 2);
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; ++i) {
+        const double length = ldexp(1.0, exponents[i][0]), time = ldexp(1.0, exponents[i][1]);
+        const double mass = ldexp(1.0, exponents[i][2]), energy = mass * length * length / (time * time);
+        run scaled = begin();
+        tdmf_parameters p = scaled.runner.model.parameters;
+        p.body.mass *= mass;
+        p.foot.mass *= mass;
+        p.leg.stiffness *= mass / (time * time);
+        p.leg.damping *= mass / time;
+        p.leg.free_length *= length;
+        p.leg.min_length *= length;
+        p.gravity *= length / (time * time);
+        p.hip.stance_torque *= energy;
+        p.hip.kp *= energy;
+        p.hip.kd *= energy * time;
+        assert_null(tdmf_model_create(&scaled.runner.model, &p).variable);
+        double *const q = scaled.motion.state;
+        q[TDMF_FOOT_X] *= length;
+        q[TDMF_FOOT_Y] *= length;
+        q[TDMF_LEG_LENGTH] *= length;
+        q[TDMF_FOOT_VX] *= length / time;
+        q[TDMF_FOOT_VY] *= length / time;
+        q[TDMF_LEG_LENGTH_RATE] *= length / time;
+        q[TDMF_LEG_ANGLE_RATE] /= time;
+        assert_null(tdmf_start(&scaled.runner.model, &scaled.runner.inputs, 0.0, q, &scaled.motion.mode,
+                               &scaled.motion.record)
+                        .variable);
+        assert_int_equal(advance(&scaled, 60.0 * time), TDMF_ARRIVED);
+        assert_relatively_close((double)scaled.solver.steps, (double)plain.solver.steps, 0.03);
+        assert_relatively_close(scaled.motion.record.stride.period, plain.motion.record.stride.period * time,
+                                1e-7);
+    }
+}
+
+/* Friction that is taken away from under a foot at rest, between two calls. */
+static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    run standing = begin();
+    assert_int_equal(advance(&standing, 10.0), TDMF_ARRIVED);
+    while (standing.motion.mode.contact != TDMF_CONTACT_STICK) {
+        assert_true(standing.motion.time < 30.0);
+        assert_int_equal(advance(&standing, standing.motion.time + 0.05), TDMF_ARRIVED);
+    }
+    standing.runner.inputs.ground.friction = 0.0;
+    run by_native = standing;
+    assert_int_equal(advance(&standing, standing.motion.time + 1e-4), TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&by_native.solver, &by_native.runner.model, &by_native.runner.inputs,
+                                         &held, by_native.motion.time + 1e-4, &by_native.motion),
+                     TDMF_ARRIVED);
+    assert_true(tdmf_slip_sign(&standing.motion.mode) != 0.0);
+    assert_int_equal(standing.motion.mode.contact, by_native.motion.mode.contact);
+    assert_int_equal(standing.motion.record.event_count, by_native.motion.record.event_count);
+    assert_true(standing.motion.state[TDMF_FOOT_VX] != 0.0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(limits_are_those_of_a_call),
         cmocka_unit_test(requests_without_sense_are_refused),
+        cmocka_unit_test(another_scale_is_the_same_work),
+        cmocka_unit_test(an_input_that_has_jumped_is_met_before_the_first_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -145,6 +145,15 @@ static bool is_well_posed(const tdmf_model *model, const tdmf_ensemble_end *nati
     return took_the_same_way(native, tighter) && farthest < 1e-8;
 }
 
+/* How many there are here; the best is always one of those that follow it. */
+static int instruction_sets(int first) {
+    int count = 0;
+    for (int set = first; set <= (int)tdmf_best_instructions(); ++set) {
+        count += tdmf_has_instructions((tdmf_instructions)set);
+    }
+    return count;
+}
+
 /* The solver gave it up at one tolerance at least. */
 static bool is_unsolved(const tdmf_ensemble_end *native, const tdmf_ensemble_end *tighter) {
     return native->fate == TDMF_FATE_UNSOLVED || tighter->fate == TDMF_FATE_UNSOLVED;
@@ -156,6 +165,7 @@ static void assert_agreement(crowd *crowd, double tolerance) {
     crowd->ensemble.relative_tolerance = 0.1 * tight;
     tdmf_ensemble_end *tighter = run(&crowd->ensemble, NULL);
     crowd->ensemble.relative_tolerance = tight;
+    int sets = 0;
     for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         if (!tdmf_has_instructions((tdmf_instructions)set)) {
             print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
@@ -172,9 +182,11 @@ static void assert_agreement(crowd *crowd, double tolerance) {
                 ++compared;
             }
         }
+        ++sets;
         assert_true(unsolved <= 0.01 * RUNNERS && compared + unsolved >= 0.99 * RUNNERS);
         free(lanes);
     }
+    assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));
     free(tighter);
     free(native);
     free(crowd);
@@ -275,6 +287,7 @@ static void runners_settle_fall_or_do_not_start(void **state) {
                               .count = 4,
                               .relative_tolerance = 1e-9,
                               .threads = 7};
+    int sets = 0;
     for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         ensemble.instructions = (tdmf_instructions)set;
         if (!tdmf_has_instructions(ensemble.instructions)) {
@@ -290,7 +303,10 @@ static void runners_settle_fall_or_do_not_start(void **state) {
         assert_int_equal(ends[2].gait, -1);
         assert_int_equal(ends[3].fate, TDMF_FATE_NO_START);
         free(ends);
+        ++sets;
     }
+    assert_int_equal(sets, instruction_sets(TDMF_BEST_INSTRUCTIONS));
+    assert_true(sets >= 2);
 }
 
 /* The gait again and again, by lanes, at the accuracy of the reference. */

@@ -172,6 +172,14 @@ static void a_fall_freezes_and_stays_readable(void **state) {
     run(*state, 2000.0, 2100.0, 10.0);
     assert_true(get_real(*state, "foot.x") == x);
     assert_true(get_real(*state, "time") == 2100.0);
+    /* Inputs are the importer's, and go on at their rate. */
+    const fmi2ValueReference friction = reference_of("ground.friction");
+    const fmi2Integer first = 1;
+    const fmi2Real rate = 1e-3;
+    assert_int_equal(fmi2SetRealInputDerivatives(*state, &friction, 1, &first, &rate), fmi2OK);
+    run(*state, 2100.0, 2300.0, 10.0);
+    assert_close(get_real(*state, "ground.friction"), 0.6 + 0.2, 1e-12);
+    assert_true(get_real(*state, "foot.x") == x);
 }
 
 static void stiff_parameters_end_in_a_message(void **state) {

@@ -238,6 +238,35 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
     }
 }
 
+/* A runner that stands and bounces, ever less: the first peak of the ground force is the largest. */
+static void the_peak_force_is_the_largest_met(void **state) {
+    enum { LOOKS = 10000 };
+    const double until = 20.0;
+    (void)state;
+    runner runner = runner_default(0.6);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_LEG_LENGTH] = 0.99;
+    runner.state[TDMF_LEG_ANGLE] = -1e-9;
+    runner.state[TDMF_LEG_LENGTH_RATE] = -0.005;
+    runner_start(&runner);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    tdmf_motion whole = motion_of(&runner), looked = whole;
+    tdmf_solver solver = tdmf_solver_default();
+    assert_arrives(&solver, &runner, until, &whole);
+    double first = 0.0, last = 0.0;
+    for (int i = 1; i <= LOOKS; ++i) {
+        assert_arrives(&solver, &runner, until * i / LOOKS, &looked);
+        const double force =
+            tdmf_outputs_of(&runner.model, &runner.inputs, &looked.mode, &looked.record, looked.state)
+                .contact.fy;
+        *(i <= LOOKS / 3 ? &first : &last) = fmax(i <= LOOKS / 3 ? first : last, force);
+    }
+    assert_true(last < 0.9 * first && last > 0.01);
+    assert_close(whole.record.open.peak_force, first, 1e-7);
+    assert_true(whole.record.open.peak_force >= first);
+    assert_close(looked.record.open.peak_force, whole.record.open.peak_force, 1e-12);
+}
+
 /* ---- limits ------------------------------------------------------------------------------------------- */
 
 static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
@@ -338,6 +367,7 @@ int main(void) {
         cmocka_unit_test(a_touch_that_turns_back_is_found),
         cmocka_unit_test(a_spinning_leg_touches_down_in_time),
         cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
+        cmocka_unit_test(the_peak_force_is_the_largest_met),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
         cmocka_unit_test(requests_without_sense_are_refused),
