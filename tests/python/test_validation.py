@@ -15,6 +15,7 @@ MET = [
     Drift(0.6, "speed", 1.0, 1.0, 5e-9, 1e-6),
     Drift(0.6, "apex", 1.0, 1.0, 7e-8, 1e-5),
     Drift(math.nan, "a border", 0.5, 0.5, 4e-5, 5e-5),
+    Drift(math.nan, "of the SLIP", 1.0, 1.0, 9e-6, 1e-5),
 ]
 MISSED = Drift(math.nan, "another border", 0.5, 0.6, 0.1, 5e-5)
 
@@ -44,7 +45,7 @@ def test_a_validation_passes_if_nothing_is_missed(gaits):
     told = Validation(gaits, CLAIMS, [*MET, MISSED]).as_json()
     assert [gait["published_word"] for gait in told["gaits"]] == ["+0-0+", "+-"]
     assert [claim["verdict"] for claim in told["claims"]] == ["differs", "agrees"]
-    assert [drift["passed"] for drift in told["drifts"]] == [True] * 4 + [False] and not told["passed"]
+    assert [drift["passed"] for drift in told["drifts"]] == [True] * 5 + [False] and not told["passed"]
 
 
 def test_the_tables_of_a_validation(gaits):
@@ -56,14 +57,14 @@ def test_the_tables_of_a_validation(gaits):
         ["speed", "rises", "falls", "differs"],
         ["cost", "least", "least", "agrees"],
     ]
-    assert "all 4 recorded values are met" in drifts
+    assert "all 5 recorded values are met" in drifts
     assert "of a gait 5.0e-09 (allowed 1e-06), of an apex 7.0e-08 (allowed 1e-05)" in drifts
 
 
 def test_what_is_missed_is_listed(gaits):
     text = Validation(gaits, CLAIMS, [*MET, MISSED, replace(MISSED, friction=0.43)]).as_text()
     said, header, rule, *rows = text.split("\n\n")[-1].splitlines()
-    assert "2 of 6 recorded values are NOT met" in said
+    assert "2 of 7 recorded values are NOT met" in said
     assert header.startswith("friction") and set(rule) <= {"-", " "}
     assert rows[0].split() == ["another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
     assert rows[1].split() == ["0.43", "another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
