@@ -31,6 +31,8 @@ from .section import COORDINATES
 from .unit import Unit, load
 
 FRICTION = "ground.friction"
+MOST_GAITS = 100_000
+"""Of a sweep that is on no file: each takes 10 kB."""
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""
 UNITS: Mapping[str, str] = {
@@ -111,6 +113,10 @@ def sweep(
     """
     runner = Runner.of(runner)
     frictions = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
+    if len(frictions) > MOST_GAITS:
+        raise InputError(
+            f"{len(frictions):,} frictions: allowed: {MOST_GAITS:,}, or a grid, which is on file"
+        )
     _check_frictions(runner, frictions)
     return _sweep(runner, frictions, show_progress)
 

@@ -304,6 +304,7 @@ def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
         (("--over", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "another"]),
         (("--friction", "-1:0.4:2", "--over", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
         (("--friction", "0.3:0.4:1000000000"), ["1000000"]),
+        (("--friction", "0.3:0.4:1000000"), ["1,000,000", "100,000"]),
         (("--friction", "0.3:0:2"), ["ground.friction = 0", "above 0"]),
         (("--set", "ground.friction=1"), ["--friction", "one of the two"]),
         (
