@@ -267,6 +267,25 @@ static void the_peak_force_is_the_largest_met(void **state) {
     assert_close(looked.record.open.peak_force, whole.record.open.peak_force, 1e-12);
 }
 
+/* In flight and on the ground; a torque that is held and one that grows. */
+static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
+    static const tdmf_input_rates rates[] = {{0.0, 0.0}, {0.0, 2e-3}};
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        runner runner = runner_at_reference_apex(&reference_gaits[2]);
+        runner.inputs.hip.external_torque = 0.02;
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        const double before = energy(&runner, &motion);
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &rates[i], 10.0, &motion);
+        assert_int_equal(outcome, TDMF_ARRIVED);
+        assert_int_equal(motion.mode.contact, TDMF_CONTACT_FLIGHT);
+        assert_true(fabs(motion.state[TDMF_HIP_WORK]) > 1e-4);
+        assert_close(energy(&runner, &motion) - before, ledger(&motion), 1e-9);
+    }
+}
+
 /* ---- limits ------------------------------------------------------------------------------------------- */
 
 static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
@@ -368,6 +387,7 @@ int main(void) {
         cmocka_unit_test(a_spinning_leg_touches_down_in_time),
         cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
         cmocka_unit_test(the_peak_force_is_the_largest_met),
+        cmocka_unit_test(the_work_of_an_external_torque_is_in_the_ledger),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
         cmocka_unit_test(requests_without_sense_are_refused),
