@@ -46,6 +46,26 @@ static inline real trusted_size(const lane_remainder *remainder, real longest, i
     return pick(known, smaller(longest, smaller(by_last, by_last_but_one)), real_of(NAN));
 }
 
+static inline real power_of(real x, int n) {
+    real power = real_of(1.0);
+    for (; n > 0; n >>= 1, x *= x) {
+        if (n & 1) {
+            power *= x;
+        }
+    }
+    return power;
+}
+
+/* As in step.c. */
+static inline real size_for_loss(const member_frame *frame, const real *speed_square, real size, int order,
+                                 double tolerance) {
+    const real unit = frame->energy_scale / (frame->damping * frame->time_scale);
+    lane_remainder remainder = {real_of(0.0), real_of(0.0)};
+    note_remainder(&remainder, speed_square, order, unit);
+    const choice too_long = remainder.last * power_of(size, order) > tolerance;
+    return any(too_long) ? pick(too_long, trusted_size(&remainder, size, order, tolerance), size) : size;
+}
+
 /* ---- sums --------------------------------------------------------------------------------------------- */
 
 /* Powers of a time, and what they integrate to. */
@@ -222,8 +242,10 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     note_remainder(&remainder, f->length_rate, order - 1, m->frame.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / m->frame.time_scale);
     const real longest = longest_flight_step(&m->law, m->length, order);
-    const real size =
-        smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
+    const real trusted =
+        size_for_loss(&m->frame, f->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
+                      order - 1, tolerance);
+    const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
     const real change =
         search_without_pole(&search, size, f->length, order, live, due_below(tolerance) * m->frame.patience);
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
@@ -383,8 +405,10 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     note_remainder(&remainder, g->pull, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
-    const real size =
-        smaller(m->frame.time_left - m->now.elapsed, trusted_size(&remainder, longest, order - 1, tolerance));
+    const real trusted =
+        size_for_loss(&m->frame, g->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
+                      order - 1, tolerance);
+    const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
     const real change =
         search_without_pole(&search, size, g->length, order, live, due_below(tolerance) * m->frame.patience);
     watch_standing_leg(&search, m, g, order, change);

@@ -124,14 +124,35 @@ static double size_without_pole(const double *length, int order, double size) {
     return change > most ? size * most / change : size;
 }
 
+static double power_of(double x, int n) {
+    double power = 1.0;
+    for (; n > 0; n >>= 1, x *= x) {
+        power *= n & 1 ? x : 1.0;
+    }
+    return power;
+}
+
+/* Where a leg does not turn, its motion is a sum of exponentials, whose coefficients fall sooner than those
+ * of their square, the damper's power. */
+static double size_for_loss(const tdmf_step *step, const double *speed_square, double size) {
+    const tdmf_model *model = step->chart->model;
+    const double unit = model->scales.energy / (model->parameters.leg.damping * model->scales.time);
+    remainder_of_series remainder = {0.0, 0.0, step->order - 1};
+    note_remainder(&remainder, speed_square, unit);
+    return remainder.last * power_of(size, remainder.order) > step->tolerance
+               ? trusted_size(&remainder, size, step->tolerance)
+               : size;
+}
+
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance) {
     const tdmf_scales *scales = &chart->model->scales;
+    const bool flies = chart->contact == TDMF_CONTACT_FLIGHT;
     remainder_of_series remainder = {0.0, 0.0, 0};
     step->chart = chart;
     step->order = order;
     step->tolerance = tolerance;
     remainder.order = order - 1;
-    if (chart->contact == TDMF_CONTACT_FLIGHT) {
+    if (flies) {
         step->longest = expand_leg_in_flight(step);
         note_remainder(&remainder, step->series.flight.length_rate, scales->speed);
         note_remainder(&remainder, step->series.flight.angle_rate, 1.0 / scales->time);
@@ -141,9 +162,10 @@ void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, doubl
         note_remainder(&remainder, step->series.ground.pull, scales->force);
         note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
     }
-    const double *length =
-        chart->contact == TDMF_CONTACT_FLIGHT ? step->series.flight.length : step->series.ground.length;
-    step->size = size_without_pole(length, order - 1, trusted_size(&remainder, step->longest, tolerance));
+    const double *length = flies ? step->series.flight.length : step->series.ground.length;
+    const double *speed_square = flies ? step->series.flight.speed_square : step->series.ground.speed_square;
+    const double size = trusted_size(&remainder, step->longest, tolerance);
+    step->size = size_without_pole(length, order - 1, size_for_loss(step, speed_square, size));
 }
 
 double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit) {

@@ -13,9 +13,8 @@
 
 enum { PIECES = 8, STEPS_OF_A_PIECE = 2000, OUTCOMES = TDMF_REFUSED + 1 };
 
-static const double loss_error = 1e-7;
-/* In the runner's scales; beyond them ledger and ground are not asked for. */
-static const double shortest_leg = 0.2, longest_leg = 1e3, fastest_leg = 1e3;
+/* Of the energies met: what rounding and the margins of guards leave open. */
+static const double ledger_rounding = 1e-12;
 
 static long runs = 5000;
 static long first_seed = 0;
@@ -32,7 +31,7 @@ typedef struct {
 
 /* What the sample has met. */
 typedef struct {
-    long refused, outcomes[OUTCOMES], contact[TDMF_CONTACT_GRAZE + 1], strides, vanished;
+    long refused, outcomes[OUTCOMES], contact[TDMF_CONTACT_GRAZE + 1], strides;
 } tally;
 
 /* ---- what must hold -------------------------------------------------------------------------------------
@@ -50,14 +49,6 @@ static double largest_energy(const run *run) {
     return energy.kinetic + fabs(energy.potential) + energy.elastic + fabs(state[TDMF_HIP_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
            run->motion.record.impact_loss;
-}
-
-/* Where the leg all but vanishes the solver loses energy, at rates that no leg has, and flings it out. */
-static bool leg_has_vanished(const run *run) {
-    const double *state = run->motion.state;
-    const double length = state[TDMF_LEG_LENGTH] / run->model.scales.length;
-    const double rate = fabs(state[TDMF_LEG_ANGLE_RATE]) * run->model.scales.time;
-    return length < shortest_leg || length > longest_leg || rate > fastest_leg;
 }
 
 static const char *not_a_number(const run *run) {
@@ -96,12 +87,12 @@ static const char *false_fall(const run *run, tdmf_outcome outcome) {
 }
 
 /* A step errs by the tolerance, in the scales of the runner or of its motion, whichever are larger; an event
- * by the margin of its guard. The losses are squares of what a step is made for, and err by more. */
+ * by the margin of its guard. */
 static const char *open_ledger(const run *run) {
     const double scale = run->turnover + run->model.scales.energy +
                          run->model.total_mass * run->model.parameters.gravity * run->model.scales.length;
     const double steps = (double)(run->solver.steps + run->solver.events) + 10.0;
-    const double allowed = (10.0 * run->solver.relative_tolerance * steps + loss_error) * scale;
+    const double allowed = (10.0 * run->solver.relative_tolerance * steps + ledger_rounding) * scale;
     return fabs(loss_of_ledger(run)) <= allowed ? NULL : "the energy ledger does not close";
 }
 
@@ -116,7 +107,7 @@ static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {
     if (wrong == NULL && outcome != TDMF_REFUSED) {
         wrong = false_fall(run, outcome);
     }
-    if (wrong != NULL || leg_has_vanished(run)) {
+    if (wrong != NULL) {
         return wrong;
     }
     wrong = open_ledger(run);
@@ -195,7 +186,6 @@ static const char *follow(uint64_t seed, tally *seen) {
         ++seen->contact[run.motion.mode.contact];
     }
     seen->strides += run.motion.record.stride.count;
-    seen->vanished += leg_has_vanished(&run);
     return wrong;
 }
 
@@ -210,7 +200,6 @@ static void assert_saw_everything(const tally *seen) {
         assert_true(seen->contact[contact] > runs / 200);
     }
     assert_true(seen->strides > runs / 100);
-    assert_true(seen->vanished < runs / 2);
 }
 
 static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
@@ -230,7 +219,7 @@ static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
     for (int i = 0; i < OUTCOMES; ++i) {
         print_message(" %s: %ld;", tdmf_outcome_text((tdmf_outcome)i), seen.outcomes[i]);
     }
-    print_message(" strides: %ld; vanished legs: %ld\n", seen.strides, seen.vanished);
+    print_message(" strides: %ld\n", seen.strides);
     assert_int_equal(wrongs, 0);
     assert_saw_everything(&seen);
 }
