@@ -246,8 +246,8 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
         size_for_loss(&m->frame, f->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
                       order - 1, tolerance);
     const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
-    const real change =
-        search_without_pole(&search, size, f->length, order, live, due_below(tolerance) * m->frame.patience);
+    const real change = search_without_pole(&search, size, f->length, order, live,
+                                            due_below(tolerance) * m->frame.margin_factor);
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
     watch_length(&search, &m->frame, f->length, order, change);
@@ -409,8 +409,8 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
         size_for_loss(&m->frame, g->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
                       order - 1, tolerance);
     const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
-    const real change =
-        search_without_pole(&search, size, g->length, order, live, due_below(tolerance) * m->frame.patience);
+    const real change = search_without_pole(&search, size, g->length, order, live,
+                                            due_below(tolerance) * m->frame.margin_factor);
     watch_standing_leg(&search, m, g, order, change);
     if (grazes) {
         watch_graze(&search, m, g, order);

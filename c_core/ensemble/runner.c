@@ -30,7 +30,7 @@ static void open_stride(tdmf_runner *runner) {
     runner->events_left = event_limit;
     runner->span = 0.0;
     runner->steps_in_span = 0.0;
-    runner->vain_findings = 0;
+    runner->false_crossings = 0;
 }
 
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
@@ -85,7 +85,7 @@ static member_frame frame_of(const tdmf_runner *runner) {
     const tdmf_model *model = runner->its_case->model;
     const member_frame frame = {
         .time_left = longest_stride * model->scales.time - (runner->motion.time - runner->stride_began),
-        .patience = tdmf_patience(runner->vain_findings),
+        .margin_factor = tdmf_margin_factor(runner->false_crossings),
         .min_length = model->parameters.leg.min_length,
         .damping = model->parameters.leg.damping,
         .gravity = model->parameters.gravity,
@@ -271,7 +271,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
         return false;
     }
-    runner->vain_findings = tdmf_same_mode(&before, &motion->mode) ? runner->vain_findings + 1 : 0;
+    runner->false_crossings = tdmf_same_mode(&before, &motion->mode) ? runner->false_crossings + 1 : 0;
     if (!resolved || --runner->events_left <= 0) {
         tdmf_runner_give_up(runner, TDMF_FATE_UNSOLVED);
         return false;

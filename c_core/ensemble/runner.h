@@ -17,7 +17,7 @@ typedef struct {
     double stride_began;
     long steps_left, events_left; /* in the stride */
     double span, steps_in_span;   /* counted against TDMF_STIFFNESS_LIMIT */
-    int vain_findings;            /* of guards, since the mode changed */
+    int false_crossings;          /* since the mode changed */
 } tdmf_runner;
 
 /* Begins at an apex. False where there is nothing to run: `end` says why. */

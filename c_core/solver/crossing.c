@@ -19,7 +19,7 @@ static const double zero_power = 1e-14;
 
 typedef struct {
     const tdmf_step *step;
-    double patience;
+    double margin_factor;
     tdmf_crossing first;
 } search;
 
@@ -84,7 +84,7 @@ static tdmf_polynomial derivative(const double *c, double factor, int order) {
 static void watch(search *search, tdmf_guard guard, const tdmf_polynomial *p, double scale, double floor) {
     const double to = fmin(search->step->size, search->first.at.time);
     note(search, guard,
-         tdmf_first_root(p, &search->step->reach, 1.0, search->patience * floor * scale, 0.0, to));
+         tdmf_first_root(p, &search->step->reach, 1.0, search->margin_factor * floor * scale, 0.0, to));
 }
 
 static void watch_length(search *search, const double *length) {
@@ -341,8 +341,9 @@ static void watch_graze(search *search, const tdmf_input_rates *rates, const tdm
 /* ---- all ---------------------------------------------------------------------------------------------- */
 
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
-                                  const tdmf_input_rates *rates, const tdmf_mode *mode, double patience) {
-    search search = {step, patience, {{INFINITY, false}, TDMF_GUARD_COUNT}};
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode,
+                                  double margin_factor) {
+    search search = {step, margin_factor, {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);
     } else if (mode->contact == TDMF_CONTACT_GRAZE) {

@@ -11,17 +11,17 @@ typedef struct {
     tdmf_guard guard;
 } tdmf_crossing;
 
-/* How much further below zero a guard has to be, the more often series have found due in vain what the model,
- * whose rounding is another, has not: a search would find it there for ever. */
-static inline double tdmf_patience(int vain_findings) {
-    return ldexp(1.0, vain_findings);
+/* How much further below zero a guard has to be after false crossings: those that a series has found and the
+ * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
+static inline double tdmf_margin_factor(int false_crossings) {
+    return ldexp(1.0, false_crossings);
 }
 
 /* The first time within the step at which the mode, the phase or the clamp has to change, guards being due
- * `patience` times as far below zero as at first. Without one, the time up to which the step may be used: a
- * law has a kink there, a guard is known no further, or the search took too long; else infinity. */
+ * `margin_factor` times as far below zero as at first. Without one, the time up to which the step may be
+ * used: a law has a kink there, a guard is known no further, or the search took too long; else infinity. */
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
-                                  const tdmf_input_rates *rates, const tdmf_mode *mode, double patience);
+                                  const tdmf_input_rates *rates, const tdmf_mode *mode, double margin_factor);
 
 /* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back. In
  * contact only. */

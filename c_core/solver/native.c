@@ -30,7 +30,7 @@ typedef struct {
     /* Counted against TDMF_STIFFNESS_LIMIT. */
     double span;
     int steps_in_span, events_in_span;
-    int vain_findings; /* of guards, since the mode changed or a step was whole */
+    int false_crossings; /* since the mode changed or a step was whole */
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
     const tdmf_change *changes;
@@ -174,7 +174,7 @@ static bool take_transitions(march *march) {
     if (taken.unresolved) {
         march->events_left = 0;
     }
-    march->vain_findings = taken.mode_changed ? 0 : march->vain_findings + 1;
+    march->false_crossings = taken.mode_changed ? 0 : march->false_crossings + 1;
     return taken.state_changed || taken.mode_changed;
 }
 
@@ -213,7 +213,7 @@ static void go_on(march *march, double elapsed, const tdmf_coordinates *reached)
     move_time(march, elapsed);
     tdmf_chart_shift(&march->chart, elapsed, reached);
     march->chart_is_ahead = true;
-    march->vain_findings = 0;
+    march->false_crossings = 0;
     move_inputs(march, elapsed);
 }
 
@@ -281,7 +281,7 @@ static tdmf_outcome advance_once(march *march) {
     step->size = fmin(step->size, fmin(time_left(march), time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
     const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode,
-                                                       tdmf_patience(march->vain_findings));
+                                                       tdmf_margin_factor(march->false_crossings));
     const double end = fmin(step->size, crossing.at.time);
     const tdmf_coordinates reached = tdmf_step_at(step, end);
     if (!is_finite(&reached)) {
@@ -316,7 +316,7 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->order = tdmf_step_order(solver->relative_tolerance);
     march->steps_left = solver->step_limit;
     march->events_left = solver->event_limit;
-    march->vain_findings = 0;
+    march->false_crossings = 0;
     march->count = 0;
     open_span(march);
     /* An input may have jumped since the last call. */
