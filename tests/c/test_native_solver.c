@@ -267,6 +267,71 @@ static void the_peak_force_is_the_largest_met(void **state) {
     assert_close(looked.record.open.peak_force, whole.record.open.peak_force, 1e-12);
 }
 
+/* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
+static void a_friction_that_falls_ends_at_zero(void **state) {
+    const double zero = 13.0, until = 20.0;
+    const tdmf_input_rates falling = {-0.6 / zero, 0.0};
+    (void)state;
+    runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    runner.inputs.ground.friction = 0.6;
+    tdmf_motion at_once = motion_of(&runner);
+    tdmf_motion in_two = at_once;
+    tdmf_solver solver = tdmf_solver_default();
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &falling, until, &at_once),
+                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &falling, zero, &in_two),
+                     TDMF_ARRIVED);
+    assert_true(tdmf_in_contact(&in_two.mode));
+    runner.inputs.ground.friction = 0.0;
+    assert_arrives(&solver, &runner, until, &in_two);
+    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+        assert_close(at_once.state[k], in_two.state[k], 1e-9);
+    }
+}
+
+/* A runner that stands and bounces without loss. */
+static runner bouncing_runner(void) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.leg.damping = 0.0;
+    runner runner = runner_default(0.6);
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.state[TDMF_LEG_LENGTH] = 0.99;
+    runner.state[TDMF_LEG_ANGLE] = -1e-12;
+    runner.state[TDMF_LEG_LENGTH_RATE] = -0.005;
+    runner_start(&runner);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    return runner;
+}
+
+/* All peaks of such a bounce are the same, and the second is found as the first was. */
+static void every_peak_of_the_force_is_met(void **state) {
+    const double period = 6.283185307179586;
+    (void)state;
+    const runner runner = bouncing_runner();
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_solver solver = tdmf_solver_default();
+    assert_arrives(&solver, &runner, 0.9 * period, &motion);
+    const double first = motion.record.open.peak_force;
+    assert_arrives(&solver, &runner, period, &motion);
+    motion.record.open.peak_force = 0.0;
+    assert_arrives(&solver, &runner, 2.5 * period, &motion);
+    assert_close(motion.record.open.peak_force, first, 1e-9);
+}
+
+/* The force at the end of a call counts, as an input may jump then. */
+static void a_rising_force_is_met_where_a_call_ends(void **state) {
+    (void)state;
+    const runner runner = bouncing_runner();
+    tdmf_motion motion = motion_of(&runner);
+    tdmf_solver solver = tdmf_solver_default();
+    assert_arrives(&solver, &runner, 0.2, &motion);
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&runner.model, &runner.inputs, &motion.mode, &motion.record, motion.state);
+    assert_true(motion.mode.ground_force_rising);
+    assert_close(motion.record.open.peak_force, outputs.contact.fy, 1e-15);
+}
+
 /* In flight and on the ground; a torque that is held and one that grows. */
 static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
     static const tdmf_input_rates rates[] = {{0.0, 0.0}, {0.0, 2e-3}};
@@ -386,7 +451,10 @@ int main(void) {
         cmocka_unit_test(a_touch_that_turns_back_is_found),
         cmocka_unit_test(a_spinning_leg_touches_down_in_time),
         cmocka_unit_test(a_ramp_is_the_limit_of_small_steps),
+        cmocka_unit_test(a_friction_that_falls_ends_at_zero),
         cmocka_unit_test(the_peak_force_is_the_largest_met),
+        cmocka_unit_test(every_peak_of_the_force_is_met),
+        cmocka_unit_test(a_rising_force_is_met_where_a_call_ends),
         cmocka_unit_test(the_work_of_an_external_torque_is_in_the_ledger),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
