@@ -127,6 +127,17 @@ static inline real search_without_pole(lane_search *search, real size, const rea
     return spread_of(search, length, order);
 }
 
+/* Begins the search of a step whose motion may be trusted for a time. Returns how much the length may change.
+ */
+static inline real begin_search(lane_search *search, const member_progress *now, const member_frame *frame,
+                                real trusted, const real *length, const real *speed_square, int order,
+                                choice live, double tolerance) {
+    const real summed = size_for_loss(frame, speed_square, trusted, order - 1, tolerance);
+    const real size = smaller(frame->time_left - now->elapsed, summed);
+    return search_without_pole(search, size, length, order, live,
+                               due_below(tolerance) * frame->margin_factor);
+}
+
 static inline void watch_length(lane_search *search, const member_frame *frame, const real *length, int order,
                                 real change) {
     const guard_series g = {length, real_of(1.0), length[0] - frame->min_length, order};
@@ -242,12 +253,9 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     note_remainder(&remainder, f->length_rate, order - 1, m->frame.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / m->frame.time_scale);
     const real longest = longest_flight_step(&m->law, m->length, order);
-    const real trusted =
-        size_for_loss(&m->frame, f->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
-                      order - 1, tolerance);
-    const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
-    const real change = search_without_pole(&search, size, f->length, order, live,
-                                            due_below(tolerance) * m->frame.margin_factor);
+    const real trusted = trusted_size(&remainder, longest, order - 1, tolerance);
+    const real change = begin_search(&search, &m->now, &m->frame, trusted, f->length, f->speed_square, order,
+                                     live, tolerance);
     const real com_y = m->com_y + m->now.elapsed * (m->com_vy - 0.5 * m->frame.gravity * m->now.elapsed);
     const real com_vy = m->com_vy - m->frame.gravity * m->now.elapsed;
     watch_length(&search, &m->frame, f->length, order, change);
@@ -405,12 +413,9 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     note_remainder(&remainder, g->pull, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
-    const real trusted =
-        size_for_loss(&m->frame, g->speed_square, trusted_size(&remainder, longest, order - 1, tolerance),
-                      order - 1, tolerance);
-    const real size = smaller(m->frame.time_left - m->now.elapsed, trusted);
-    const real change = search_without_pole(&search, size, g->length, order, live,
-                                            due_below(tolerance) * m->frame.margin_factor);
+    const real trusted = trusted_size(&remainder, longest, order - 1, tolerance);
+    const real change = begin_search(&search, &m->now, &m->frame, trusted, g->length, g->speed_square, order,
+                                     live, tolerance);
     watch_standing_leg(&search, m, g, order, change);
     if (grazes) {
         watch_graze(&search, m, g, order);

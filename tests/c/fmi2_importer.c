@@ -74,3 +74,15 @@ void start_running(fmi2Component component) {
     assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
     assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
 }
+
+size_t serialize2(fmi2Component component, fmi2Byte bytes[SERIALIZED_BYTES]) {
+    fmi2FMUstate saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
+    assert_true(size <= SERIALIZED_BYTES);
+    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes, size), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    assert_null(saved);
+    return size;
+}

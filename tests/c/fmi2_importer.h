@@ -22,4 +22,8 @@ int get_integer(fmi2Component component, const char *name);
 void initialize(fmi2Component component);
 void start_running(fmi2Component component);
 
+/* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
+ * room. */
+size_t serialize2(fmi2Component component, fmi2Byte bytes[SERIALIZED_BYTES]);
+
 #endif

@@ -69,3 +69,15 @@ fmi3Status do_step(fmi3Instance instance, double time, double step, step_answer 
     return fmi3DoStep(instance, time, step, true, &answer->event, &answer->terminate, &answer->early,
                       &answer->time);
 }
+
+size_t serialize3(fmi3Instance instance, fmi3Byte bytes[SERIALIZED_BYTES]) {
+    fmi3FMUState saved = NULL;
+    size_t size = 0;
+    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
+    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
+    assert_true(size <= SERIALIZED_BYTES);
+    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
+    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
+    assert_null(saved);
+    return size;
+}

@@ -35,4 +35,8 @@ typedef struct {
 } step_answer;
 fmi3Status do_step(fmi3Instance instance, double time, double step, step_answer *answer);
 
+/* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
+ * room. */
+size_t serialize3(fmi3Instance instance, fmi3Byte bytes[SERIALIZED_BYTES]);
+
 #endif

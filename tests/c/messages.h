@@ -18,6 +18,9 @@ extern const char *const events_category[1];
 /* Notes a message. */
 void note_message(const char *category, const char *text);
 
+/* Room for a saved state of either version. */
+enum { SERIALIZED_BYTES = 8192 };
+
 /* Value reference of a variable; asserts that it exists. */
 uint32_t reference_of(const char *name);
 

@@ -15,8 +15,6 @@
 
 #include <cmocka.h>
 
-enum { BYTES = 8192 };
-
 static int make(void **state) {
     *state = new_instance();
     return 0;
@@ -216,33 +214,21 @@ static fmi2Component instance_in_state(int index) {
     return component;
 }
 
-/* All that an instance is, as the bytes of its saved state. */
-static size_t bytes_of(fmi2Component component, fmi2Byte bytes[BYTES]) {
-    fmi2FMUstate saved = NULL;
-    size_t size = 0;
-    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
-    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
-    assert_true(size <= BYTES);
-    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes, size), fmi2OK);
-    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
-    return size;
-}
-
 static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(void **state) {
     int refused = 0;
     (void)state;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         for (int where = 0; where < STATE_COUNT; ++where) {
             const bool allowed = (calls[i].allowed & (1u << where)) != 0;
-            fmi2Byte before[BYTES], after[BYTES];
+            fmi2Byte before[SERIALIZED_BYTES], after[SERIALIZED_BYTES];
             fmi2Component component = instance_in_state(where);
-            const size_t size = bytes_of(component, before);
+            const size_t size = serialize2(component, before);
             assert_int_equal(calls[i].call(component), allowed ? fmi2OK : fmi2Error);
             assert_int_equal(message_count, allowed ? 0 : 1);
             if (!allowed) {
                 assert_non_null(strstr(last_message, calls[i].name));
                 assert_string_equal(last_category, "logStatusError");
-                assert_int_equal(bytes_of(component, after), size);
+                assert_int_equal(serialize2(component, after), size);
                 assert_memory_equal(before, after, size);
                 ++refused;
             }

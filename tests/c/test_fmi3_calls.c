@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { BYTES = 8192 };
-
 /* ---- instantiation ------------------------------------------------------------------------------------ */
 
 static void assert_not_made(const char *name, const char *token, const char *reason) {
@@ -262,33 +260,21 @@ static fmi3Instance instance_at(unsigned place) {
     return instance;
 }
 
-/* All that an instance is, as the bytes of its saved state. */
-static size_t bytes_of(fmi3Instance instance, fmi3Byte bytes[BYTES]) {
-    fmi3FMUState saved = NULL;
-    size_t size = 0;
-    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
-    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
-    assert_true(size <= BYTES);
-    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
-    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
-    return size;
-}
-
 static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(void **state) {
     int refused = 0;
     (void)state;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
         for (unsigned place = 1; place < EVERYWHERE; place <<= 1) {
             const bool allowed = (calls[i].allowed & place) != 0;
-            fmi3Byte before[BYTES], after[BYTES];
+            fmi3Byte before[SERIALIZED_BYTES], after[SERIALIZED_BYTES];
             fmi3Instance instance = instance_at(place);
-            const size_t size = bytes_of(instance, before);
+            const size_t size = serialize3(instance, before);
             assert_int_equal(calls[i].call(instance), allowed ? fmi3OK : fmi3Error);
             assert_int_equal(message_count, allowed ? 0 : 1);
             if (!allowed) {
                 assert_non_null(strstr(last_message, calls[i].name));
                 assert_string_equal(last_category, "logStatusError");
-                assert_int_equal(bytes_of(instance, after), size);
+                assert_int_equal(serialize3(instance, after), size);
                 assert_memory_equal(before, after, size);
                 ++refused;
             }

@@ -11,7 +11,7 @@
 static const double period = 24.76444922801218; /* of the default gait, as in the reference values */
 static const double touchdown = 11.90;          /* of it, roughly */
 
-enum { BYTES = 8192, EVENTS_OF_A_STRIDE = 9, MOST_EVENTS = 1000, STATES_COMPARED = 8 };
+enum { EVENTS_OF_A_STRIDE = 9, MOST_EVENTS = 1000, STATES_COMPARED = 8 };
 static const char *const state_names[STATES_COMPARED] = {
     "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
 
@@ -442,19 +442,7 @@ static void output_derivatives_are_slopes(void **state) {
 
 /* ---- saved states ------------------------------------------------------------------------------------- */
 
-static size_t serialize3(fmi3Instance instance, fmi3Byte bytes[BYTES]) {
-    fmi3FMUState saved = NULL;
-    size_t size = 0;
-    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
-    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
-    assert_true(size <= BYTES);
-    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
-    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
-    assert_null(saved);
-    return size;
-}
-
-static fmi3Status restore3(fmi3Instance instance, const fmi3Byte bytes[BYTES], size_t size) {
+static fmi3Status restore3(fmi3Instance instance, const fmi3Byte bytes[SERIALIZED_BYTES], size_t size) {
     fmi3FMUState saved = NULL;
     fmi3Status status = fmi3DeserializeFMUState(instance, bytes, size, &saved);
     if (status == fmi3OK) {
@@ -466,7 +454,7 @@ static fmi3Status restore3(fmi3Instance instance, const fmi3Byte bytes[BYTES], s
 
 /* Saved at an event that is still to be taken, and again in event mode. */
 static void a_saved_state_holds_the_pending_event(void **state) {
-    fmi3Byte bytes[BYTES];
+    fmi3Byte bytes[SERIALIZED_BYTES];
     step_answer step;
     update_answer after;
     fmi3Instance instance = stepper_in_step_mode(true, true), other = new_stepper(true, true);
@@ -490,7 +478,7 @@ static void a_saved_state_holds_the_pending_event(void **state) {
 }
 
 static void states_of_other_interfaces_are_refused(void **state) {
-    fmi3Byte bytes[BYTES];
+    fmi3Byte bytes[SERIALIZED_BYTES];
     fmi3Instance with = stepper_in_step_mode(true, true), without = new_stepper(false, false);
     fmi3Instance exchange = new_exchange();
     (void)state;
@@ -509,7 +497,7 @@ static void states_of_other_interfaces_are_refused(void **state) {
 
 /* What a run has been does not depend on FMI's version. */
 static void a_state_saved_in_fmi2_goes_on_in_fmi3(void **state) {
-    fmi3Byte bytes[BYTES];
+    fmi3Byte bytes[SERIALIZED_BYTES];
     fmi2FMUstate saved = NULL;
     size_t size = 0;
     step_answer step;

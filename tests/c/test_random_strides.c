@@ -3,7 +3,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "scene.h"
-#include "tdmf_slip/return_map.h"
+#include "stride_results.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,8 +12,7 @@ enum {
     RUNNERS = 120,
     PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
-    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
-    RESULTS = TDMF_SECTION_COUNT + 3
+    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS
 };
 
 static const double longest = 1e3;
@@ -70,20 +69,6 @@ static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_ch
     assert_null(tdmf_model_create(&model, &start->parameters).variable);
     return tdmf_return_map(&solver, &model, &start->inputs, start->section, longest, derivatives, change,
                            change ? 1 : 0);
-}
-
-static void results_of(const tdmf_return *stride, double results[RESULTS]) {
-    memcpy(results, stride->apex, sizeof stride->apex);
-    results[TDMF_SECTION_COUNT] = stride->stride.period;
-    results[TDMF_SECTION_COUNT + 1] = stride->stride.length;
-    results[TDMF_SECTION_COUNT + 2] = stride->stride.work;
-}
-
-static void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
-    memcpy(derivatives, change->apex, sizeof change->apex);
-    derivatives[TDMF_SECTION_COUNT] = change->period;
-    derivatives[TDMF_SECTION_COUNT + 1] = change->length;
-    derivatives[TDMF_SECTION_COUNT + 2] = change->work;
 }
 
 /* The same events in the same order. */

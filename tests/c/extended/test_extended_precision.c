@@ -3,6 +3,7 @@
  * derivative, and by the map's own error over h: that of its events, which are located to a part of their
  * margin. */
 #include "random.h"
+#include "stride_results.h"
 #include "tdmf_slip/orbit.h"
 
 enum { GAITS = 5, PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
@@ -122,22 +123,6 @@ static scene light_runner(unsigned number) {
         scene.apex[k] = apices[2][k] + random_uniform(&source, -0.05L, 0.05L);
     }
     return scene;
-}
-
-enum { RESULTS = TDMF_SECTION_COUNT + 3 };
-
-static void results_of(const tdmf_return *stride, double results[RESULTS]) {
-    memcpy(results, stride->apex, sizeof stride->apex);
-    results[TDMF_SECTION_COUNT] = stride->stride.period;
-    results[TDMF_SECTION_COUNT + 1] = stride->stride.length;
-    results[TDMF_SECTION_COUNT + 2] = stride->stride.work;
-}
-
-static void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
-    memcpy(derivatives, change->apex, sizeof change->apex);
-    derivatives[TDMF_SECTION_COUNT] = change->period;
-    derivatives[TDMF_SECTION_COUNT + 1] = change->length;
-    derivatives[TDMF_SECTION_COUNT + 2] = change->work;
 }
 
 /* What a light runner is differentiated by: the section, the friction, and three parameters. */

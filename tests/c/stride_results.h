@@ -1,0 +1,26 @@
+/* What a stride from an apex comes to, and its derivatives, in one row: the next apex, period, length and
+ * work. */
+#ifndef TDMF_TESTS_STRIDE_RESULTS_H
+#define TDMF_TESTS_STRIDE_RESULTS_H
+
+#include "tdmf_slip/return_map.h"
+
+#include <string.h>
+
+enum { RESULTS = TDMF_SECTION_COUNT + 3 };
+
+static inline void results_of(const tdmf_return *stride, double results[RESULTS]) {
+    memcpy(results, stride->apex, sizeof stride->apex);
+    results[TDMF_SECTION_COUNT] = stride->stride.period;
+    results[TDMF_SECTION_COUNT + 1] = stride->stride.length;
+    results[TDMF_SECTION_COUNT + 2] = stride->stride.work;
+}
+
+static inline void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
+    memcpy(derivatives, change->apex, sizeof change->apex);
+    derivatives[TDMF_SECTION_COUNT] = change->period;
+    derivatives[TDMF_SECTION_COUNT + 1] = change->length;
+    derivatives[TDMF_SECTION_COUNT + 2] = change->work;
+}
+
+#endif
