@@ -3,6 +3,7 @@
 import ctypes
 import importlib.resources
 import json
+import signal
 
 import fmpy
 import numpy as np
@@ -11,6 +12,12 @@ import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip import section
 from tdmf_slip.command import main
+
+
+@pytest.fixture(scope="session", autouse=True)
+def interrupts_are_heard():
+    """In the background of a shell they are ignored, also by whatever is started there."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")

@@ -261,7 +261,7 @@ sys.exit(main())
         assert running.stderr.readline() == "begins\n"
         time.sleep(pause)
         running.send_signal(signal.SIGINT)
-        out, said = running.communicate(timeout=60)
+        out, said = running.communicate(timeout=600)
     assert (running.returncode, out, said.strip()) == (130, "", "tdmf-slip: interrupted")
 
 
