@@ -56,7 +56,9 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> np.nda
         raise InputError(f"{where} {text}: N = {parts[2]}; allowed: a whole number from 1 to {MOST_VALUES}")
     ends = _ends(parts[:2], variable, f"{where} {text}")
     if number == 1 and ends[0] != ends[1]:
-        raise InputError(f"{where} {text}: one value cannot be A and B; allowed: N from 2 on, or B equal to A")
+        raise InputError(
+            f"{where} {text}: one value cannot be A and B; allowed: N from 2 on, or B equal to A"
+        )
     if spacing == "log" and min(ends) <= 0.0:
         raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
     return SPACINGS[spacing](*ends, number)
