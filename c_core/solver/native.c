@@ -52,8 +52,7 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
         return "the runner fell";
     case TDMF_TOO_STIFF:
         return "the runner is too stiff for the native solver, which would make more than 10000 steps in a "
-               "time "
-               "of sqrt(m/k); CVODE (solver.method = cvode) takes stiff runners";
+               "time of sqrt(m/k); CVODE (solver.method = cvode) takes stiff runners";
     case TDMF_TOO_MANY_STEPS:
         return "too many steps in one call";
     case TDMF_TOO_MANY_EVENTS:
