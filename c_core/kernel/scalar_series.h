@@ -1,6 +1,6 @@
 /* The series of one runner. */
-#ifndef TDMF_SOLVER_SCALAR_SERIES_H
-#define TDMF_SOLVER_SCALAR_SERIES_H
+#ifndef TDMF_KERNEL_SCALAR_SERIES_H
+#define TDMF_KERNEL_SCALAR_SERIES_H
 
 #include "series.h"
 #include "series_sums.h"

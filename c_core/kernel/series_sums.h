@@ -1,6 +1,6 @@
 /* Values of series and of their integrals at a time. */
-#ifndef TDMF_SOLVER_SERIES_SUMS_H
-#define TDMF_SOLVER_SERIES_SUMS_H
+#ifndef TDMF_KERNEL_SERIES_SUMS_H
+#define TDMF_KERNEL_SERIES_SUMS_H
 
 #include "series.h"
 

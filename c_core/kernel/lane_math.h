@@ -1,6 +1,6 @@
 /* Functions of lanes: a rough root, sine and cosine. */
-#ifndef TDMF_ENSEMBLE_LANE_MATH_H
-#define TDMF_ENSEMBLE_LANE_MATH_H
+#ifndef TDMF_KERNEL_LANE_MATH_H
+#define TDMF_KERNEL_LANE_MATH_H
 
 #include "lanes.h"
 

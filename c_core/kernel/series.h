@@ -1,6 +1,6 @@
 /* Taylor series in time about the start of a step: what the solver knows of a motion. */
-#ifndef TDMF_SOLVER_SERIES_H
-#define TDMF_SOLVER_SERIES_H
+#ifndef TDMF_KERNEL_SERIES_H
+#define TDMF_KERNEL_SERIES_H
 
 /* Highest order, and the number of coefficients that a series has room for. */
 enum { SERIES_ORDER_LIMIT = 28, SERIES_TERMS = SERIES_ORDER_LIMIT + 2 };

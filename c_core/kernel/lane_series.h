@@ -1,6 +1,6 @@
 /* The series of several runners side by side. */
-#ifndef TDMF_ENSEMBLE_LANE_SERIES_H
-#define TDMF_ENSEMBLE_LANE_SERIES_H
+#ifndef TDMF_KERNEL_LANE_SERIES_H
+#define TDMF_KERNEL_LANE_SERIES_H
 
 #include "lanes.h"
 #include "series.h"

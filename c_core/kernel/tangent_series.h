@@ -1,6 +1,6 @@
 /* Series of first variations along a step. */
-#ifndef TDMF_SOLVER_TANGENT_SERIES_H
-#define TDMF_SOLVER_TANGENT_SERIES_H
+#ifndef TDMF_KERNEL_TANGENT_SERIES_H
+#define TDMF_KERNEL_TANGENT_SERIES_H
 
 #include "step.h"
 

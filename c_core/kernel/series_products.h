@@ -3,8 +3,8 @@
  *
  * How factors are kept and summed is the business of whoever includes the motions: scalar_series.h for one
  * runner, lane_series.h for several side by side. Both have defined `real` before. */
-#ifndef TDMF_SOLVER_SERIES_PRODUCTS_H
-#define TDMF_SOLVER_SERIES_PRODUCTS_H
+#ifndef TDMF_KERNEL_SERIES_PRODUCTS_H
+#define TDMF_KERNEL_SERIES_PRODUCTS_H
 
 /* In flight: r r, r^2 w, r w, (r w) w, w w, v v. */
 enum {

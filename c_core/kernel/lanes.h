@@ -1,6 +1,6 @@
 /* Several numbers side by side, one for each of LANES runners, in the compiler's vector types. */
-#ifndef TDMF_ENSEMBLE_LANES_H
-#define TDMF_ENSEMBLE_LANES_H
+#ifndef TDMF_KERNEL_LANES_H
+#define TDMF_KERNEL_LANES_H
 
 #include <math.h>
 #include <stdbool.h>
