@@ -210,8 +210,13 @@ static void pass_variables(transfer *bytes, unit *unit, unsigned storages) {
 
 static void pass_surroundings(transfer *bytes, unit *unit) {
     pass_variables(bytes, unit, 1U << STORED_PARAMETER | 1U << STORED_SETTING | 1U << STORED_INPUT);
-    pass_sum(bytes, "the rate of ground.friction", &unit->input_rates.friction);
-    pass_sum(bytes, "the rate of hip.external_torque", &unit->input_rates.external_torque);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (unit_variables[i].storage == STORED_INPUT) {
+            double rate = unit_get_number_rate(unit, &unit_variables[i]);
+            pass_sum(bytes, "the rate of an input", &rate);
+            unit_set_number_rate(unit, &unit_variables[i], rate);
+        }
+    }
     pass_between(bytes, "the importer's tolerance", &unit->importer_tolerance, DBL_MIN * DBL_EPSILON,
                  INFINITY);
     pass_between(bytes, "the stop time", &unit->stop_time, -DBL_MAX, INFINITY);

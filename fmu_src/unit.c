@@ -134,8 +134,7 @@ void unit_flow(const unit *unit, struct unit *direction) {
     memset(direction, 0, sizeof *direction);
     tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state,
                      direction->motion.state);
-    direction->inputs.ground.friction = unit->input_rates.friction;
-    direction->inputs.hip.external_torque = unit->input_rates.external_torque;
+    direction->inputs = unit->input_rates;
 }
 
 bool unit_is_time(double time) {

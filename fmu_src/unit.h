@@ -22,8 +22,8 @@ typedef struct unit {
     unit_settings settings;
     tdmf_parameters parameters;
     tdmf_inputs inputs;
-    tdmf_input_rates input_rates; /* Co-Simulation: how the inputs go on from the communication point */
-    double importer_tolerance;    /* infinite where the importer has none */
+    tdmf_inputs input_rates;   /* Co-Simulation: how the inputs go on from the communication point */
+    double importer_tolerance; /* infinite where the importer has none */
     tdmf_model model;
     tdmf_motion motion;
     tdmf_solver solver;

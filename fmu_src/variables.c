@@ -68,10 +68,12 @@ void unit_set_number(unit *unit, const unit_variable *variable, double value) {
     }
 }
 
+double unit_get_number_rate(const unit *unit, const unit_variable *input) {
+    double rate;
+    memcpy(&rate, (const char *)&unit->input_rates + byte_offset(input), sizeof rate);
+    return rate;
+}
+
 void unit_set_number_rate(unit *unit, const unit_variable *input, double rate) {
-    if (input->place == offsetof(tdmf_inputs, ground.friction)) {
-        unit->input_rates.friction = rate;
-    } else {
-        unit->input_rates.external_torque = rate;
-    }
+    memcpy((char *)&unit->input_rates + byte_offset(input), &rate, sizeof rate);
 }

@@ -59,7 +59,8 @@ const char *unit_get_text(const unit_view *view, const unit_variable *variable);
 /* Stores a value that was checked. */
 void unit_set_number(unit *unit, const unit_variable *variable, double value);
 
-/* Stores how fast an input changes, per second. */
+/* How fast an input changes, per second. */
+double unit_get_number_rate(const unit *unit, const unit_variable *input);
 void unit_set_number_rate(unit *unit, const unit_variable *input, double rate);
 
 #endif

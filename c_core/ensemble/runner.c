@@ -3,6 +3,7 @@
 
 #include "cone.h"
 #include "crossing.h"
+#include "input_rates.h"
 #include "scalar_series.h"
 #include "step.h"
 #include "tdmf_slip/automaton.h"
@@ -21,8 +22,6 @@ static const long event_limit = 100000;
 
 /* In sqrt(m/k): a stride that takes longer counts as none. */
 static const double longest_stride = 1e4;
-
-static const tdmf_input_rates held = {0.0, 0.0};
 
 static void open_stride(tdmf_runner *runner) {
     runner->stride_began = runner->motion.time;
@@ -156,8 +155,8 @@ static standing_member standing_fields(const tdmf_runner *runner) {
 
 int tdmf_runner_board(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
-    tdmf_chart_open(&runner->chart, runner->its_case->model, &runner->its_case->inputs, &held, &motion->mode,
-                    motion->state);
+    tdmf_chart_open(&runner->chart, runner->its_case->model, &runner->its_case->inputs, &tdmf_held_inputs,
+                    &motion->mode, motion->state);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         const flying_member m = flying_fields(runner);
         memcpy(fields, &m, sizeof m);

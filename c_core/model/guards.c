@@ -139,13 +139,12 @@ static void rate_flight(const tdmf_model *model, const tdmf_mode *mode, const do
     }
 }
 
-static void rate_graze(const tdmf_model *model, const tdmf_inputs *inputs,
-                       const tdmf_input_rates *input_rates, const tdmf_mode *mode, const tdmf_leg *leg,
-                       const double state[TDMF_STATE_COUNT], const double derivatives[TDMF_STATE_COUNT],
-                       double rates[TDMF_GUARD_COUNT]) {
+static void rate_graze(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *input_rates,
+                       const tdmf_mode *mode, const tdmf_leg *leg, const double state[TDMF_STATE_COUNT],
+                       const double derivatives[TDMF_STATE_COUNT], double rates[TDMF_GUARD_COUNT]) {
     const double force = model->scales.force;
     const double external = inputs->hip.external_torque;
-    const double external_rate = input_rates->external_torque;
+    const double external_rate = input_rates->hip.external_torque;
     const double acceleration = derivatives[TDMF_LEG_LENGTH_RATE];
     const double stance = tdmf_hip_stance_law(model, mode) + external;
     const double flight = tdmf_hip_flight_law(model, mode, state) + external;
@@ -156,14 +155,13 @@ static void rate_graze(const tdmf_model *model, const tdmf_inputs *inputs,
         tdmf_leg_sticking_force_rate(model, flight, flight_rate, acceleration, leg).fy / force;
 }
 
-static void rate_contact(const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_input_rates *input_rates, const tdmf_mode *mode, const tdmf_leg *leg,
-                         const double state[TDMF_STATE_COUNT], const double derivatives[TDMF_STATE_COUNT],
-                         double rates[TDMF_GUARD_COUNT]) {
+static void rate_contact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *input_rates,
+                         const tdmf_mode *mode, const tdmf_leg *leg, const double state[TDMF_STATE_COUNT],
+                         const double derivatives[TDMF_STATE_COUNT], double rates[TDMF_GUARD_COUNT]) {
     const tdmf_scales *scales = &model->scales;
     const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, leg);
-    const tdmf_ground_force rate = tdmf_leg_sticking_force_rate(model, torque, input_rates->external_torque,
-                                                                derivatives[TDMF_LEG_LENGTH_RATE], leg);
+    const tdmf_ground_force rate = tdmf_leg_sticking_force_rate(
+        model, torque, input_rates->hip.external_torque, derivatives[TDMF_LEG_LENGTH_RATE], leg);
     rates[TDMF_GUARD_LIFT_OFF] = rate.fy / scales->force;
     if (mode->phase == TDMF_PHASE_DRIVE) {
         rates[TDMF_GUARD_MID_STANCE] = state[TDMF_LEG_ANGLE_RATE];
@@ -171,7 +169,7 @@ static void rate_contact(const tdmf_model *model, const tdmf_inputs *inputs,
     if (mode->contact == TDMF_CONTACT_STICK) {
         const tdmf_ground_force force = tdmf_leg_sticking_force(model, torque, leg);
         const tdmf_cone cone = tdmf_cone_of(inputs->ground.friction);
-        const tdmf_cone cone_rate = tdmf_cone_rate(inputs->ground.friction, input_rates->friction);
+        const tdmf_cone cone_rate = tdmf_cone_rate(inputs->ground.friction, input_rates->ground.friction);
         const double limit_rate = cone.normal * rate.fy + cone_rate.normal * force.fy;
         const double pull_rate = cone.tangential * rate.fx + cone_rate.tangential * force.fx;
         rates[TDMF_GUARD_SLIP_ONSET_POSITIVE] = (limit_rate + pull_rate) / scales->force;
@@ -182,7 +180,7 @@ static void rate_contact(const tdmf_model *model, const tdmf_inputs *inputs,
     }
 }
 
-static void rate_all(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_input_rates *input_rates,
+static void rate_all(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *input_rates,
                      const tdmf_mode *mode, const tdmf_leg *leg, const double state[TDMF_STATE_COUNT],
                      const double derivatives[TDMF_STATE_COUNT], double rates[TDMF_GUARD_COUNT]) {
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
@@ -223,7 +221,7 @@ void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_
 }
 
 tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
-                             const tdmf_input_rates *input_rates, const tdmf_mode *mode,
+                             const tdmf_inputs *input_rates, const tdmf_mode *mode,
                              const double state[TDMF_STATE_COUNT],
                              const double derivatives[TDMF_STATE_COUNT]) {
     tdmf_watch watch;

@@ -1,12 +1,20 @@
-/* Rates of inputs where none need be given. */
+/* Rates of inputs: those that need not be given, and questions about those that are. */
 #ifndef TDMF_MODEL_INPUT_RATES_H
 #define TDMF_MODEL_INPUT_RATES_H
 
 #include "tdmf_slip/parameters.h"
 
-static inline const tdmf_input_rates *tdmf_rates_or_held(const tdmf_input_rates *rates) {
-    static const tdmf_input_rates held = {0.0, 0.0};
-    return rates != NULL ? rates : &held;
+#include <stdbool.h>
+
+extern const tdmf_inputs tdmf_held_inputs;
+
+static inline const tdmf_inputs *tdmf_rates_or_held(const tdmf_inputs *rates) {
+    return rates != NULL ? rates : &tdmf_held_inputs;
 }
+
+/* All rates are zero. */
+bool tdmf_are_held(const tdmf_inputs *rates);
+
+bool tdmf_are_finite(const tdmf_inputs *rates);
 
 #endif

@@ -84,11 +84,35 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
     return first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
 }
 
-tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed) {
-    const tdmf_input_rates *given = tdmf_rates_or_held(rates);
+const tdmf_inputs tdmf_held_inputs = {{0.0}, {0.0}};
+
+bool tdmf_are_held(const tdmf_inputs *rates) {
+    for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
+        if (value_at(rates, tdmf_input_ranges[i].offset) != 0.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool tdmf_are_finite(const tdmf_inputs *rates) {
+    for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
+        if (!isfinite(value_at(rates, tdmf_input_ranges[i].offset))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed) {
+    const tdmf_inputs *given = tdmf_rates_or_held(rates);
     tdmf_inputs after = *inputs;
-    after.ground.friction = fmax(0.0, after.ground.friction + elapsed * given->friction);
-    after.hip.external_torque += elapsed * given->external_torque;
+    for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
+        const size_t offset = tdmf_input_ranges[i].offset;
+        const double value = value_at(inputs, offset) + elapsed * value_at(given, offset);
+        memcpy((char *)&after + offset, &value, sizeof value);
+    }
+    after.ground.friction = fmax(0.0, after.ground.friction);
     return after;
 }
 

@@ -48,17 +48,16 @@ static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT])
 }
 
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
-                     const tdmf_input_rates *rates, const tdmf_mode *mode,
-                     const double state[TDMF_STATE_COUNT]) {
+                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     const tdmf_chart blank = {.model = model, .contact = mode->contact};
     *chart = blank;
     chart->torque = inputs->hip.external_torque;
-    chart->torque_rate = rates->external_torque;
+    chart->torque_rate = rates->hip.external_torque;
     if (tdmf_in_contact(mode)) {
         chart->torque += tdmf_hip_stance_law(model, mode);
     }
     chart->friction = tdmf_slip_sign(mode) * inputs->ground.friction;
-    chart->friction_rate = tdmf_slip_sign(mode) * rates->friction;
+    chart->friction_rate = tdmf_slip_sign(mode) * rates->ground.friction;
     chart->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     chart->start.length = state[TDMF_LEG_LENGTH];
     chart->start.angle = state[TDMF_LEG_ANGLE];

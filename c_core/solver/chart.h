@@ -29,8 +29,7 @@ typedef struct {
 
 /* The chart of a mode at an instant. */
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
-                     const tdmf_input_rates *rates, const tdmf_mode *mode,
-                     const double state[TDMF_STATE_COUNT]);
+                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached);

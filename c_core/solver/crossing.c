@@ -210,25 +210,23 @@ static void watch_mid_stance(search *search) {
 }
 
 /* mu f_y + sign f_x, by the weights of the largest friction in the step. */
-static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
-                       double sign) {
+static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates, double sign) {
     const ground_series *g = &search->step->series.ground;
     const double friction = inputs->ground.friction;
     const double weight =
-        tdmf_cone_of(fmax(friction, friction + rates->friction * search->step->size)).tangential;
+        tdmf_cone_of(fmax(friction, friction + rates->ground.friction * search->step->size)).tangential;
     tdmf_polynomial room = scaled(g->press, weight * friction, search->step->order - 1);
     add(&room, g->pull, -sign * weight);
-    if (rates->friction != 0.0) {
+    if (rates->ground.friction != 0.0) {
         for (int k = 1; k <= room.order; ++k) {
-            room.c[k] += weight * rates->friction * g->press[k - 1];
+            room.c[k] += weight * rates->ground.friction * g->press[k - 1];
         }
     }
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
           search->step->chart->model->scales.force, beyond);
 }
 
-static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
-                         bool sticks) {
+static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates, bool sticks) {
     const tdmf_step *step = search->step;
     const ground_series *g = &step->series.ground;
     const int order = step->order - 1;
@@ -241,13 +239,13 @@ static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_i
         return;
     }
     const double room = inputs->ground.friction * (g->press[0] - press_spread) - fabs(g->pull[0]);
-    if (rates->friction != 0.0 || !stays_above(search, room, g->pull, order)) {
+    if (rates->ground.friction != 0.0 || !stays_above(search, room, g->pull, order)) {
         watch_cone(search, inputs, rates, 1.0);
         watch_cone(search, inputs, rates, -1.0);
     }
 }
 
-static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                           const tdmf_mode *mode) {
     const tdmf_step *step = search->step;
     const ground_series *g = &step->series.ground;
@@ -292,12 +290,12 @@ static void expand_lever(const ground_series *g, int order, double lever[SERIES_
 }
 
 /* Ground force, times `sign`, under a law that graze excludes. */
-static void watch_press(search *search, const tdmf_input_rates *rates, const double lever[SERIES_TERMS],
+static void watch_press(search *search, const tdmf_inputs *rates, const double lever[SERIES_TERMS],
                         double sign, tdmf_polynomial law) {
     const tdmf_chart *chart = search->step->chart;
     const ground_series *g = &search->step->series.ground;
     law.c[0] += chart->torque;
-    law.c[1] += rates->external_torque;
+    law.c[1] += rates->hip.external_torque;
     tdmf_polynomial press = scaled(g->axial_y, sign, law.order);
     press.c[0] += sign * chart->model->parameters.foot.mass * chart->model->parameters.gravity;
     for (int k = 0; k <= law.order; ++k) {
@@ -308,7 +306,7 @@ static void watch_press(search *search, const tdmf_input_rates *rates, const dou
           chart->model->scales.force, beyond);
 }
 
-static void watch_graze(search *search, const tdmf_input_rates *rates, const tdmf_mode *mode) {
+static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mode *mode) {
     const tdmf_step *step = search->step;
     const tdmf_chart *chart = step->chart;
     const tdmf_model *model = chart->model;
@@ -340,9 +338,8 @@ static void watch_graze(search *search, const tdmf_input_rates *rates, const tdm
 
 /* ---- all ---------------------------------------------------------------------------------------------- */
 
-tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs,
-                                  const tdmf_input_rates *rates, const tdmf_mode *mode,
-                                  double margin_factor) {
+tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                                  const tdmf_mode *mode, double margin_factor) {
     search search = {step, margin_factor, {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);

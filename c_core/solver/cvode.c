@@ -23,7 +23,7 @@ bool tdmf_cvode_is_available(void) {
 typedef struct {
     const tdmf_model *model;
     const tdmf_inputs *inputs; /* at `start` */
-    const tdmf_input_rates *rates;
+    const tdmf_inputs *rates;
     tdmf_instant start, restart;
     tdmf_motion *motion;
     tdmf_solver *options;
@@ -195,9 +195,9 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
 }
 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+                                const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
-    const tdmf_input_rates *given = tdmf_rates_or_held(rates);
+    const tdmf_inputs *given = tdmf_rates_or_held(rates);
     problem problem = {model, inputs, given, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;

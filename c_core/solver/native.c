@@ -19,7 +19,7 @@ typedef struct {
     tdmf_solver *solver;
     const tdmf_model *model;
     tdmf_inputs inputs; /* at motion->time */
-    tdmf_input_rates rates;
+    tdmf_inputs rates;
     tdmf_motion *motion; /* its state is that of the last event; the chart may be ahead of it */
     bool chart_is_ahead;
     double until;
@@ -124,7 +124,8 @@ static void observe_ground_force(march *march, double end) {
 
 /* A friction that falls stays at zero from then on. */
 static double time_to_no_friction(const march *march) {
-    return march->rates.friction < 0.0 ? march->inputs.ground.friction / -march->rates.friction : INFINITY;
+    return march->rates.ground.friction < 0.0 ? march->inputs.ground.friction / -march->rates.ground.friction
+                                              : INFINITY;
 }
 
 static double time_left(const march *march) {
@@ -144,7 +145,7 @@ static void move_inputs(march *march, double elapsed) {
     march->inputs = tdmf_inputs_after(&march->inputs, &march->rates, elapsed);
     if (friction_ends) {
         march->inputs.ground.friction = 0.0;
-        march->rates.friction = 0.0;
+        march->rates.ground.friction = 0.0;
         march->chart.friction = 0.0;
         march->chart.friction_rate = 0.0;
     }
@@ -301,7 +302,7 @@ static tdmf_outcome advance_once(march *march) {
 }
 
 static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                  const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+                  const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     if (!tdmf_is_sound_request(solver, inputs, rates, until, motion)) {
         return false;
     }
@@ -345,7 +346,7 @@ static tdmf_outcome advance(march *march, bool one_stride) {
 }
 
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+                                 const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     march march;
     const bool begun = begin(&march, solver, model, inputs, tdmf_rates_or_held(rates), until, motion);
     return begun ? advance(&march, false) : TDMF_REFUSED;

@@ -6,7 +6,7 @@ bool tdmf_cvode_is_available(void) {
 }
 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_input_rates *rates, double until, tdmf_motion *motion) {
+                                const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     (void)options;
     (void)model;
     (void)inputs;

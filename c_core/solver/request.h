@@ -2,6 +2,7 @@
 #ifndef TDMF_SOLVER_REQUEST_H
 #define TDMF_SOLVER_REQUEST_H
 
+#include "input_rates.h"
 #include "tdmf_slip/solver.h"
 
 #include <math.h>
@@ -12,20 +13,17 @@ static inline bool tdmf_is_tolerance(double relative_tolerance) {
 }
 
 /* Inputs, those at the end included, are within their ranges: beyond, numbers overflow. */
-static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_input_rates *rates,
+static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_inputs *rates,
                                          double duration) {
-    if (tdmf_check_inputs(inputs).variable != NULL || !isfinite(rates->friction) ||
-        !isfinite(rates->external_torque)) {
+    if (tdmf_check_inputs(inputs).variable != NULL || !tdmf_are_finite(rates)) {
         return false;
     }
-    const bool held = rates->friction == 0.0 && rates->external_torque == 0.0;
-    const tdmf_inputs last = held ? *inputs : tdmf_inputs_after(inputs, rates, duration);
+    const tdmf_inputs last = tdmf_are_held(rates) ? *inputs : tdmf_inputs_after(inputs, rates, duration);
     return tdmf_check_inputs(&last).variable == NULL;
 }
 
 static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_inputs *inputs,
-                                         const tdmf_input_rates *rates, double until,
-                                         const tdmf_motion *motion) {
+                                         const tdmf_inputs *rates, double until, const tdmf_motion *motion) {
     return tdmf_is_tolerance(solver->relative_tolerance) && until >= motion->time &&
            tdmf_are_sound_inputs(inputs, rates, until - motion->time);
 }

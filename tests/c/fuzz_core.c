@@ -22,7 +22,7 @@ typedef struct {
 
 static void expect_numbers_of_motion(const subject *on) {
     const tdmf_motion *motion = &on->motion;
-    tdmf_input_rates held = {0.0, 0.0};
+    tdmf_inputs held = {{0.0}, {0.0}};
     double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
     tdmf_derivatives(&on->model, &on->inputs, &motion->mode, motion->state, derivatives);
     tdmf_guards(&on->model, &on->inputs, &motion->mode, motion->state, guards);
@@ -50,10 +50,11 @@ static double random_time(const subject *on) {
 static void advance(void *self) {
     subject *on = self;
     const double duration = random_time(on);
-    tdmf_input_rates rates = {0.0, 0.0};
+    tdmf_inputs rates = {{0.0}, {0.0}};
     if (random_chance(on->source, 0.3)) {
-        rates.friction = random_uniform(on->source, -1.0, 1.0) / duration;
-        rates.external_torque = random_uniform(on->source, -0.1, 0.1) * on->model.scales.energy / duration;
+        rates.ground.friction = random_uniform(on->source, -1.0, 1.0) / duration;
+        rates.hip.external_torque =
+            random_uniform(on->source, -0.1, 0.1) * on->model.scales.energy / duration;
     }
     const double start = on->motion.time;
     const tdmf_outcome outcome =

@@ -127,10 +127,10 @@ static tdmf_outcome advance(random_source *source, run *run) {
     const double duration = run->model.scales.time * random_magnitude(source, 0.1, 30.0);
     const double start = run->motion.time;
     const int64_t steps = run->solver.steps;
-    tdmf_input_rates rates = {0.0, 0.0};
+    tdmf_inputs rates = {{0.0}, {0.0}};
     if (random_chance(source, 0.2)) {
-        rates.friction = random_uniform(source, -1.0, 1.0) / duration;
-        rates.external_torque = random_uniform(source, -0.1, 0.1) * run->model.scales.energy / duration;
+        rates.ground.friction = random_uniform(source, -1.0, 1.0) / duration;
+        rates.hip.external_torque = random_uniform(source, -0.1, 0.1) * run->model.scales.energy / duration;
     }
     const tdmf_outcome outcome =
         tdmf_native_advance(&run->solver, &run->model, &run->inputs, &rates, start + duration, &run->motion);

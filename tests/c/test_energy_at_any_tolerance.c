@@ -66,7 +66,7 @@ typedef struct {
 
 static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     enum { CALLS = 5 };
-    static const tdmf_input_rates held = {0.0, 0.0};
+    static const tdmf_inputs held = {{0.0}, {0.0}};
     const tdmf_model *model = &runner->model;
     tdmf_solver solver = tdmf_solver_default();
     tdmf_outcome outcome = TDMF_ARRIVED;

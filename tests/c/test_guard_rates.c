@@ -8,7 +8,7 @@
 /* A runner whose inputs move too. */
 typedef struct {
     const runner *runner;
-    tdmf_input_rates input_rates;
+    tdmf_inputs input_rates;
     double derivatives[TDMF_STATE_COUNT];
     tdmf_guard guard;
 } driven_flow;
@@ -19,8 +19,8 @@ static long double guard_on_flow(long double t, const void *context) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         moved.state[i] += (double)t * flow->derivatives[i];
     }
-    moved.inputs.ground.friction += (double)t * flow->input_rates.friction;
-    moved.inputs.hip.external_torque += (double)t * flow->input_rates.external_torque;
+    moved.inputs.ground.friction += (double)t * flow->input_rates.ground.friction;
+    moved.inputs.hip.external_torque += (double)t * flow->input_rates.hip.external_torque;
     return (long double)scene_guard(&moved, flow->guard);
 }
 
@@ -44,10 +44,10 @@ static void assert_guard_rate(const driven_flow *flow, double rate) {
 }
 
 static void guard_rates_agree(const runner *runner) {
-    driven_flow flow = {
-        .runner = runner,
-        .input_rates = {.friction = 0.3 / runner->model.scales.time,
-                        .external_torque = -0.2 * runner->model.scales.energy / runner->model.scales.time}};
+    driven_flow flow = {.runner = runner,
+                        .input_rates = {.ground.friction = 0.3 / runner->model.scales.time,
+                                        .hip.external_torque =
+                                            -0.2 * runner->model.scales.energy / runner->model.scales.time}};
     tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, flow.derivatives);
     const tdmf_watch watch = tdmf_watch_guards(&runner->model, &runner->inputs, &flow.input_rates,
                                                &runner->mode, runner->state, flow.derivatives);

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_input_rates held = {0.0, 0.0};
+static const tdmf_inputs held = {{0.0}, {0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -214,7 +214,7 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
 
 static void a_ramp_is_the_limit_of_small_steps(void **state) {
     enum { PIECES = 4000 };
-    const tdmf_input_rates ramp = {-0.02, 1e-4};
+    const tdmf_inputs ramp = {{-0.02}, {1e-4}};
     const double until = 30.0;
     (void)state;
     const runner runner = runner_at_reference_apex(&reference_gaits[1]);
@@ -226,8 +226,8 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
     for (int i = 0; i < PIECES; ++i) {
         const double middle = until * (i + 0.5) / PIECES;
         tdmf_inputs inputs = runner.inputs;
-        inputs.ground.friction += ramp.friction * middle;
-        inputs.hip.external_torque += ramp.external_torque * middle;
+        inputs.ground.friction += ramp.ground.friction * middle;
+        inputs.hip.external_torque += ramp.hip.external_torque * middle;
         assert_int_equal(
             tdmf_native_advance(&solver, &runner.model, &inputs, &held, until * (i + 1) / PIECES, &stepped),
             TDMF_ARRIVED);
@@ -270,7 +270,7 @@ static void the_peak_force_is_the_largest_met(void **state) {
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
 static void a_friction_that_falls_ends_at_zero(void **state) {
     const double zero = 13.0, until = 20.0;
-    const tdmf_input_rates falling = {-0.6 / zero, 0.0};
+    const tdmf_inputs falling = {{-0.6 / zero}, {0.0}};
     (void)state;
     runner runner = runner_at_reference_apex(&reference_gaits[2]);
     runner.inputs.ground.friction = 0.6;
@@ -334,7 +334,7 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
 
 /* In flight and on the ground; a torque that is held and one that grows. */
 static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
-    static const tdmf_input_rates rates[] = {{0.0, 0.0}, {0.0, 2e-3}};
+    static const tdmf_inputs rates[] = {{{0.0}, {0.0}}, {{0.0}, {2e-3}}};
     (void)state;
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[2]);
@@ -388,7 +388,7 @@ static void a_fall_is_where_the_run_stays(void **state) {
 
 /* ---- calls that do nothing ---------------------------------------------------------------------------- */
 
-static void assert_refused(const runner *runner, double tolerance, tdmf_inputs inputs, tdmf_input_rates rates,
+static void assert_refused(const runner *runner, double tolerance, tdmf_inputs inputs, tdmf_inputs rates,
                            double until) {
     tdmf_motion motion = motion_of(runner);
     const tdmf_motion before = motion;
@@ -411,16 +411,16 @@ static void requests_without_sense_are_refused(void **state) {
     }
     for (size_t i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; ++i) {
         tdmf_inputs inputs = runner.inputs;
-        tdmf_input_rates rates = held;
+        tdmf_inputs rates = held;
         inputs.ground.friction = no_numbers[i];
         assert_refused(&runner, 1e-9, inputs, held, 30.0);
         inputs = runner.inputs;
         inputs.hip.external_torque = no_numbers[i];
         assert_refused(&runner, 1e-9, inputs, held, 30.0);
-        rates.friction = no_numbers[i];
+        rates.ground.friction = no_numbers[i];
         assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
         rates = held;
-        rates.external_torque = no_numbers[i];
+        rates.hip.external_torque = no_numbers[i];
         assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
     }
     assert_refused(&runner, 1e-9, runner.inputs, held, NAN);

@@ -8,10 +8,10 @@
 
 #include <string.h>
 
-typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_input_rates *,
+typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
                              double, tdmf_motion *);
 
-static const tdmf_input_rates held = {0.0, 0.0};
+static const tdmf_inputs held = {{0.0}, {0.0}};
 static const tdmf_change nothing_given = {0};
 
 static runner started(void) {

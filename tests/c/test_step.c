@@ -52,7 +52,7 @@ static double error_of(const tdmf_chart *from, const tdmf_coordinates *a, const 
 /* Steps on for as long as the leg makes sense, through settling and beyond, whatever events there are. */
 static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
-    static const tdmf_input_rates held = {0.0, 0.0};
+    static const tdmf_inputs held = {{0.0}, {0.0}};
     tdmf_chart chart;
     tdmf_chart_open(&chart, &runner->model, &runner->inputs, &held, &runner->mode, runner->state);
     for (int i = 0; i < STEPS; ++i) {

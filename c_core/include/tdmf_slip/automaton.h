@@ -67,7 +67,7 @@ typedef struct {
  * below zero in between. `derivatives` are those of the state, `input_rates` those of the inputs, NULL
  * where they are held. Not of a fallen run. */
 tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
-                             const tdmf_input_rates *input_rates, const tdmf_mode *mode,
+                             const tdmf_inputs *input_rates, const tdmf_mode *mode,
                              const double state[TDMF_STATE_COUNT],
                              const double derivatives[TDMF_STATE_COUNT]);
 

@@ -17,7 +17,7 @@ bool tdmf_cvode_is_available(void);
  * allocated and freed in each. Reads tolerance and limits from `options` and counts its work there. Where
  * SUNDIALS is missing, returns TDMF_REFUSED. */
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_input_rates *rates, double until, tdmf_motion *motion);
+                                const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
 #ifdef __cplusplus
 }

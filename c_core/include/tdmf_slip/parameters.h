@@ -33,7 +33,8 @@ typedef struct {
     } hip;
 } tdmf_parameters;
 
-/* What may change during a run. */
+/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
+ */
 typedef struct {
     struct {
         double friction; /* mu, of stick and slip alike */
@@ -42,12 +43,6 @@ typedef struct {
         double external_torque; /* N.m, added to the hip law */
     } hip;
 } tdmf_inputs;
-
-/* How fast the inputs change, per second; zero where they are held. */
-typedef struct {
-    double friction;
-    double external_torque; /* N.m/s */
-} tdmf_input_rates;
 
 /* The units of a scaled runner; every tolerance of the model is a pure number times one of these. */
 typedef struct {
@@ -89,7 +84,7 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
 tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 
 /* Inputs some time after those given; friction stops at 0. `rates` may be NULL: the inputs are held. */
-tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_input_rates *rates, double elapsed);
+tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
 
 /* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
  * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL if the

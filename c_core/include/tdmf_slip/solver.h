@@ -8,23 +8,15 @@
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
 
+#include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/state.h"
-#include "tdmf_slip/stride.h"
+#include "tdmf_slip/variation.h"
 
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* All that changes along a run; begin it with tdmf_start on its members. */
-typedef struct {
-    double time; /* s */
-    double state[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
-} tdmf_motion;
 
 /* An event that the solver has located and taken. */
 typedef struct {
@@ -75,7 +67,7 @@ tdmf_solver tdmf_solver_default(void);
  * range, inputs that are or will be, rates that are not finite, and a time before the present one or not a
  * number. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_input_rates *rates, double until, tdmf_motion *motion);
+                                 const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
 /* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
 typedef struct {
@@ -84,6 +76,20 @@ typedef struct {
 } tdmf_stride_outcome;
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion);
+
+/* As many directions are carried along at once: the section's six coordinates and two parameters. */
+enum { TDMF_VARIATION_LIMIT = 8 };
+
+/* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
+ * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
+ * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused. A run on the edge of an event, where a
+ * crossing is a touch, two events come together or a foot stands without friction, has no variation, nor has
+ * one by gains that are both zero under the clamp; values are then not finite. Steps are bounded by the
+ * variations, too. */
+tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
+                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                              const tdmf_change *changes, tdmf_variation *variations,
+                                              int count);
 
 /* An outcome in words. */
 const char *tdmf_outcome_text(tdmf_outcome outcome);

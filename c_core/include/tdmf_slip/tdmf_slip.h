@@ -14,6 +14,7 @@
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"
 #include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/motion.h"
 #include "tdmf_slip/orbit.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/parameters.h"

@@ -6,7 +6,6 @@
 #define TDMF_SLIP_VARIATION_H
 
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/solver.h"
 #include "tdmf_slip/state.h"
 
 #ifdef __cplusplus
@@ -25,20 +24,6 @@ typedef struct {
     double state[TDMF_STATE_COUNT];
     double liftoff_angle; /* of mode.liftoff_angle */
 } tdmf_variation;
-
-/* As many directions are carried along at once: the section's six coordinates and two parameters. */
-enum { TDMF_VARIATION_LIMIT = 8 };
-
-/* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
- * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
- * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused. A run on the edge of an event, where a
- * crossing is a touch, two events come together or a foot stands without friction, has no variation, nor has
- * one by gains that are both zero under the clamp; values are then not finite. Steps are bounded by the
- * variations, too. */
-tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
-                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                              const tdmf_change *changes, tdmf_variation *variations,
-                                              int count);
 
 /* What a start makes of a change of the values that it was given. */
 typedef struct {
