@@ -212,7 +212,7 @@ static inline void fly_on(flying_member *m, const flight_series *f, int order, r
     const real turned = dot(f->angle_rate, elapsed.integral, order - 1);
     m->now.work += m->inverse_mobility *
                    (a->gain * turned * (a->target - m->angle - 0.5 * turned) -
-                    a->rate_gain * dot(f->rate_square, elapsed.integral, order - 1) + a->push * turned);
+                    a->rate_gain * dot(f->rate_square, elapsed.integral, order - 1) + a->torque * turned);
     m->now.damper_loss += m->frame.damping * dot(f->speed_square, elapsed.integral, order - 1);
     m->length = dot(f->length, elapsed.power, order);
     m->length_rate = dot(f->length_rate, elapsed.power, order);
@@ -289,25 +289,26 @@ static inline void watch_mid_stance(lane_search *search, const standing_member *
 
 static inline void watch_lift_off(lane_search *search, const standing_member *m, const ground_series *g,
                                   int order) {
-    const guard_series press = {g->press, real_of(1.0), g->press[0], order - 1};
+    const guard_series press = {g->normal_force, real_of(1.0), g->normal_force[0], order - 1};
     watch(search, TDMF_GUARD_LIFT_OFF, search->live, &press, search->due_below * m->frame.force_scale);
 }
 
 /* mu f_y + f_x and mu f_y - f_x. */
 static inline void watch_cone(lane_search *search, const standing_member *m, const ground_series *g,
                               int order) {
-    const real room = m->cone_normal * (g->press[0] - spread_of(search, g->press, order - 1)) -
-                      m->cone_tangential * (real_abs(g->pull[0]) + spread_of(search, g->pull, order - 1));
+    const real room =
+        m->cone_normal * (g->normal_force[0] - spread_of(search, g->normal_force, order - 1)) -
+        m->cone_tangential * (real_abs(g->leg_force_x[0]) + spread_of(search, g->leg_force_x, order - 1));
     const choice near = search->live & ~(room > 0.0);
     if (!any(near)) {
         return;
     }
     for (int edge = 0; edge < 2; ++edge) {
         const real tangential = edge == 0 ? -m->cone_tangential : m->cone_tangential;
-        const real start = m->cone_normal * g->press[0] + tangential * g->pull[0];
+        const real start = m->cone_normal * g->normal_force[0] + tangential * g->leg_force_x[0];
         real distance[SERIES_TERMS];
         for (int k = 0; k < order; ++k) {
-            distance[k] = m->cone_normal * g->press[k] + tangential * g->pull[k];
+            distance[k] = m->cone_normal * g->normal_force[k] + tangential * g->leg_force_x[k];
         }
         const guard_series cone = {distance, real_of(1.0), start, order - 1};
         watch(search, edge == 0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near,
@@ -409,8 +410,8 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     lane_remainder remainder = {real_of(0.0), real_of(0.0)};
     const real start[GROUND_START_COUNT] = {m->x, m->y, m->vx, m->vy, m->foot_vx};
     expand_ground(&m->law, start, order, slips, grazes, g);
-    note_remainder(&remainder, g->press, order - 1, m->frame.force_scale);
-    note_remainder(&remainder, g->pull, order - 1, m->frame.force_scale);
+    note_remainder(&remainder, g->normal_force, order - 1, m->frame.force_scale);
+    note_remainder(&remainder, g->leg_force_x, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);
     const real longest = longest_ground_step(&m->law, slips || grazes, order);
     const real trusted = trusted_size(&remainder, longest, order - 1, tolerance);

@@ -25,7 +25,7 @@ typedef struct {
     real free_length;
     real gain, rate_gain; /* M G, M D */
     real target;
-    real push, push_rate; /* M tau_1, M tau_2 */
+    real torque, torque_rate; /* M tau_1, M tau_2 */
 } flight_coefficients;
 
 /* From length, angle, length rate and angle rate. */
@@ -60,9 +60,9 @@ static inline void expand_flight(const flight_coefficients *a, const real start[
         real torque = -a->gain * theta - a->rate_gain * w;
         if (k == 0) {
             force += a->stiffness * a->free_length;
-            torque += a->gain * a->target + a->push;
+            torque += a->gain * a->target + a->torque;
         } else if (k == 1) {
-            torque += a->push_rate;
+            torque += a->torque_rate;
         }
         r = v * series_reciprocal[k + 1];
         v = force * series_reciprocal[k + 1];

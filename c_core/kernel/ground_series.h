@@ -17,8 +17,8 @@ typedef struct {
     real length[SERIES_TERMS];               /* r */
     real square[SERIES_TERMS];               /* r^2 */
     real moment[SERIES_TERMS];               /* X V - Y U */
-    real press[SERIES_TERMS];                /* f_y, up to order - 1, as all that follows */
-    real pull[SERIES_TERMS];                 /* H */
+    real normal_force[SERIES_TERMS];         /* f_y, up to order - 1, as all that follows */
+    real leg_force_x[SERIES_TERMS];          /* H */
     real axial_y[SERIES_TERMS];              /* a Y */
     real angle_rate[SERIES_TERMS];           /* w */
     real torque[SERIES_TERMS];               /* tau */
@@ -151,13 +151,13 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
         expand_power(g, k, grazes, sum, &now);
         real lift = now.ay + now.bx;
         g->axial_y[k] = now.ay;
-        g->pull[k] = now.by - now.ax;
-        g->press[k] = grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
+        g->leg_force_x[k] = now.by - now.ax;
+        g->normal_force[k] = grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
         g->friction_power[k] = real_of(0.0);
         if (slips) {
-            friction = c->friction * g->press[k];
+            friction = c->friction * g->normal_force[k];
             if (k > 0) {
-                friction += c->friction_rate * g->press[k - 1];
+                friction += c->friction_rate * g->normal_force[k - 1];
             }
             g->friction_power[k] = friction * g->foot_vx[0];
             if (k > 0) {
@@ -165,7 +165,7 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
             }
         }
         if (free) {
-            acceleration = (g->pull[k] - friction) * c->inverse_foot_mass;
+            acceleration = (g->leg_force_x[k] - friction) * c->inverse_foot_mass;
             lever = y0 * acceleration;
             if (k > 0) {
                 lever += sum[Y_ACCELERATION] + now.acceleration0 * g->y[k];
@@ -189,7 +189,7 @@ static inline void expand_ground(const ground_coefficients *c, const real start[
         ground_keep(&g->factors, k, free, &factor);
         g->angle_rate[k] = now.w;
         g->foot_vx[k + 1] = acceleration * divide;
-        g->vx[k + 1] = -(g->pull[k] * c->inverse_body_mass + acceleration) * divide;
+        g->vx[k + 1] = -(g->leg_force_x[k] * c->inverse_body_mass + acceleration) * divide;
         lift = lift * c->inverse_body_mass;
         g->vy[k + 1] = (k == 0 ? lift - c->gravity : lift) * divide;
         g->moment[k + 1] = (g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k] + lever) * divide;

@@ -75,9 +75,9 @@ void tdmf_expand_flight_tangent(const tdmf_step *step, const flight_coefficients
                         change->rate_gain * f->angle_rate[k];
         if (k == 0) {
             d_force += c.stiffness * change->free_length + change->stiffness * c.free_length;
-            d_push += c.gain * change->target + change->gain * c.target + change->push;
+            d_push += c.gain * change->target + change->gain * c.target + change->torque;
         } else if (k == 1) {
-            d_push += change->push_rate;
+            d_push += change->torque_rate;
         }
         /* The torque is the push over the mobility M, whose change is in the push already. */
         torque[k] = (double)(k + 1) * f->momentum[k + 1] / mobility;
@@ -118,8 +118,8 @@ static void vary_leg(const tdmf_step *step, const ground_coefficients *c, const 
     }
     const double d_turning_x = varied_product(factors->turning, d->turning, g->x, t->x, k);
     const double d_turning_y = varied_product(factors->turning, d->turning, g->y, t->y, k);
-    t->press[k] = grazes ? 0.0 : t->axial_y[k] + d_turning_x + first * change->foot_weight;
-    t->pull[k] = d_turning_y - d_axial_x;
+    t->normal_force[k] = grazes ? 0.0 : t->axial_y[k] + d_turning_x + first * change->foot_weight;
+    t->leg_force_x[k] = d_turning_y - d_axial_x;
     d->moment[k] = varied_product(g->x, t->x, g->vy, t->vy, k) - varied_product(g->y, t->y, g->vx, t->vx, k);
     t->angle_rate[k] = varied_quotient(g->angle_rate, t->angle_rate, g->square, t->square, d->moment[k], k);
     t->power[k] = varied_product(factors->torque, d->torque, g->angle_rate, t->angle_rate, k);
@@ -133,14 +133,14 @@ static double vary_foot(const tdmf_step *step, const ground_coefficients *c,
     if (step->chart->contact == TDMF_CONTACT_STICK) {
         return 0.0;
     }
-    double d_friction = c->friction * t->press[k] + change->friction * g->press[k];
+    double d_friction = c->friction * t->normal_force[k] + change->friction * g->normal_force[k];
     double friction = factors->friction[k];
     if (step->chart->contact == TDMF_CONTACT_GRAZE) {
         d_friction = 0.0;
         friction = 0.0;
     }
-    return (t->pull[k] - d_friction) * c->inverse_foot_mass +
-           (g->pull[k] - friction) * change->inverse_foot_mass;
+    return (t->leg_force_x[k] - d_friction) * c->inverse_foot_mass +
+           (g->leg_force_x[k] - friction) * change->inverse_foot_mass;
 }
 
 void tdmf_expand_ground_tangent(const tdmf_step *step, const ground_coefficients *change,
@@ -179,12 +179,12 @@ void tdmf_expand_ground_tangent(const tdmf_step *step, const ground_coefficients
         vary_leg(step, &c, change, &factors, k, t, &d);
         const double d_acceleration = vary_foot(step, &c, change, &factors, k, t);
         /* What lifts the body is the ground force less the foot's weight; in graze, minus that weight. */
-        const double lift = (grazes ? 0.0 : g->press[k]) - first * c.foot_weight;
-        const double d_lift = t->press[k] - first * change->foot_weight;
+        const double lift = (grazes ? 0.0 : g->normal_force[k]) - first * c.foot_weight;
+        const double d_lift = t->normal_force[k] - first * change->foot_weight;
         t->foot_vx[k + 1] = d_acceleration * divide;
-        t->vx[k + 1] =
-            -(t->pull[k] * c.inverse_body_mass + g->pull[k] * change->inverse_body_mass + d_acceleration) *
-            divide;
+        t->vx[k + 1] = -(t->leg_force_x[k] * c.inverse_body_mass +
+                         g->leg_force_x[k] * change->inverse_body_mass + d_acceleration) *
+                       divide;
         t->vy[k + 1] =
             (d_lift * c.inverse_body_mass + lift * change->inverse_body_mass - first * change->gravity) *
             divide;

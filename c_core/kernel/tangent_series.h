@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
     double x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS], foot_vx[SERIES_TERMS],
-        length[SERIES_TERMS], square[SERIES_TERMS], press[SERIES_TERMS], pull[SERIES_TERMS],
+        length[SERIES_TERMS], square[SERIES_TERMS], normal_force[SERIES_TERMS], leg_force_x[SERIES_TERMS],
         axial_y[SERIES_TERMS], angle_rate[SERIES_TERMS], power[SERIES_TERMS];
 } ground_tangent;
 

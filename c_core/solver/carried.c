@@ -112,7 +112,7 @@ static flight_coefficients vary_flight_coefficients(const tdmf_chart *chart, con
         .target = retracts ? d->hip.liftoff_angle_factor * mode->liftoff_angle +
                                  p->hip.liftoff_angle_factor * carried->liftoff_angle
                            : d->hip.touchdown_angle,
-        .push = d_mobility * chart->torque + mobility * change->inputs.hip.external_torque,
+        .torque = d_mobility * chart->torque + mobility * change->inputs.hip.external_torque,
     };
     return varied;
 }

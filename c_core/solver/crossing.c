@@ -215,11 +215,11 @@ static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_inp
     const double friction = inputs->ground.friction;
     const double weight =
         tdmf_cone_of(fmax(friction, friction + rates->ground.friction * search->step->size)).tangential;
-    tdmf_polynomial room = scaled(g->press, weight * friction, search->step->order - 1);
-    add(&room, g->pull, -sign * weight);
+    tdmf_polynomial room = scaled(g->normal_force, weight * friction, search->step->order - 1);
+    add(&room, g->leg_force_x, -sign * weight);
     if (rates->ground.friction != 0.0) {
         for (int k = 1; k <= room.order; ++k) {
-            room.c[k] += weight * rates->ground.friction * g->press[k - 1];
+            room.c[k] += weight * rates->ground.friction * g->normal_force[k - 1];
         }
     }
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
@@ -230,16 +230,17 @@ static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_i
     const tdmf_step *step = search->step;
     const ground_series *g = &step->series.ground;
     const int order = step->order - 1;
-    const double press_spread = tdmf_spread(g->press, order, &step->reach);
-    if (!(g->press[0] > press_spread)) {
-        const tdmf_polynomial press = scaled(g->press, 1.0, order);
+    const double press_spread = tdmf_spread(g->normal_force, order, &step->reach);
+    if (!(g->normal_force[0] > press_spread)) {
+        const tdmf_polynomial press = scaled(g->normal_force, 1.0, order);
         watch(search, TDMF_GUARD_LIFT_OFF, &press, step->chart->model->scales.force, beyond);
     }
     if (!sticks) {
         return;
     }
-    const double room = inputs->ground.friction * (g->press[0] - press_spread) - fabs(g->pull[0]);
-    if (rates->ground.friction != 0.0 || !stays_above(search, room, g->pull, order)) {
+    const double room =
+        inputs->ground.friction * (g->normal_force[0] - press_spread) - fabs(g->leg_force_x[0]);
+    if (rates->ground.friction != 0.0 || !stays_above(search, room, g->leg_force_x, order)) {
         watch_cone(search, inputs, rates, 1.0);
         watch_cone(search, inputs, rates, -1.0);
     }
@@ -353,7 +354,8 @@ tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inpu
 
 tdmf_root tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to) {
     const tdmf_scales *scales = &step->chart->model->scales;
-    const tdmf_polynomial rate = derivative(step->series.ground.press, rising ? 1.0 : -1.0, step->order - 1);
+    const tdmf_polynomial rate =
+        derivative(step->series.ground.normal_force, rising ? 1.0 : -1.0, step->order - 1);
     return tdmf_first_root(&rate, &step->reach, 1.0, beyond_dead_band * scales->force / scales->time, from,
                            to);
 }

@@ -116,7 +116,8 @@ static void observe_ground_force(march *march, double end) {
         }
         from = turn.time;
         if (mode->ground_force_rising) {
-            *peak = fmax(*peak, series_at(march->step.series.ground.press, march->step.order - 1, from));
+            *peak =
+                fmax(*peak, series_at(march->step.series.ground.normal_force, march->step.order - 1, from));
         }
         mode->ground_force_rising = !mode->ground_force_rising;
     }

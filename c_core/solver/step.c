@@ -24,8 +24,8 @@ flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart) {
         .gain = mobility * chart->gain,
         .rate_gain = mobility * chart->rate_gain,
         .target = chart->target,
-        .push = mobility * chart->torque,
-        .push_rate = mobility * chart->torque_rate,
+        .torque = mobility * chart->torque,
+        .torque_rate = mobility * chart->torque_rate,
     };
     return coefficients;
 }
@@ -158,8 +158,8 @@ void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, doubl
         note_remainder(&remainder, step->series.flight.angle_rate, 1.0 / scales->time);
     } else {
         step->longest = expand_standing_leg(step);
-        note_remainder(&remainder, step->series.ground.press, scales->force);
-        note_remainder(&remainder, step->series.ground.pull, scales->force);
+        note_remainder(&remainder, step->series.ground.normal_force, scales->force);
+        note_remainder(&remainder, step->series.ground.leg_force_x, scales->force);
         note_remainder(&remainder, step->series.ground.foot_vx, scales->speed);
     }
     const double *length = flies ? step->series.flight.length : step->series.ground.length;
