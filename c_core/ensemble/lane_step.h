@@ -5,20 +5,9 @@
 
 #include "lane_math.h"
 #include "lane_search.h"
+#include "margins.h"
 
 #include "members.h"
-
-/* How far below zero a guard is due, in its scale: so far that the model, which knows the coordinates only up
- * to the tolerance, finds it due as well, and does not send the runner back. */
-static inline double due_below(double tolerance) {
-    return -2.0 * TDMF_GUARD_MARGIN - 1e-3 * tolerance;
-}
-
-/* A remembered sign turns beyond its dead band. */
-static const double beyond_dead_band = -2e-10;
-
-/* Share of its unit up to which the clamp's argument counts as zero in graze. */
-static const double zero_argument = 1e-12;
 
 /* What a step has come to. */
 typedef struct {
@@ -135,7 +124,7 @@ static inline real begin_search(lane_search *search, const member_progress *now,
     const real summed = size_for_loss(frame, speed_square, trusted, order - 1, tolerance);
     const real size = smaller(frame->time_left - now->elapsed, summed);
     return search_without_pole(search, size, length, order, live,
-                               due_below(tolerance) * frame->margin_factor);
+                               tdmf_beyond_margin(tolerance) * frame->margin_factor);
 }
 
 static inline void watch_length(lane_search *search, const member_frame *frame, const real *length, int order,
@@ -202,7 +191,8 @@ static inline void watch_clamp(lane_search *search, const flying_member *m, cons
         argument[k] = -m->kp * f->angle[k] - m->kd * f->angle_rate[k];
     }
     const guard_series g = {argument, real_of(1.0), argument[0] + m->kp * m->target, order - 1};
-    watch(search, TDMF_GUARD_CLAMP, search->live, &g, beyond_dead_band * m->frame.energy_scale);
+    watch(search, TDMF_GUARD_CLAMP, search->live, &g,
+          TDMF_BEYOND_DEAD_BAND * m->frame.margin_factor * m->frame.energy_scale);
 }
 
 static inline void fly_on(flying_member *m, const flight_series *f, int order, real t) {
@@ -356,7 +346,7 @@ static inline void watch_press(lane_search *search, const standing_member *m, co
 static inline void watch_graze(lane_search *search, const standing_member *m, const ground_series *g,
                                int order) {
     const choice retracts = m->rise_share > 0.0;
-    const real zero = zero_argument * m->frame.energy_scale;
+    const real zero = TDMF_ZERO_CLAMP_ARGUMENT * m->frame.energy_scale;
     real lever[SERIES_TERMS], law[SERIES_TERMS], stance[SERIES_TERMS];
     const guard_series rise = {g->vy, m->rise_share, m->rise_share * g->vy[0], order};
     watch(search, TDMF_GUARD_APEX, retracts, &rise, search->due_below * m->frame.speed_scale);

@@ -14,7 +14,7 @@ typedef struct {
 /* What does not. */
 typedef struct {
     real time_left;     /* when the runner came; its stride is given up then */
-    real margin_factor; /* of guards, see crossing.h */
+    real margin_factor; /* of guards, see margins.h */
     real min_length, damping, gravity;
     real length_scale, time_scale, speed_scale, force_scale, energy_scale;
 } member_frame;

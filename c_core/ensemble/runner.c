@@ -2,8 +2,8 @@
 #include "runner.h"
 
 #include "cone.h"
-#include "crossing.h"
 #include "input_rates.h"
+#include "margins.h"
 #include "scalar_series.h"
 #include "step.h"
 #include "tdmf_slip/automaton.h"

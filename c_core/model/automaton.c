@@ -1,6 +1,7 @@
 /* Start of a run, and the resolution of events. */
 #include "tdmf_slip/automaton.h"
 
+#include "margins.h"
 #include "ranges.h"
 #include "record.h"
 #include "tdmf_slip/contact.h"
@@ -11,9 +12,6 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-/* In units of l0 sqrt(k/m): a start in flight this near to vy_c = 0 is an apex. */
-static const double apex_at_start = 1e-12;
 
 static tdmf_refusal check_time(double time) {
     const tdmf_refusal refusal = {.variable = isfinite(time) ? NULL : "time",
@@ -80,7 +78,8 @@ static void begin(tdmf_run *run) {
         tdmf_come_to_ground(run);
     }
     const double rise = tdmf_center_of_mass(run->model, run->state).vy;
-    if (run->mode->contact == TDMF_CONTACT_FLIGHT && fabs(rise) <= apex_at_start * run->model->scales.speed) {
+    if (run->mode->contact == TDMF_CONTACT_FLIGHT &&
+        fabs(rise) <= TDMF_APEX_AT_START * run->model->scales.speed) {
         tdmf_reach_apex(run);
     }
 }

@@ -19,19 +19,13 @@
 #include "tdmf_slip/graze.h"
 
 #include "leg.h"
+#include "margins.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/hip.h"
 
-/* At lift-off P(stance) is 0 up to rounding. Where the laws agree to within this (in units of k l0), a graze
- * would have no width and the run would go round in it for ever. */
-static const double narrowest_graze = 1e-10;
-
-/* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
-static const double smallest_sine = 1e-12;
-
 double tdmf_leg_graze_sine(const tdmf_leg *leg) {
-    return copysign(fmax(fabs(leg->sine), smallest_sine), leg->sine);
+    return copysign(fmax(fabs(leg->sine), TDMF_SMALLEST_SINE), leg->sine);
 }
 
 double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg) {
@@ -76,7 +70,7 @@ static tdmf_foot_fate fate_under_upright_leg(const tdmf_model *model, const tdmf
 tdmf_foot_fate tdmf_fate_at_rest(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
     const double press = tdmf_stance_press(model, inputs, off_ground, state);
-    if (fabs(sin(state[TDMF_LEG_ANGLE])) <= smallest_sine) {
+    if (fabs(sin(state[TDMF_LEG_ANGLE])) <= TDMF_SMALLEST_SINE) {
         return fate_under_upright_leg(model, inputs, off_ground, press, state);
     }
     if (press > 0.0) {
@@ -88,5 +82,5 @@ tdmf_foot_fate tdmf_fate_at_rest(const tdmf_model *model, const tdmf_inputs *inp
 tdmf_foot_fate tdmf_fate_at_lift_off(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
     const double press = tdmf_flight_press(model, inputs, off_ground, state);
-    return press > narrowest_graze * model->scales.force ? TDMF_FOOT_GRAZES : TDMF_FOOT_LEAVES;
+    return press > TDMF_NARROWEST_GRAZE * model->scales.force ? TDMF_FOOT_GRAZES : TDMF_FOOT_LEAVES;
 }

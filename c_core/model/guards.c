@@ -4,10 +4,8 @@
 #include "cone.h"
 #include "input_rates.h"
 #include "leg.h"
+#include "margins.h"
 #include "tdmf_slip/hip.h"
-
-/* Half-width of the band around zero in which a quantity that may settle there counts as unchanged. */
-static const double dead_band = 1e-10;
 
 static double armed(double value, double scale) {
     return value / scale + TDMF_GUARD_MARGIN;
@@ -15,7 +13,7 @@ static double armed(double value, double scale) {
 
 /* For a sign that is remembered: `value` reaches the far edge of the dead band. */
 static double armed_against_turning(double value, double scale, bool negative) {
-    return (negative ? -value : value) / scale + dead_band;
+    return (negative ? -value : value) / scale + TDMF_DEAD_BAND;
 }
 
 /* Height of the body and vertical velocity of the centre of mass, from one sine and cosine. */

@@ -6,20 +6,13 @@
 
 #include "cone.h"
 #include "first_root.h"
+#include "margins.h"
 #include "tdmf_slip/hip.h"
-
-/* A guard is due at -TDMF_GUARD_MARGIN of its scale. */
-static const double beyond = -2.0 * TDMF_GUARD_MARGIN;
-
-/* Edge of the dead band of signs that are remembered; see guards.c. */
-static const double beyond_dead_band = -2e-10;
-
-/* Share of its unit up to which a power's factor counts as zero. */
-static const double zero_power = 1e-14;
 
 typedef struct {
     const tdmf_step *step;
     double margin_factor;
+    double beyond_margin; /* where a guard is due */
     tdmf_crossing first;
 } search;
 
@@ -91,7 +84,7 @@ static void watch_length(search *search, const double *length) {
     const tdmf_model *model = search->step->chart->model;
     tdmf_polynomial p = scaled(length, 1.0, search->step->order);
     p.c[0] -= model->parameters.leg.min_length;
-    watch(search, TDMF_GUARD_LEG_TOO_SHORT, &p, model->scales.length, beyond);
+    watch(search, TDMF_GUARD_LEG_TOO_SHORT, &p, model->scales.length, search->beyond_margin);
 }
 
 /* ---- flight ------------------------------------------------------------------------------------------- */
@@ -157,8 +150,8 @@ static void watch_heights(search *search, double longest) {
     const double curvature = -0.5 * chart->model->parameters.gravity;
     add_parabola(&foot, chart->com_y, chart->com_vy, curvature);
     add_parabola(&body, chart->com_y, chart->com_vy, curvature);
-    watch(search, TDMF_GUARD_TOUCHDOWN, &foot, length, beyond);
-    watch(search, TDMF_GUARD_BODY_DOWN, &body, length, beyond);
+    watch(search, TDMF_GUARD_TOUCHDOWN, &foot, length, search->beyond_margin);
+    watch(search, TDMF_GUARD_BODY_DOWN, &body, length, search->beyond_margin);
 }
 
 static void watch_flight(search *search, const tdmf_mode *mode) {
@@ -175,13 +168,13 @@ static void watch_flight(search *search, const tdmf_mode *mode) {
         return;
     }
     const tdmf_polynomial rise = {{chart->com_vy, -model->parameters.gravity, 0.0}, 2};
-    watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, beyond);
+    watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, search->beyond_margin);
     const double sign = mode->clamp_closed ? -1.0 : 1.0;
     tdmf_polynomial clamp = scaled(f->angle, -sign * model->parameters.hip.kp, step->order - 1);
     add(&clamp, f->angle_rate, -sign * model->parameters.hip.kd);
     clamp.c[0] +=
         sign * model->parameters.hip.kp * model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-    watch(search, TDMF_GUARD_CLAMP, &clamp, model->scales.energy, beyond_dead_band);
+    watch(search, TDMF_GUARD_CLAMP, &clamp, model->scales.energy, TDMF_BEYOND_DEAD_BAND);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -192,7 +185,7 @@ static void watch_standing_leg(search *search) {
     const ground_series *g = &step->series.ground;
     if (!stays_above(search, g->y[0], g->y, step->order)) {
         const tdmf_polynomial body = scaled(g->y, 1.0, step->order);
-        watch(search, TDMF_GUARD_BODY_DOWN, &body, model->scales.length, beyond);
+        watch(search, TDMF_GUARD_BODY_DOWN, &body, model->scales.length, search->beyond_margin);
     }
     if (!stays_above(search, g->length[0] - model->parameters.leg.min_length, g->length, step->order)) {
         watch_length(search, g->length);
@@ -206,7 +199,7 @@ static void watch_mid_stance(search *search) {
         return;
     }
     const tdmf_polynomial ahead = scaled(g->x, -1.0, search->step->order);
-    watch(search, TDMF_GUARD_MID_STANCE, &ahead, 2.0 * g->length[0], beyond);
+    watch(search, TDMF_GUARD_MID_STANCE, &ahead, 2.0 * g->length[0], search->beyond_margin);
 }
 
 /* mu f_y + sign f_x, by the weights of the largest friction in the step. */
@@ -223,7 +216,7 @@ static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_inp
         }
     }
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
-          search->step->chart->model->scales.force, beyond);
+          search->step->chart->model->scales.force, search->beyond_margin);
 }
 
 static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates, bool sticks) {
@@ -233,7 +226,7 @@ static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_i
     const double press_spread = tdmf_spread(g->normal_force, order, &step->reach);
     if (!(g->normal_force[0] > press_spread)) {
         const tdmf_polynomial press = scaled(g->normal_force, 1.0, order);
-        watch(search, TDMF_GUARD_LIFT_OFF, &press, step->chart->model->scales.force, beyond);
+        watch(search, TDMF_GUARD_LIFT_OFF, &press, step->chart->model->scales.force, search->beyond_margin);
     }
     if (!sticks) {
         return;
@@ -258,7 +251,8 @@ static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_
     }
     if (sign != 0.0 && !stays_above(search, sign * g->foot_vx[0], g->foot_vx, step->order)) {
         const tdmf_polynomial speed = scaled(g->foot_vx, sign, step->order);
-        watch(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, &speed, step->chart->model->scales.speed, beyond);
+        watch(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, &speed, step->chart->model->scales.speed,
+              search->beyond_margin);
     }
 }
 
@@ -304,7 +298,7 @@ static void watch_press(search *search, const tdmf_inputs *rates, const double l
     }
     add_product(&press, law.c, lever);
     watch(search, sign > 0.0 ? TDMF_GUARD_GRAZE_TO_FLIGHT : TDMF_GUARD_GRAZE_TO_CONTACT, &press,
-          chart->model->scales.force, beyond);
+          chart->model->scales.force, search->beyond_margin);
 }
 
 static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mode *mode) {
@@ -313,7 +307,7 @@ static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mod
     const tdmf_model *model = chart->model;
     const ground_series *g = &step->series.ground;
     const int order = step->order - 1;
-    const double zero = 1e-12 * model->scales.energy;
+    const double zero = TDMF_ZERO_CLAMP_ARGUMENT * model->scales.energy;
     double lever[SERIES_TERMS];
     tdmf_polynomial flight = flight_law(step, mode, atan2(-chart->start.x, chart->start.y) + chart->turn);
     const double closed[SERIES_TERMS] = {0.0};
@@ -324,7 +318,7 @@ static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mod
     if (mode->phase == TDMF_PHASE_RETRACT) {
         const tdmf_polynomial rise =
             scaled(g->vy, model->parameters.body.mass / model->total_mass, step->order);
-        watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, beyond);
+        watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, search->beyond_margin);
         tdmf_root kink = tdmf_first_sign_change(&flight, &step->reach, zero, 0.0, step->size);
         kink.is_root = false;
         note(search, TDMF_GUARD_CLAMP, kink);
@@ -341,7 +335,8 @@ static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mod
 
 tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                                   const tdmf_mode *mode, double margin_factor) {
-    search search = {step, margin_factor, {{INFINITY, false}, TDMF_GUARD_COUNT}};
+    search search = {
+        step, margin_factor, tdmf_beyond_margin(step->tolerance), {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);
     } else if (mode->contact == TDMF_CONTACT_GRAZE) {
@@ -356,8 +351,8 @@ tdmf_root tdmf_force_turn(const tdmf_step *step, bool rising, double from, doubl
     const tdmf_scales *scales = &step->chart->model->scales;
     const tdmf_polynomial rate =
         derivative(step->series.ground.normal_force, rising ? 1.0 : -1.0, step->order - 1);
-    return tdmf_first_root(&rate, &step->reach, 1.0, beyond_dead_band * scales->force / scales->time, from,
-                           to);
+    return tdmf_first_root(&rate, &step->reach, 1.0, TDMF_BEYOND_DEAD_BAND * scales->force / scales->time,
+                           from, to);
 }
 
 bool tdmf_power_keeps_sign(const tdmf_step *step) {
@@ -386,7 +381,8 @@ tdmf_root tdmf_power_turn(const tdmf_step *step, double from, double to) {
     const tdmf_polynomial torque = flies ? derivative(step->series.flight.momentum, 1.0, step->order)
                                          : scaled(step->series.ground.torque, 1.0, step->order - 1);
     const double inverse_mobility = scales->length * scales->length / scales->time;
-    return sooner(tdmf_first_sign_change(&momentum, &step->reach, zero_power * inverse_mobility, from, to),
-                  tdmf_first_sign_change(&torque, &step->reach, zero_power * inverse_mobility / scales->time,
-                                         from, to));
+    return sooner(
+        tdmf_first_sign_change(&momentum, &step->reach, TDMF_ZERO_POWER * inverse_mobility, from, to),
+        tdmf_first_sign_change(&torque, &step->reach, TDMF_ZERO_POWER * inverse_mobility / scales->time, from,
+                               to));
 }

@@ -11,12 +11,6 @@ typedef struct {
     tdmf_guard guard;
 } tdmf_crossing;
 
-/* How much further below zero a guard has to be after false crossings: those that a series has found and the
- * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
-static inline double tdmf_margin_factor(int false_crossings) {
-    return ldexp(1.0, false_crossings);
-}
-
 /* The first time within the step at which the mode, the phase or the clamp has to change, guards being due
  * `margin_factor` times as far below zero as at first. Without one, the time up to which the step may be
  * used: a law has a kink there, a guard is known no further, or the search took too long; else infinity. */

@@ -6,6 +6,7 @@
 #include "crossing.h"
 #include "event_log.h"
 #include "input_rates.h"
+#include "margins.h"
 #include "record.h"
 #include "request.h"
 #include "saltation.h"

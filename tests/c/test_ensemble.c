@@ -131,18 +131,18 @@ static bool took_the_same_way(const tdmf_ensemble_end *a, const tdmf_ensemble_en
     return a->fate == b->fate && a->strides == b->strides && a->word_code == b->word_code;
 }
 
-/* Some strides magnify the least error: of legs that spin, touch the ground at a tangent, or bounce a dozen
- * times before they stand. They show by what the native solver makes of a tighter tolerance, and the few that
- * take another way in lanes are counted. */
-static bool is_well_posed(const tdmf_model *model, const tdmf_ensemble_end *native,
-                          const tdmf_ensemble_end *tighter) {
+/* How far the native solver's ends at two tolerances are apart, in the scales of the section. Some strides
+ * magnify the least error: of legs that spin, touch the ground at a tangent, or bounce a dozen times before
+ * they stand. */
+static double spread_of(const tdmf_model *model, const tdmf_ensemble_end *native,
+                        const tdmf_ensemble_end *tighter) {
     double section[TDMF_SECTION_COUNT];
     double farthest = 0.0;
     tdmf_section_scales(model, section);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         farthest = fmax(farthest, fabs(native->apex[i] - tighter->apex[i]) / section[i]);
     }
-    return took_the_same_way(native, tighter) && farthest < 1e-8;
+    return farthest;
 }
 
 /* How many there are here; the best is always one of those that follow it. */
@@ -152,11 +152,6 @@ static int instruction_sets(int first) {
         count += tdmf_has_instructions((tdmf_instructions)set);
     }
     return count;
-}
-
-/* The solver gave it up at one tolerance at least. */
-static bool is_unsolved(const tdmf_ensemble_end *native, const tdmf_ensemble_end *tighter) {
-    return native->fate == TDMF_FATE_UNSOLVED || tighter->fate == TDMF_FATE_UNSOLVED;
 }
 
 static void assert_agreement(crowd *crowd, double tolerance) {
@@ -173,17 +168,19 @@ static void assert_agreement(crowd *crowd, double tolerance) {
         }
         crowd->ensemble.instructions = (tdmf_instructions)set;
         tdmf_ensemble_end *lanes = run(&crowd->ensemble, NULL);
-        int compared = 0, unsolved = 0;
+        int compared = 0;
         for (int i = 0; i < RUNNERS; ++i) {
-            unsolved += is_unsolved(&native[i], &tighter[i]);
-            if (is_well_posed(&crowd->models[i], &native[i], &tighter[i]) &&
-                took_the_same_way(&lanes[i], &native[i])) {
-                assert_same_end(&crowd->models[i], &lanes[i], &native[i], tolerance);
+            const tdmf_model *model = &crowd->models[i];
+            if (took_the_same_way(&native[i], &tighter[i])) {
+                const double magnified = 1e3 * spread_of(model, &native[i], &tighter[i]);
+                assert_true(took_the_same_way(&lanes[i], &native[i]));
+                assert_same_end(model, &lanes[i], &native[i], fmax(tolerance, magnified));
+                assert_int_not_equal(native[i].fate, TDMF_FATE_UNSOLVED);
                 ++compared;
             }
         }
         ++sets;
-        assert_true(unsolved <= 0.01 * RUNNERS && compared + unsolved >= 0.99 * RUNNERS);
+        assert_true(compared >= 0.998 * RUNNERS);
         free(lanes);
     }
     assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));

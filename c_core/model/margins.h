@@ -1,0 +1,45 @@
+/* How near to zero counts as zero: the margins and dead bands of all events, each in units of its quantity's
+ * scale. That of guards, TDMF_GUARD_MARGIN, is public. */
+#ifndef TDMF_MODEL_MARGINS_H
+#define TDMF_MODEL_MARGINS_H
+
+#include "tdmf_slip/automaton.h"
+
+#include <math.h>
+
+/* Half-width of the band around zero in which a quantity that may settle there counts as unchanged. */
+#define TDMF_DEAD_BAND 1e-10
+
+/* Where a solver takes a quantity whose sign is remembered to have left its dead band. */
+#define TDMF_BEYOND_DEAD_BAND (-2.0 * TDMF_DEAD_BAND)
+
+/* Where a solver takes a guard to be due: beyond its margin, and so far that the model, which gets
+ * coordinates as exact as the solver's relative tolerance, finds it due as well. */
+static inline double tdmf_beyond_margin(double tolerance) {
+    return -2.0 * TDMF_GUARD_MARGIN - 1e-3 * tolerance;
+}
+
+/* How much further below zero a guard has to be after false crossings: those that a series has found and the
+ * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
+static inline double tdmf_margin_factor(int false_crossings) {
+    return ldexp(1.0, false_crossings);
+}
+
+/* A start in flight with a vertical velocity of the centre of mass up to this is an apex. */
+#define TDMF_APEX_AT_START 1e-12
+
+/* At lift-off P(stance) is 0 up to rounding. Where the laws agree to within this, a graze would have no width
+ * and the run would go round in it for ever. */
+#define TDMF_NARROWEST_GRAZE 1e-10
+
+/* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
+#define TDMF_SMALLEST_SINE 1e-12
+
+/* The argument of the clamp up to which it counts as zero in graze, where its sign at the start of a step
+ * tells which side of the kink the law is on. */
+#define TDMF_ZERO_CLAMP_ARGUMENT 1e-12
+
+/* The factors of the hip's power up to which they count as zero. */
+#define TDMF_ZERO_POWER 1e-14
+
+#endif
