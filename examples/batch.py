@@ -9,7 +9,7 @@ this machine's processors; with one, among the workers of any Dask cluster that 
 import argparse
 import itertools
 
-from tdmf_slip import batch
+import tdmf_slip
 
 DAMPINGS = (0.1, 0.2, 0.3)
 FRICTIONS = (0.2, 0.43, 0.6, 1.2)
@@ -30,7 +30,7 @@ def main():
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster")
     parser.add_argument("--output", metavar="FILE.nc", help="write all results as NetCDF")
     options = parser.parse_args()
-    runs = batch.run(table(), strides=STRIDES, scheduler=options.scheduler, show_progress=True)
+    runs = tdmf_slip.run_batch(table(), strides=STRIDES, scheduler=options.scheduler, show_progress=True)
     print(f"{'damping':>8} {'friction':>9}  {'word':8} {'speed':>7} {'cost of transport':>18}")
     columns = ("leg.damping", "ground.friction", "word", "speed", "cost_of_transport")
     for damping, friction, word, speed, cost in zip(*(runs[name].values for name in columns), strict=True):

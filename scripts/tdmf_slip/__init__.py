@@ -4,9 +4,15 @@
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
     >>> run.stride["word"], run.fallen
 
-`simulate` runs the FMI unit once, `periodic_gait` runs it until its strides repeat, `validate` compares the
-five gaits that the paper publishes; `fmu_path` is the unit itself, for any other importer. What is loaded is
-what is used: the names and their modules are in `__init__.pyi`.
+`simulate` runs the FMI unit once and `run_batch` many times; `find_orbit` finds the periodic gait of a
+`Runner` with its eigenvalues, `sweep` gaits over a range of friction, `basin` what a gait attracts, and
+`run_ensemble` follows many runners at once; `validate` compares with what the paper publishes. `fmu_path` is
+the unit itself, for any other importer.
+
+The sub-packages, each of which knows those before it only: `terminal`, `files` and `blocks`, which know
+nothing of runners; `unit`, `library`, `analysis`, `pictures`; `paper` and `bench`; `cli`, the command line.
+
+What is loaded is what is used: the names and their modules are in `__init__.pyi`.
 """
 
 import lazy_loader

@@ -1,24 +1,35 @@
+from .analysis.basin import basin
+from .analysis.sweep import Sweep, sweep
 from .errors import InputError, RunError, TdmfSlipError
-from .gait import Gait, periodic_gait
-from .parameters import read_parameters
-from .simulation import Run, simulate
-from .unit import Unit, fmu_path, load
-from .validation import Validation, validate
+from .library.ensemble import run_ensemble
+from .library.orbit import Orbit, find_orbit
+from .library.runner import Runner
+from .paper.validation import Validation, validate
+from .unit.batch import run_batch
+from .unit.parameters import read_parameters
+from .unit.simulation import Run, simulate
+from .unit.unit import Unit, fmu_path, load
 from .version import __version__
 
 __all__ = [
-    "Gait",
     "InputError",
+    "Orbit",
     "Run",
     "RunError",
+    "Runner",
+    "Sweep",
     "TdmfSlipError",
     "Unit",
     "Validation",
     "__version__",
+    "basin",
+    "find_orbit",
     "fmu_path",
     "load",
-    "periodic_gait",
     "read_parameters",
+    "run_batch",
+    "run_ensemble",
     "simulate",
+    "sweep",
     "validate",
 ]

@@ -3,14 +3,14 @@
 import signal
 import sys
 
-from . import interrupts
+from .terminal import interrupts
 
 
 def main() -> int:
     """Run the command line; the exit status. An interrupt waits until modules are loaded, half a second."""
     try:
         with interrupts.held():
-            from . import command
+            from .cli import main as command
     except KeyboardInterrupt:
         print("tdmf-slip: interrupted", file=sys.stderr)
         return 130

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
-from tdmf_slip import section
-from tdmf_slip.command import main
+from tdmf_slip.cli.main import main
+from tdmf_slip.unit import section
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -42,8 +42,8 @@ def unpacked(fmu, tmp_path_factory):
 
 
 def reference_gaits():
-    text = importlib.resources.files("tdmf_slip").joinpath("data/gaits.json").read_text(encoding="utf-8")
-    return json.loads(text)["gaits"]
+    file = importlib.resources.files("tdmf_slip.paper").joinpath("reference_gaits.json")
+    return json.loads(file.read_text(encoding="utf-8"))["gaits"]
 
 
 def apex_start(apex):

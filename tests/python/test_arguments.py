@@ -3,23 +3,12 @@
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip import (
-    InputError,
-    attraction,
-    basin,
-    batch,
-    blocks,
-    borders,
-    continuation,
-    ensemble,
-    gait,
-    inputs,
-    orbit,
-    parameters,
-    section,
-    sweep,
-)
-from tdmf_slip.orbit import Runner, find_orbit
+from tdmf_slip import InputError, Runner, find_orbit
+from tdmf_slip.analysis import attraction, basin, borders, continuation, grid, search, sweep
+from tdmf_slip.blocks import running
+from tdmf_slip.library import ensemble, return_map
+from tdmf_slip.paper import settling
+from tdmf_slip.unit import batch, inputs, parameters, section
 
 FRICTION = "ground.friction"
 START = {FRICTION: 0.2}
@@ -39,13 +28,13 @@ def found(runner):
 
 TAKE_A_RUNNER = {
     "find_orbit": lambda given, found: find_orbit(given).apex,
-    "stride_from": lambda given, found: orbit.stride_from(given, found.apex, FRICTION)[0],
+    "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
     "Case": lambda given, found: ensemble.Case(given).runner.values,
-    "run": lambda given, found: ensemble.run([given], [found.apex], most_strides=2)[0]["apex"],
-    "first_orbit": lambda given, found: sweep.first_orbit(given).apex,
+    "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], most_strides=2)[0]["apex"],
+    "first_orbit": lambda given, found: search.first_orbit(given).apex,
     "sweep": lambda given, found: sweep.sweep(given, [0.3]).orbits[0].apex,
     "grid": lambda given, found: (
-        sweep.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
+        grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
@@ -86,21 +75,21 @@ WRONG = [
     lambda r, o: r.but(FRICTION, None),
     lambda r, o: r.but(FRICTION, [1, 2]),
     lambda r, o: Runner(r.values, "x").solver(),
-    lambda r, o: ensemble.run(r, [o.apex], most_strides=2),
-    lambda r, o: ensemble.run(ensemble.Case(r), [o.apex], most_strides=2),
-    lambda r, o: ensemble.run(None, [o.apex], most_strides=2),
+    lambda r, o: ensemble.run_ensemble(r, [o.apex], most_strides=2),
+    lambda r, o: ensemble.run_ensemble(ensemble.Case(r), [o.apex], most_strides=2),
+    lambda r, o: ensemble.run_ensemble(None, [o.apex], most_strides=2),
     lambda r, o: ensemble.Case(r, o),
     lambda r, o: sweep.sweep(r, 0.3),
     lambda r, o: sweep.sweep(r, "0.3:1:3"),
     lambda r, o: sweep.sweep(r, ["x"]),
     lambda r, o: sweep.sweep(r, []),
     lambda r, o: sweep.sweep(r, [[0.3]]),
-    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [], "g.nc"),
-    lambda r, o: sweep.grid(r, [0.3], "leg.damping", 0.2, "g.nc"),
-    lambda r, o: sweep.grid(r, [0.3], "leg.damping", ["x"], "g.nc"),
-    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [0.2], "missing/g.nc"),
-    lambda r, o: sweep.grid(r, [0.3], "leg.damping", [0.2], 3),
-    lambda r, o: sweep.grid(r, [0.3], "solver.relative_tolerance", [0.2], "g.nc"),
+    lambda r, o: grid.grid(r, [0.3], "leg.damping", [], "g.nc"),
+    lambda r, o: grid.grid(r, [0.3], "leg.damping", 0.2, "g.nc"),
+    lambda r, o: grid.grid(r, [0.3], "leg.damping", ["x"], "g.nc"),
+    lambda r, o: grid.grid(r, [0.3], "leg.damping", [0.2], "missing/g.nc"),
+    lambda r, o: grid.grid(r, [0.3], "leg.damping", [0.2], 3),
+    lambda r, o: grid.grid(r, [0.3], "solver.relative_tolerance", [0.2], "g.nc"),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, 0.3, o)),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], r)),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], o.apex)),
@@ -138,25 +127,25 @@ WRONG = [
     lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
     lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
     lambda r, o: tdmf_slip.simulate(unit=3, stop_time=1),
-    lambda r, o: tdmf_slip.periodic_gait(0.6, "human"),
-    lambda r, o: tdmf_slip.periodic_gait(0.6, r),
-    lambda r, o: tdmf_slip.periodic_gait(0.6, most_strides="x"),
-    lambda r, o: tdmf_slip.periodic_gait(0.6, relative_tolerance="x"),
-    lambda r, o: tdmf_slip.periodic_gait(START),
+    lambda r, o: settling.periodic_gait(0.6, "human"),
+    lambda r, o: settling.periodic_gait(0.6, r),
+    lambda r, o: settling.periodic_gait(0.6, most_strides="x"),
+    lambda r, o: settling.periodic_gait(0.6, relative_tolerance="x"),
+    lambda r, o: settling.periodic_gait(START),
     lambda r, o: tdmf_slip.read_parameters(3),
     lambda r, o: parameters.read_gait("none.json"),
     lambda r, o: tdmf_slip.load(3),
     lambda r, o: tdmf_slip.fmu_path([2]),
-    lambda r, o: batch.run(START, strides=1),
-    lambda r, o: batch.run(iter([START]), strides=1),
-    lambda r, o: batch.run([3], strides=1),
-    lambda r, o: batch.run([START], strides=0),
-    lambda r, o: batch.run([START], strides=1, interface="x"),
-    lambda r, o: batch.run([START], strides=1, relative_tolerance=5),
+    lambda r, o: batch.run_batch(START, strides=1),
+    lambda r, o: batch.run_batch(iter([START]), strides=1),
+    lambda r, o: batch.run_batch([3], strides=1),
+    lambda r, o: batch.run_batch([START], strides=0),
+    lambda r, o: batch.run_batch([START], strides=1, interface="x"),
+    lambda r, o: batch.run_batch([START], strides=1, relative_tolerance=5),
     lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load()),
     lambda r, o: section.start_values(tdmf_slip.load(), [1, 2]),
     lambda r, o: section.apex_of(START),
-    lambda r, o: blocks.run(abs, [1, 2], workers="x").__enter__(),
+    lambda r, o: running.run_blocks(abs, [1, 2], workers="x").__enter__(),
 ]
 
 
@@ -185,8 +174,8 @@ def test_values_may_be_texts_with_a_unit(runner, found, tmp_path):
     assert runner.but(angle, "42 deg").values[angle] == pytest.approx(np.radians(42.0))
     last = next(continuation.gaits_over(runner, angle, ["40.5 deg"], found))
     assert last.runner.values[angle] == pytest.approx(np.radians(40.5))
-    grid = sweep.grid(runner, [0.2], angle, ["39 deg", "40 deg"], tmp_path / "grid.nc", workers=1)
-    assert grid[angle].values == pytest.approx(np.radians([39.0, 40.0]))
+    made = grid.grid(runner, [0.2], angle, ["39 deg", "40 deg"], tmp_path / "grid.nc", workers=1)
+    assert made[angle].values == pytest.approx(np.radians([39.0, 40.0]))
     data = basin.basin(runner, ("leg_angle", "com_speed"), (["70 deg"], [0.9]), workers=1)
     assert data["leg_angle"].values == pytest.approx(np.radians([70.0]))
 
@@ -198,7 +187,7 @@ def test_a_unit_may_be_given_as_it_is_or_by_its_path():
 
 
 def test_start_values_of_a_gait_begin_on_it(found):
-    assert gait.QUANTITIES
+    assert settling.QUANTITIES
     run = tdmf_slip.simulate(found.start_values, strides=1)
     assert run.stride["word"] == found.word
     assert run.stride["period"] == pytest.approx(found.period, rel=1e-6)

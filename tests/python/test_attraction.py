@@ -5,10 +5,10 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, attraction, basin, ensemble
-from tdmf_slip.orbit import Runner, find_orbit
-from tdmf_slip.parameters import read_parameters
-from tdmf_slip.section import COORDINATES
+from tdmf_slip import InputError, Runner, find_orbit, read_parameters
+from tdmf_slip.analysis import attraction, basin
+from tdmf_slip.library import ensemble
+from tdmf_slip.unit.section import COORDINATES
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +19,9 @@ def gait(unit):
 def settles(gait, apex):
     """By the native solver, one runner at a time."""
     case = ensemble.Case(Runner(gait.runner.values), (gait.apex,))
-    ends, _ = ensemble.run([case], np.array([apex]), most_strides=400, instructions="one by one", threads=1)
+    ends, _ = ensemble.run_ensemble(
+        [case], np.array([apex]), most_strides=400, instructions="one by one", threads=1
+    )
     return ends["fate"][0] == 0
 
 

@@ -9,9 +9,11 @@ import xarray
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
-from tdmf_slip import InputError, basin, ensemble, section
-from tdmf_slip.orbit import Runner
+from tdmf_slip import InputError, Runner
+from tdmf_slip.analysis import basin
+from tdmf_slip.library import ensemble
 from tdmf_slip.pictures import basin_map
+from tdmf_slip.unit import section
 
 AXES = ("com_height", "com_speed")
 RANGES = (np.linspace(1.2, 2.9, 12), np.linspace(0.9, 1.6, 9))

@@ -4,7 +4,9 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import bench, ensemble
+from tdmf_slip.bench import crowd, one_runner, results, running
+from tdmf_slip.cli import bench as command_module
+from tdmf_slip.library import ensemble
 
 PEERS = ("native", "cvode", "heyoka", "numba", "scipy")
 
@@ -13,15 +15,15 @@ PEERS = ("native", "cvode", "heyoka", "numba", "scipy")
 def measured():
     """Judged by fewer starts than users have, which is faster."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(bench, "JUDGED", 16)
-        return bench.bench(effort=0.01)
+        patch.setattr(crowd, "JUDGED", 16)
+        return running.bench(effort=0.01)
 
 
 def test_all_solvers_are_measured_at_both_accuracies(measured):
-    for accuracy in bench.ACCURACIES:
+    for accuracy in results.ACCURACIES:
         rows = [m for m in measured.measurements if m.accuracy == accuracy]
-        one = [m.solver.split()[0] for m in rows if m.group == bench.ONE and bench.ALONE not in m.solver]
-        many = [m.solver for m in rows if m.group == bench.MANY]
+        one = [m.solver.split()[0] for m in rows if m.group == results.ONE and results.ALONE not in m.solver]
+        many = [m.solver for m in rows if m.group == results.MANY]
         assert tuple(one) == PEERS
         assert (
             set(ensemble.instruction_sets()) < set(many) and len(many) == len(ensemble.instruction_sets()) + 2
@@ -32,7 +34,7 @@ def test_all_solvers_are_measured_at_both_accuracies(measured):
 
 def test_ratios_are_to_our_own(measured):
     ours = [m for m in measured.measurements if m.solver == measured.ours[m.group]]
-    assert len(ours) == len(measured.ours) * len(bench.ACCURACIES)
+    assert len(ours) == len(measured.ours) * len(results.ACCURACIES)
     assert [measured.ratio(m) for m in ours] == [1.0] * len(ours)
     text = measured.as_text()
     assert all(name in text for name in (*PEERS, "compiler: ", "integrators alone", "threads"))
@@ -43,18 +45,18 @@ def test_a_peer_that_is_missing_is_named(monkeypatch):
     def missing(*_):
         raise ImportError
 
-    monkeypatch.setattr(bench, "measure_peer", missing)
-    monkeypatch.setattr(bench, "measure_batches", missing)
-    without = bench.bench(effort=0.01)
+    monkeypatch.setattr(running, "measure_peer", missing)
+    monkeypatch.setattr(running, "measure_batches", missing)
+    without = running.bench(effort=0.01)
     assert without.missing == ("heyoka", "numba", "scipy")
     assert "numba is not installed" in without.as_text()
 
 
 def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
-    many = bench.crowd(unit)
+    many = crowd.crowd(unit)
     apex, others = many.judged[0], many.judged[1:]
     assert len(others) == 64
-    np.testing.assert_array_equal(apex, bench.known_gait()["apex"])
+    np.testing.assert_array_equal(apex, many.gait.apex)
     away = np.abs(others - apex)
     assert away.max() <= 0.05 and (away.max(axis=0) > 0.04).all()
     spoiled = many.exact["apex"].copy()
@@ -65,23 +67,25 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
 
 def test_a_tolerance_that_is_found_is_good_from_everywhere(unit):
     """The gait itself asks for less than its neighbours do."""
-    many = bench.crowd(unit)
-    for found in bench.measure_unit(unit, many, "native", 0.01):
-        assert found.error == bench.stride_error(unit, many, "native", found.tolerance) <= found.accuracy
+    many = crowd.crowd(unit)
+    for found in one_runner.measure_unit(unit, many, "native", 0.01):
+        assert found.error == one_runner.stride_error(unit, many, "native", found.tolerance) <= found.accuracy
         lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
         assert lanes == pytest.approx(found.error, rel=1e-3)
 
 
 @pytest.mark.parametrize("solver", ["native", "cvode"])
 def test_a_tighter_tolerance_errs_less(unit, solver):
-    many = bench.crowd(unit)
-    assert bench.stride_error(unit, many, solver, 1e-10) < bench.stride_error(unit, many, solver, 1e-5)
+    many = crowd.crowd(unit)
+    assert one_runner.stride_error(unit, many, solver, 1e-10) < one_runner.stride_error(
+        unit, many, solver, 1e-5
+    )
 
 
 def test_the_ensemble_makes_the_gaits_word(unit):
     """Peers are told the sequence of modes; it has to be that of every start."""
-    many = bench.crowd(unit)
-    ends, _ = ensemble.run([many.case], many.starts, most_strides=1)
+    many = crowd.crowd(unit)
+    ends, _ = ensemble.run_ensemble([many.case], many.starts, most_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
 
@@ -93,7 +97,7 @@ def test_bench_command(command, measured, monkeypatch):
         return measured
 
     assert command("bench", "--effort", 0)[0] == 2
-    monkeypatch.setattr(bench, "bench", remembered)
+    monkeypatch.setattr(command_module, "bench", remembered)
     status, out, _ = command("bench", "--effort", 0.01, "--json")
     assert status == 0 and json.loads(out)["threads"] >= 1
     assert command("bench", "--effort", 0.02)[1].startswith("one runner, to 1e-08; ratios to native")

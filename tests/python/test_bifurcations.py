@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tdmf_slip.bifurcations import happenings
-from tdmf_slip.family import Point
-from tdmf_slip.orbit import Runner, find_orbit
+from tdmf_slip import Runner, find_orbit
+from tdmf_slip.analysis.bifurcations import happenings
+from tdmf_slip.analysis.family import Point
 
 NAME = "leg.damping"
 

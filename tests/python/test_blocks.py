@@ -15,8 +15,14 @@ import time
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, basin, batch, blocks, ensemble, interrupts, sweep
-from tdmf_slip.orbit import Runner
+from tdmf_slip import InputError, RunError, Runner
+from tdmf_slip.analysis import basin, grid
+from tdmf_slip.blocks import cluster as clusters
+from tdmf_slip.blocks import running as blocks
+from tdmf_slip.blocks.running import run_blocks
+from tdmf_slip.library import ensemble
+from tdmf_slip.terminal import interrupts
+from tdmf_slip.unit import batch
 
 BLOCKS = 12
 HANGS = 600.0
@@ -71,7 +77,7 @@ def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
     folder.mkdir()
     results = {}
     work = functools.partial(note, folder)
-    with blocks.run(work, list(range(BLOCKS)), scheduler=address) as found:
+    with run_blocks(work, list(range(BLOCKS)), scheduler=address) as found:
         for number, result in found:
             results[number] = result
             if len(results) == 3:
@@ -86,7 +92,7 @@ def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
     work = functools.partial(note, tmp_path)
     with (
         pytest.raises(RunError, match="scheduler is gone"),
-        blocks.run(work, list(range(BLOCKS)), scheduler=address) as found,
+        run_blocks(work, list(range(BLOCKS)), scheduler=address) as found,
     ):
         assert next(found)[1] >= 0
         scheduler.kill()
@@ -94,14 +100,18 @@ def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
 
 
 def test_a_block_that_kills_its_workers_is_said(monkeypatch):
-    with pytest.raises(RunError, match="killed every worker"), blocks.run(die, [0, 1], workers=2) as found:
+    with (
+        pytest.raises(RunError, match="killed every worker"),
+        run_blocks(die, [0, 1], workers=2) as found,
+    ):
         list(found)
 
 
 def test_a_script_without_a_guard_is_told(tmp_path):
     script = tmp_path / "script.py"
     script.write_text(
-        "from tdmf_slip import blocks\nwith blocks.run(abs, [1, 2], workers=2) as found: print(list(found))\n"
+        "from tdmf_slip.blocks.running import run_blocks\n"
+        "with run_blocks(abs, [1, 2], workers=2) as found: print(list(found))\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)
     assert done.returncode != 0 and '__name__ == "__main__"' in done.stderr.splitlines()[-1]
@@ -119,7 +129,7 @@ def test_a_cluster_gives_the_same_map(cluster, unit):
 def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
     runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
     grids = [
-        sweep.grid(
+        grid.grid(
             runner, frictions, "leg.damping", dampings, tmp_path / f"{workers}.nc", workers=workers, unit=unit
         )
         for workers in (1, 2)
@@ -129,7 +139,7 @@ def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
 
 def test_a_batch_of_units_is_the_same_by_two_workers(unit):
     table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.run(table, strides=3, workers=workers, unit=unit) for workers in (1, 2))
+    one, two = (batch.run_batch(table, strides=3, workers=workers, unit=unit) for workers in (1, 2))
     xarray.testing.assert_identical(one, two)
     assert list(one["count"].values) == [3, 3, 3]
     assert list(one["ground.friction"].values) == [1.2, 0.6, 0.2]
@@ -140,24 +150,29 @@ def test_a_batch_of_units_is_the_same_by_two_workers(unit):
 def test_a_run_that_fails_leaves_the_others(unit):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
-    runs = batch.run(table, strides=2, workers=1, unit=unit)
-    together = batch.run([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, unit=unit)
+    runs = batch.run_batch(table, strides=2, workers=1, unit=unit)
+    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, unit=unit)
     assert together["problem"].values[0] == "" and "leg.length" in together["problem"].values[1]
     assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
     assert runs["fallen"].values[1] or runs["problem"].values[1]
 
 
 def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr(blocks, "CONNECTING", 1.0)
+    monkeypatch.setattr(clusters, "CONNECTING", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
-        with pytest.raises(InputError, match="no answer within 1 s"), blocks.run(abs, [1], scheduler=address):
+        with (
+            pytest.raises(InputError, match="no answer within 1 s"),
+            run_blocks(abs, [1], scheduler=address),
+        ):
             pass
 
 
 INTERRUPT_AT = """
 import os, signal, sys
-from tdmf_slip import blocks, command, sweep
+from tdmf_slip.analysis import grid
+from tdmf_slip.blocks import cluster, running
+from tdmf_slip.cli import main as command
 
 def interrupting(module, name):
     honest = getattr(module, name)
@@ -175,7 +190,7 @@ def main():
     Nanny.close = lambda nanny, timeout=1e9, **how: honest(nanny, timeout=timeout, **how)
     for place in sys.argv[1].split():
         module, name = place.split(".")
-        interrupting({"blocks": blocks, "sweep": sweep, "os": os}[module], name)
+        interrupting({"cluster": cluster, "running": running, "grid": grid, "os": os}[module], name)
     return command.main(sys.argv[2:])
 
 if __name__ == "__main__":
@@ -210,13 +225,13 @@ def interrupted(program, folder, *arguments):
 @pytest.mark.parametrize(
     ("places", "left"),
     [
-        ("blocks._local_cluster", []),
-        ("blocks._next_done", []),
-        ("sweep.write_dataset", ["grid.nc"]),
+        ("cluster._local_cluster", []),
+        ("running._next_done", []),
+        ("grid.write_dataset", ["grid.nc"]),
         ("os.replace", ["grid.nc"]),
-        ("blocks._local_cluster blocks._kill_workers", []),
-        ("blocks._next_done blocks._kill_workers", []),
-        ("sweep.write_dataset blocks._kill_workers", ["grid.nc"]),
+        ("cluster._local_cluster running.kill_workers", []),
+        ("running._next_done running.kill_workers", []),
+        ("grid.write_dataset running.kill_workers", ["grid.nc"]),
     ],
 )
 def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
@@ -238,7 +253,7 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("places", ["blocks._local_cluster", "blocks._next_done"])
+@pytest.mark.parametrize("places", ["cluster._local_cluster", "running._next_done"])
 def test_an_interrupt_ends_a_map(places, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()
@@ -250,10 +265,10 @@ def test_an_interrupt_ends_a_map(places, tmp_path):
 
 ENDLESS_BLOCKS = """
 import os, pathlib, signal, sys, threading, time
-from tdmf_slip import blocks
+from tdmf_slip.blocks.running import run_blocks
 
 def endless(number):
-    from tdmf_slip import progress
+    from tdmf_slip.terminal import progress
     progress.bar("a bar that nobody sees", 1, "", show=False)
     pathlib.Path(f"begun-{number}").touch()
     while True:
@@ -270,7 +285,7 @@ def main():
     Nanny.close = lambda nanny, timeout=1e9, **how: honest(nanny, timeout=timeout, **how)
     threading.Thread(target=interrupt).start()
     try:
-        with blocks.run(endless, range(10), workers=2) as found:
+        with run_blocks(endless, range(10), workers=2) as found:
             list(found)
     except KeyboardInterrupt:
         sys.exit("ended")
@@ -290,7 +305,7 @@ def test_an_interrupt_waits_for_no_block(tmp_path):
 
 def test_a_local_cluster_is_left_before_its_blocks_are_done(tmp_path):
     """Without an interrupt, too: what is not wanted any more is not waited for."""
-    with blocks.run(endless, [tmp_path / "0", tmp_path / "1"], workers=2) as found:
+    with run_blocks(endless, [tmp_path / "0", tmp_path / "1"], workers=2) as found:
         next(found)
     assert (tmp_path / "0").exists()
 
@@ -326,7 +341,7 @@ def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
 
 
 def test_an_interrupt_is_heard_between_calls_of_the_library(unit, monkeypatch):
-    honest, calls = ensemble.run, []
+    honest, calls = ensemble.run_ensemble, []
 
     def interrupting(*given, **named):
         calls.append(len(given[1]))
@@ -340,7 +355,7 @@ def test_an_interrupt_is_heard_between_calls_of_the_library(unit, monkeypatch):
     in_parts = basin.fates(runner, apex, starts)
     assert (in_parts["fate"] == 0).all() and len(in_parts) == 10
     assert len(basin.fates(runner, apex, starts[:0])) == 0
-    monkeypatch.setattr(ensemble, "run", interrupting)
+    monkeypatch.setattr(ensemble, "run_ensemble", interrupting)
     with pytest.raises(KeyboardInterrupt):
         basin.fates(runner, apex, starts)
     assert calls == [4]
@@ -362,17 +377,17 @@ def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
 def test_wrong_arguments_are_said(unit):
     with (
         pytest.raises(InputError, match="no Dask scheduler answers"),
-        blocks.run(abs, [1, 2], scheduler="nonsense://here"),
+        run_blocks(abs, [1, 2], scheduler="nonsense://here"),
     ):
         pass
     with (
         pytest.raises(InputError, match="one of them"),
-        blocks.run(abs, [1], scheduler="tcp://a:1", workers=2),
+        run_blocks(abs, [1], scheduler="tcp://a:1", workers=2),
     ):
         pass
-    with pytest.raises(InputError, match="workers 0"), blocks.run(abs, [1, 2], workers=0):
+    with pytest.raises(InputError, match="workers 0"), run_blocks(abs, [1, 2], workers=0):
         pass
     with pytest.raises(InputError, match="table: allowed"):
-        batch.run([], strides=1, unit=unit)
+        batch.run_batch([], strides=1, unit=unit)
     with pytest.raises(InputError, match="row 1"):
-        batch.run([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, unit=unit)
+        batch.run_batch([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, unit=unit)

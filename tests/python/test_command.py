@@ -12,7 +12,9 @@ import time
 import netCDF4
 import pytest
 import tdmf_slip
-from tdmf_slip import reference, section
+from tdmf_slip.paper import reference_gaits as reference
+from tdmf_slip.paper import settling
+from tdmf_slip.unit import section
 
 
 def test_json_is_one_object_and_nothing_else(command):
@@ -128,7 +130,7 @@ def test_bad_input_gets_one_clear_message(command, tmp_path, options, words):
 
 @pytest.fixture(scope="module")
 def gait():
-    return tdmf_slip.periodic_gait(0.6)
+    return settling.periodic_gait(0.6)
 
 
 def test_the_gait_of_the_defaults_settles_on_the_reference(gait):
@@ -248,7 +250,7 @@ from tdmf_slip.__main__ import main
 
 class Watch:
     def find_spec(name, *_):
-        if name == "tdmf_slip.command":
+        if name == "tdmf_slip.cli.main":
             print("begins", file=sys.stderr, flush=True)
 
 sys.meta_path.insert(0, Watch)
@@ -300,7 +302,7 @@ def test_what_is_asked_of_a_run_has_to_be_numbers():
     with pytest.raises(tdmf_slip.InputError, match="a pair of times and values"):
         tdmf_slip.simulate(inputs={"ground.friction": 0.3}, stop_time=1)
     with pytest.raises(tdmf_slip.InputError, match="relative_tolerance"):
-        tdmf_slip.periodic_gait(0.6, relative_tolerance=float("nan"))
+        settling.periodic_gait(0.6, relative_tolerance=float("nan"))
 
 
 def test_validate_as_json(command):
@@ -348,4 +350,4 @@ def test_results_that_cannot_be_printed_are_told():
 
 def test_no_gait_is_an_error_with_a_reason(command):
     with pytest.raises(tdmf_slip.RunError, match="fell after"):
-        tdmf_slip.periodic_gait(0.6, {"hip.stance_torque": 0.0})
+        settling.periodic_gait(0.6, {"hip.stance_torque": 0.0})

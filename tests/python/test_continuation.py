@@ -5,13 +5,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError
-from tdmf_slip.bifurcations import SHORTEST, happenings
-from tdmf_slip.continuation import gaits_over, trace
-from tdmf_slip.family import Family, Point
-from tdmf_slip.orbit import Runner, find_orbit
-from tdmf_slip.parameters import read_parameters
-from tdmf_slip.sweep import FRICTION
+from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
+from tdmf_slip.analysis.bifurcations import SHORTEST, happenings
+from tdmf_slip.analysis.continuation import gaits_over, trace
+from tdmf_slip.analysis.family import Family, Point
+from tdmf_slip.unit.unit import FRICTION
 
 ANGLE = "hip.touchdown_angle"
 KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "not judged"}

@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, attraction, basin, ensemble, library, orbit
-from tdmf_slip.orbit import Runner
+from tdmf_slip import InputError, Runner, find_orbit
+from tdmf_slip.analysis import attraction, basin
+from tdmf_slip.library import binding, ensemble
 
 
 @pytest.fixture(scope="module")
 def gaits(unit):
-    return [orbit.find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in (0.6, 1.2)]
+    return [find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in (0.6, 1.2)]
 
 
 @pytest.fixture(scope="module")
@@ -21,7 +22,7 @@ def test_every_instruction_set_ends_alike(gaits, starts):
     cases = [ensemble.Case(Runner(g.runner.values)) for g in gaits]
     numbers = np.arange(len(starts)) % 2
     ends = {
-        name: ensemble.run(
+        name: ensemble.run_ensemble(
             cases, starts, numbers, most_strides=3, tolerance=1e-11, instructions=name, threads=2
         )[0]
         for name in ensemble.instruction_sets()
@@ -43,7 +44,7 @@ FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 def crowds(unit, size):
     """Cases, starts and case numbers: around the published gaits, all over the box, and of other runners."""
     rng = np.random.default_rng(11)
-    orbits = [orbit.find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
+    orbits = [find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
     cases = [ensemble.Case(Runner(gait.runner.values)) for gait in orbits]
     numbers = np.arange(size) % len(orbits)
     near = np.array([orbits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
@@ -64,7 +65,7 @@ def errors(cases, starts, numbers, tolerance, instructions):
     """The largest of each stride that closes: of apex, time, distance and energies, over their scales."""
 
     def run(tolerance, instructions):
-        return ensemble.run(
+        return ensemble.run_ensemble(
             cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=instructions, threads=2
         )[0]
 
@@ -101,7 +102,7 @@ def test_a_map_keeps_the_promised_accuracy(unit):
             continue
         scales = np.array([case.runner.scales for case in cases])[numbers]
         apices = [
-            ensemble.run(
+            ensemble.run_ensemble(
                 cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=kind, threads=2
             )[0]["apex"]
             for tolerance, kind in ((basin.TOLERANCE, fastest), (1e-13, "one by one"))
@@ -116,7 +117,7 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
     apices = [g.apex for g in gaits]
     cases = [ensemble.Case(Runner(g.runner.values), apices) for g in gaits]
     numbers = np.arange(len(starts)) % 2
-    ends, work = ensemble.run(cases, starts, numbers, most_strides=400, near=1e-3)
+    ends, work = ensemble.run_ensemble(cases, starts, numbers, most_strides=400, near=1e-3)
     np.testing.assert_array_equal(ends["gait"], numbers)
     assert (ends["fate"] == ensemble.FATES.index("settled")).all()
     np.testing.assert_allclose(ends["apex"], np.array(apices)[numbers], atol=1e-3)
@@ -125,7 +126,7 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
 
 def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
     stiff = ensemble.Case(Runner({**gaits[0].runner.values, "hip.kd": 2.5e13}), [gaits[0].apex])
-    ends, work = ensemble.run([stiff], starts[:50], most_strides=400)
+    ends, work = ensemble.run_ensemble([stiff], starts[:50], most_strides=400)
     assert (ends["fate"] == ensemble.FATES.index("unsolved")).all()
     assert work.steps <= 50
 
@@ -156,7 +157,7 @@ def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
 def test_what_is_not_allowed_is_said(gaits, starts, wrong):
     arguments = {"starts": starts[:2], "most_strides": 1} | wrong
     with pytest.raises(InputError, match="allowed"):
-        ensemble.run([ensemble.Case(gaits[0].runner)], arguments.pop("starts"), **arguments)
+        ensemble.run_ensemble([ensemble.Case(gaits[0].runner)], arguments.pop("starts"), **arguments)
 
 
 def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkeypatch):
@@ -164,15 +165,15 @@ def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkey
         """A processor without vector registers of its own."""
 
         def __getattr__(self, name):
-            return getattr(library.c, name)
+            return getattr(binding.c, name)
 
         def tdmf_has_instructions(self, number):
-            return number <= library.c.TDMF_TWO_LANES
+            return number <= binding.c.TDMF_TWO_LANES
 
     monkeypatch.setattr(ensemble, "c", Poor())
     assert ensemble.instruction_sets() == ("one by one", "two lanes")
     with pytest.raises(InputError, match="avx2: allowed here: one by one, two lanes"):
-        ensemble.run(
+        ensemble.run_ensemble(
             [ensemble.Case(gaits[0].runner)], starts[:2], most_strides=1, instructions="avx2", threads=1
         )
 
@@ -180,9 +181,9 @@ def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkey
 @pytest.mark.parametrize("wrong", [[[1.0] * 5], [[1.0] * 7], [[float("nan")] * 6], [3.0]])
 def test_what_is_no_gait_is_said(gaits, starts, wrong):
     with pytest.raises(InputError, match="gaits"):
-        ensemble.run([ensemble.Case(gaits[0].runner, wrong)], starts[:2], most_strides=1)
+        ensemble.run_ensemble([ensemble.Case(gaits[0].runner, wrong)], starts[:2], most_strides=1)
 
 
 def test_no_case_is_none(starts):
     with pytest.raises(InputError, match="cases"):
-        ensemble.run([], starts[:2], most_strides=1)
+        ensemble.run_ensemble([], starts[:2], most_strides=1)

@@ -8,7 +8,8 @@ import sys
 
 import pytest
 import xarray
-from tdmf_slip import InputError, files
+from tdmf_slip import InputError
+from tdmf_slip.files import netcdf, whole
 
 POSIX_ONLY = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and links are those of POSIX")
 NETCDF = ("sweep", "--friction", "0.5:0.6:2", "--output", "{}.nc")
@@ -40,7 +41,7 @@ def writer(request):
 
 FULL_DISK = """
 import resource, sys, tdmf_slip
-from tdmf_slip import command, unit
+from tdmf_slip.cli import main as command
 there = tdmf_slip.load()  # unpacked before the disk is full
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 sys.exit(command.main(sys.argv[1:]))
@@ -185,7 +186,7 @@ def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
     file = tmp_path / "old.csv"
     file.write_text("old")
 
-    with pytest.raises(ZeroDivisionError), files.whole(file) as beside:
+    with pytest.raises(ZeroDivisionError), whole.whole(file) as beside:
         beside.write_text("new")
         assert beside.parent == tmp_path and beside.suffix == ".csv" and file.read_text() == "old"
         _ = 1 / 0
@@ -195,7 +196,7 @@ def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
 @POSIX_ONLY
 def test_an_interrupt_waits_until_the_file_is_there(tmp_path):
     file = tmp_path / "new.csv"
-    with pytest.raises(KeyboardInterrupt), files.whole(file) as beside:
+    with pytest.raises(KeyboardInterrupt), whole.whole(file) as beside:
         signal.raise_signal(signal.SIGINT)
         beside.write_text("new")
     assert [place.name for place in tmp_path.iterdir()] == ["new.csv"] and file.read_text() == "new"
@@ -204,9 +205,9 @@ def test_an_interrupt_waits_until_the_file_is_there(tmp_path):
 def test_a_folder_that_cannot_be_is_refused(tmp_path):
     (tmp_path / "file").touch()
     with pytest.raises(InputError, match=r"what: .*cannot be written to"):
-        files.check_folder(tmp_path / "file" / "folder", "what")
+        whole.check_folder(tmp_path / "file" / "folder", "what")
     with pytest.raises(InputError, match=r"what: .*no folder"):
-        files.check_place(tmp_path / "none" / "run.csv", [".csv"], "what")
+        whole.check_place(tmp_path / "none" / "run.csv", [".csv"], "what")
     assert [place.name for place in tmp_path.iterdir()] == ["file"]
 
 
@@ -214,5 +215,5 @@ def test_a_dataset_comes_back_as_it_was(command, tmp_path):
     """From memory as from the file by the library itself."""
     assert command(*[str(word).replace("{}", "sweep") for word in NETCDF])[0] == 0
     xarray.testing.assert_identical(
-        files.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")
+        netcdf.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")
     )

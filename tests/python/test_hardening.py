@@ -6,7 +6,7 @@ import zipfile
 
 import pytest
 import tdmf_slip
-from tdmf_slip.library import library_path
+from tdmf_slip.library.binding import library_path
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: hardening, lief is not installed")
 

@@ -2,24 +2,26 @@
 
 import json
 
+import click
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip.command import commands
-from tdmf_slip.ranges import ends_of, values_of
+from tdmf_slip.cli.main import COMMANDS, commands
+from tdmf_slip.cli.ranges import ends_of, values_of
 
 
 def single_options():
     """Of every command, the options that take one value."""
-    for name, command in commands.commands.items():
-        for option in command.params:
+    context = click.Context(commands)
+    for name in commands.list_commands(context):
+        for option in commands.get_command(context, name).params:
             if not option.multiple and not option.is_flag:
                 yield name, option.opts[0], option.nargs
 
 
 def test_every_command_has_its_options_looked_at():
     found = list(single_options())
-    assert {name for name, _, _ in found} == set(commands.commands)
+    assert {name for name, _, _ in found} == set(COMMANDS)
     assert len(found) >= 30
 
 

@@ -8,15 +8,22 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, ensemble, load, reference, section
-from tdmf_slip import sweep as sweeps
-from tdmf_slip.borders import borders_between
-from tdmf_slip.continuation import gaits_over, trace
-from tdmf_slip.library import c, ffi
-from tdmf_slip.orbit import LETTERS, Runner, find_orbit, stride_from
-from tdmf_slip.parameters import read_parameters
-from tdmf_slip.ranges import values_of
-from tdmf_slip.sweep import FRICTION, first_orbit, grid, sweep
+from tdmf_slip import InputError, RunError, Runner, load, read_parameters
+from tdmf_slip.analysis import grid as grids
+from tdmf_slip.analysis import sweep as sweeps
+from tdmf_slip.analysis.borders import borders_between
+from tdmf_slip.analysis.continuation import gaits_over, trace
+from tdmf_slip.analysis.grid import grid
+from tdmf_slip.analysis.search import first_orbit
+from tdmf_slip.analysis.sweep import sweep
+from tdmf_slip.cli.ranges import values_of
+from tdmf_slip.library import ensemble
+from tdmf_slip.library.binding import c, ffi
+from tdmf_slip.library.orbit import LETTERS, find_orbit
+from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.paper import reference_gaits as reference
+from tdmf_slip.unit import section
+from tdmf_slip.unit.unit import FRICTION
 
 # Independent values: refined fixed points in extended precision, differenced there.
 EIGENVALUES = {
@@ -136,7 +143,7 @@ def test_the_ledger_of_a_gait_closes(swept):
 def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeypatch):
     path = tmp_path / "grid.nc"
     frictions, rows = np.linspace(0.5, 0.7, 3), np.linspace(0.18, 0.22, 3)
-    honest, calls = sweeps.gaits_of_row, []
+    honest, calls = grids.gaits_of_row, []
 
     def interrupted(*arguments):
         calls.append(arguments)
@@ -144,7 +151,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
             raise KeyboardInterrupt
         return honest(*arguments)
 
-    monkeypatch.setattr(sweeps, "gaits_of_row", interrupted)
+    monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
         grid(runner, frictions, "leg.damping", rows, path, workers=1, unit=unit)
     whole = grid(runner, frictions, "leg.damping", rows, path, workers=1, unit=unit)
@@ -392,7 +399,7 @@ def test_trouble_of_the_solver_is_not_called_a_fall(unit):
         with pytest.raises(RunError, match=r"too stiff|no step") as trouble:
             search()
         assert "fell" not in str(trouble.value)
-    ends, _ = ensemble.run([ensemble.Case(stiff)], np.array([apex]), most_strides=3)
+    ends, _ = ensemble.run_ensemble([ensemble.Case(stiff)], np.array([apex]), most_strides=3)
     assert ensemble.FATES[ends["fate"][0]] == "unsolved"
 
 

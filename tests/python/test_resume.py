@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, basin, sweep
-from tdmf_slip.orbit import LOSSES, STRIDE_QUANTITIES, Runner
-from tdmf_slip.resume import refuse_resumable, resumed, same_values
-from tdmf_slip.section import COORDINATES
+from tdmf_slip import InputError, Runner
+from tdmf_slip.analysis import basin, grid
+from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
+from tdmf_slip.library.orbit import LOSSES, STRIDE_QUANTITIES
+from tdmf_slip.unit.section import COORDINATES
 
 FRICTIONS = [0.6, 0.5]
 DAMPINGS = [0.2, 0.25]
@@ -19,7 +20,7 @@ def runner(unit):
 
 
 def make_grid(runner, unit, path):
-    return sweep.grid(runner, FRICTIONS, OVER, DAMPINGS, path, workers=1, unit=unit)
+    return grid.grid(runner, FRICTIONS, OVER, DAMPINGS, path, workers=1, unit=unit)
 
 
 @pytest.fixture(scope="module")
@@ -42,13 +43,13 @@ def half(whole):
 def test_a_half_done_grid_is_gone_on_with(runner, unit, half, whole, tmp_path, monkeypatch):
     path = tmp_path / "grid.nc"
     half.to_netcdf(path)
-    honest, rows = sweep.gaits_of_row, []
+    honest, rows = grid.gaits_of_row, []
 
     def noting(row):
         rows.append(row.runner.values[OVER])
         return honest(row)
 
-    monkeypatch.setattr(sweep, "gaits_of_row", noting)
+    monkeypatch.setattr(grid, "gaits_of_row", noting)
     xarray.testing.assert_identical(make_grid(runner, unit, path).drop_attrs(), whole.drop_attrs())
     assert rows == [DAMPINGS[1]]
     make_grid(runner, unit, path)

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import load, section
+from tdmf_slip import load
+from tdmf_slip.unit import section
 
 APEX = (1.4, 1.1, 0.97, 0.6, -0.03, 0.2)
 

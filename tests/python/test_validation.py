@@ -4,10 +4,10 @@ import math
 from dataclasses import replace
 
 import pytest
-from tdmf_slip.claims import WORDS, Claim
-from tdmf_slip.gait import Gait
-from tdmf_slip.reference import Drift
-from tdmf_slip.validation import Validation
+from tdmf_slip.paper.claims import WORDS, Claim
+from tdmf_slip.paper.reference_gaits import Drift
+from tdmf_slip.paper.settling import Gait
+from tdmf_slip.paper.validation import Validation
 
 CLAIMS = [Claim("speed", "rises", "falls", False), Claim("cost", "least", "least", True)]
 MET = [

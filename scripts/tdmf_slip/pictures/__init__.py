@@ -1,1 +1,1 @@
-"""Pictures: the paper's figures of single gaits, one stride, the model. One module per picture."""
+"""Pictures of runs, strides, maps and the model, and the style that all of them share."""

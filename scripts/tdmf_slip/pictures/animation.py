@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
 
-from ..files import whole
+from ..files.whole import whole
 from . import style
 from .runner import Runner, bare, pose
 from .stride import Stride

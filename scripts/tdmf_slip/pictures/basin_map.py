@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
-from ..section import COORDINATES
+from ..unit.section import COORDINATES
 from . import style
 
 NAMES = {

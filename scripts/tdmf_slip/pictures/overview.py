@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from ..errors import InputError
-from ..events import MODE
-from ..simulation import Run
-from ..unit import Unit
+from ..unit.events import MODE
+from ..unit.simulation import Run
+from ..unit.unit import Unit
 from . import style
 
 FORMATS = (".png", ".svg", ".pdf")

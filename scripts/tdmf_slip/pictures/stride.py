@@ -7,11 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
-from ..events import MODE
-from ..gait import Gait
-from ..orbit import Orbit
-from ..simulation import simulate
-from ..unit import Unit
+from ..library.orbit import Orbit
+from ..unit.events import MODE
+from ..unit.simulation import simulate
+from ..unit.unit import Unit
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""
@@ -39,7 +38,7 @@ class Piece:
 class Stride:
     """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
 
-    def __init__(self, gait: Gait | Orbit, unit: Unit) -> None:
+    def __init__(self, gait: Orbit, unit: Unit) -> None:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
         self.unit = unit

@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..files import whole
+from ..files.whole import whole
 
 INK = "#22303c"
 FAINT = "#8a97a3"

@@ -1,0 +1,1 @@
+"""Analyses of many gaits: ranges, grids, branches with borders and bifurcations, regions of attraction."""

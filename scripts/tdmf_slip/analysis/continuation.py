@@ -1,0 +1,174 @@
+"""Gaits along a parameter: at values in turn, or as a branch that is followed through folds.
+
+A branch is followed by pseudo-arclength continuation on the exact Jacobian.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from numbers import Real
+
+import numpy as np
+
+from ..checks import check_kind, checked, checked_whole
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, check_orbit
+from ..library.runner import Runner
+from ..unit.unit import load
+from .bifurcations import Special, happenings
+from .borders import Border
+from .family import Family, Point
+
+SHORTEST_STEP = 1e-7
+"""Along the branch: where no step of this length finds a gait, the branch ends."""
+LARGEST_STEP = 1e9
+MOST_POINTS = 1_000_000
+"""Of a branch."""
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Gaits in the order in which they were met along a parameter."""
+
+    name: str
+    values: tuple[float, ...]
+    orbits: tuple[Orbit, ...]
+    borders: tuple[Border, ...]
+    specials: tuple[Special, ...]
+    """Bifurcations, word borders, and what could not be judged, in the branch's order."""
+    ended: str
+    """Why the branch stops: at the end of the range, where it began, or in words what happened."""
+
+
+def gaits_over(
+    runner: Runner | Mapping[str, object],
+    name: str,
+    values: Sequence[float | str],
+    first: Orbit,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Iterator[Orbit]:
+    """The gait at each value in turn, each from the one before; steps in between where values are far apart.
+
+    Raises:
+        InputError: the name is that of no parameter or input, a value is none, or `first` is no gait.
+        RunError: the branch cannot be followed so far.
+    """
+    family = Family(runner, name)
+    check_orbit(first, "first")
+    check_kind(values, Iterable, "values", f"a row of values of {name}")
+    at = family.value_of(first)
+    orbit = first if first.along == name else family.orbit(at, first.apex)
+    for value in values:
+        for part in _walk(family, orbit, at, family.runner.but(name, value).values[name]):
+            orbit, at = part, family.value_of(part)
+        yield orbit
+        step_finished()
+
+
+def _walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
+    """Gaits from one value to another, by predictions along the branch, shorter where they fail."""
+    step = to - at
+    if step == 0.0:
+        yield family.orbit(to, orbit.apex)
+        return
+    smallest = 1e-9 * max(abs(at), abs(to))
+    while at != to:
+        step = np.clip(step, -abs(to - at), abs(to - at))
+        value = to if abs(to - at - step) < smallest else at + step
+        try:
+            nearby = _predicted(orbit, value - at)
+            following = family.orbit(value, nearby)
+        except RunError:
+            step *= 0.5
+            if abs(step) < smallest:
+                raise
+            continue
+        yield following
+        orbit, at, step = following, value, 2.0 * step
+
+
+def _predicted(orbit: Orbit, step: float) -> np.ndarray:
+    """The apex at a parameter a little away, along the branch's tangent."""
+    try:
+        tangent = np.linalg.solve(np.eye(6) - orbit.jacobian, orbit.by_parameter)
+    except np.linalg.LinAlgError:
+        raise RunError(f"the branch turns at {orbit.along} = {orbit.runner.values[orbit.along]:g}") from None
+    return orbit.apex + step * tangent
+
+
+def trace(
+    runner: Runner | Mapping[str, object],
+    name: str,
+    first: Orbit,
+    end: float | str,
+    *,
+    largest_step: float = 0.05,
+    most_points: int = 1000,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Branch:
+    """Follow the branch of a gait, through folds, until the parameter leaves the range.
+
+    Pseudo-arclength continuation: each gait is sought on the plane across the branch's tangent. Lengths along
+    the branch are measured over the coordinates' scales, and over the first value of the parameter.
+
+    Args:
+        runner: whose gaits.
+        name: parameter or input that is varied.
+        first: a gait to begin at.
+        end: value of the parameter at which to stop; where a fold leads back, the branch stops at its first.
+        largest_step: along the branch.
+        most_points: stop after so many gaits.
+        step_finished: called after each gait.
+
+    Raises:
+        InputError: no such parameter, it has the value of `end` already, or what is given is none.
+        RunError: the first gait cannot be found again.
+    """
+    runner = Family(runner, name).runner
+    check_orbit(first, "first")
+    checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
+    checked_whole("most_points", most_points, 1, MOST_POINTS)
+    start = first.runner.values[name]
+    if not isinstance(end, Real):
+        end = load().find(name, "name").value_of(end, "end")
+    if not abs(end - start) > 0.0:
+        raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
+    family = Family(runner.but(name, start), name)
+    towards_end = np.append(np.zeros(6), end - start)
+    points, ended = [family.point(family.orbit(start, first.apex), towards_end)], f"{most_points} gaits"
+    step = largest_step / 10.0
+    while len(points) < most_points:
+        last = points[-1]
+        try:
+            following = family.on_plane(family.place(last) + step * last.direction, last.direction)
+        except (InputError, RunError) as problem:
+            step *= 0.5
+            if step < SHORTEST_STEP:
+                ended = str(problem)
+                break
+            continue
+        points.append(following)
+        step_finished()
+        if not min(start, end) < following.value < max(start, end):
+            beyond_end = (following.value - end) * (end - start) >= 0.0
+            ended = "end of the range" if beyond_end else f"back at {name} = {start:g}"
+            break
+        step = min(largest_step, 1.5 * step)
+    return _branch(family, points, ended)
+
+
+def _branch(family: Family, points: Sequence[Point], ended: str) -> Branch:
+    borders: list[Border] = []
+    specials: list[Special] = []
+    for before, after in pairwise(points):
+        its_borders, its_specials = happenings(family, before, after)
+        borders += its_borders
+        specials += its_specials
+    return Branch(
+        family.name,
+        tuple(point.value for point in points),
+        tuple(point.orbit for point in points),
+        tuple(borders),
+        tuple(specials),
+        ended,
+    )

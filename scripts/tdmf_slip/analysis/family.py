@@ -1,0 +1,120 @@
+"""Gaits of one runner by the value of a parameter, and points of the branch that they make.
+
+Lengths along a branch are measured over the coordinates' scales and one of the parameter.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import RunError
+from ..library.orbit import Orbit, find_orbit
+from ..library.return_map import stride_from
+from ..library.runner import Runner, check_varied
+
+NEWTON_ITERATIONS = 12
+NEWTON_CONVERGED = 1e-10
+
+
+@dataclass(frozen=True)
+class Point:
+    """A gait on a branch."""
+
+    orbit: Orbit
+    value: float
+    """Of the parameter."""
+    direction: np.ndarray
+    """Unit tangent of the branch, over the scales: six coordinates, then the parameter."""
+
+    @property
+    def rises(self) -> bool:
+        """The parameter grows along the branch."""
+        return bool(self.direction[-1] > 0.0)
+
+
+class Family:
+    """Gaits of one runner by the value of a parameter."""
+
+    def __init__(self, runner: Runner | Mapping[str, object], name: str) -> None:
+        """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1.
+
+        Raises:
+            InputError: no such parameter or input, or what is given makes no runner.
+        """
+        check_varied(name, "name")
+        self.runner = runner = Runner.of(runner)
+        self.name = name
+        self.scales = np.append(runner.scales, abs(runner.values[name]) or 1.0)
+
+    def orbit(self, value: float, guess: Sequence[float]) -> Orbit:
+        """The gait at a value near a guess.
+
+        Raises:
+            InputError: the value is not allowed.
+            RunError: there is none.
+        """
+        return find_orbit(self.runner.but(self.name, value), guess, along=self.name)
+
+    def value_of(self, orbit: Orbit) -> float:
+        """Of the parameter."""
+        return orbit.runner.values[self.name]
+
+    def point(self, orbit: Orbit, along: np.ndarray) -> Point:
+        """A gait as a point of its branch, which leads along a direction.
+
+        Raises:
+            RunError: the gait has no tangent.
+        """
+        rows = np.hstack([orbit.jacobian - np.eye(6), orbit.by_parameter[:, None]]) * self.scales
+        if not np.isfinite(rows).all():
+            raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
+        tangent = np.linalg.svd(rows)[2][-1]
+        return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
+
+    def place(self, point: Point) -> np.ndarray:
+        """Apex and parameter over the scales."""
+        return np.append(point.orbit.apex, point.value) / self.scales
+
+    def on_plane(self, goal: np.ndarray, normal: np.ndarray) -> Point:
+        """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
+
+        Args:
+            goal: apex and parameter over the scales.
+            normal: a unit vector along the branch.
+
+        Raises:
+            InputError: a value of the parameter is not allowed.
+            RunError: there is none.
+        """
+        where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
+        place, scales = goal.copy(), self.scales[:-1]
+        for _ in range(NEWTON_ITERATIONS):
+            runner = self.runner.but(self.name, place[-1] * self.scales[-1])
+            try:
+                apex, jacobian, by_parameter = stride_from(runner, place[:-1] * scales, self.name)
+            except RunError as problem:
+                raise RunError(f"{where}: {problem}") from None
+            across = np.hstack([jacobian - np.eye(6), by_parameter[:, None]]) * self.scales / scales[:, None]
+            residual = np.append(apex / scales - place[:-1], (place - goal) @ normal)
+            try:
+                change = np.linalg.solve(np.vstack([across, normal]), -residual)
+            except np.linalg.LinAlgError:
+                break
+            place = place + change
+            if np.max(np.abs(change)) < NEWTON_CONVERGED:
+                return self.point(self.orbit(place[-1] * self.scales[-1], place[:-1] * scales), normal)
+        raise RunError(where)
+
+    def between(self, before: Point, after: Point, share: float) -> Point:
+        """The point of the branch beside a share of the straight way from one point to the next.
+
+        Raises:
+            RunError: there is none.
+        """
+        begin, end = self.place(before), self.place(after)
+        return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
+
+    def distance(self, before: Point, after: Point) -> float:
+        """Between two points, over the scales."""
+        return float(np.linalg.norm(self.place(after) - self.place(before)))

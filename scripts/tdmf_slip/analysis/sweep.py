@@ -1,0 +1,163 @@
+"""Gaits over a range of friction, and the borders between gait words."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from tqdm import tqdm
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, check_has_gaits, find_orbit
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import FRICTION, load
+from .borders import Border, crossings
+from .continuation import gaits_over
+from .family import Family
+from .search import first_orbit
+
+MOST_VALUES = 1_000_000
+"""Of a range, and of a grid."""
+MOST_GAITS = 100_000
+"""Of a sweep that is on no file: each takes 10 kB."""
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Gaits at the values of a range, where they were found."""
+
+    frictions: tuple[float, ...]
+    """The range."""
+    gaits: tuple[Orbit | None, ...]
+    """At each friction; None where there is none, or it was not found."""
+    borders: tuple[Border, ...]
+    problem: str | None
+    """Why gaits are missing, and what kept a border from being located; or None."""
+
+    @property
+    def orbits(self) -> tuple[Orbit, ...]:
+        """The gaits that were found, in the order of the range."""
+        return tuple(gait for gait in self.gaits if gait is not None)
+
+    def as_json(self) -> dict[str, object]:
+        """The sweep as a plain object; `missing` are the frictions without a gait."""
+        found = zip(self.frictions, self.gaits, strict=True)
+        return {
+            "gaits": [orbit.as_json() for orbit in self.orbits],
+            "transitions": [border.as_json() for border in self.borders],
+            "missing": [friction for friction, gait in found if gait is None],
+            "problem": self.problem,
+        }
+
+
+def sweep(
+    runner: Runner | Mapping[str, object], frictions: Sequence[float], *, show_progress: bool = False
+) -> Sweep:
+    """The gait at each friction, each from the one before, and every change of the gait word between.
+
+    Where the first frictions have no gait, the sweep begins at the first that has one, and follows its branch
+    back as far as it goes; where a branch cannot be followed on, the sweep goes on with the next gait that is
+    found. `problem` says what happened. Changes of the word from one branch to another are no borders.
+
+    Args:
+        runner: parameters and start, or start values by name; its friction does not matter.
+        frictions: values in order.
+        show_progress: a bar on stderr.
+
+    Raises:
+        InputError: a value is refused.
+        RunError: there is no gait at any of them; the message tells of the first.
+    """
+    runner = Runner.of(runner)
+    frictions = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
+    if len(frictions) > MOST_GAITS:
+        raise InputError(
+            f"{len(frictions):,} frictions: allowed: {MOST_GAITS:,}, or a grid, which is on file"
+        )
+    check_frictions(runner, frictions)
+    return sweep_row(runner, frictions, show_progress)
+
+
+def sweep_row(runner: Runner, frictions: Sequence[float], show_progress: bool = False) -> Sweep:
+    """`sweep` over frictions that are checked already."""
+    gaits: list[Orbit | None] = [None] * len(frictions)
+    borders: list[Border] = []
+    problems: list[str] = []
+    end = 0
+    with progress.bar("sweep", len(frictions), "gaits", show_progress) as bar:
+        while end < len(frictions):
+            begin, first, why = _begin(runner, frictions, end, bar)
+            if first is None:
+                problems.append(why)
+                break
+            preceding, _ = _followed(runner, frictions[end:begin][::-1], first, bar)
+            following, lost = _followed(runner, frictions[begin:], first, bar)
+            branch = [*preceding[::-1], *following]
+            problems += [why] if end < begin - len(preceding) else []
+            problems += [lost] if lost else []
+            end = begin + len(following)
+            gaits[end - len(branch) : end] = branch
+            found, unknown = _borders(runner, branch)
+            borders += found
+            problems += unknown
+    if not any(gaits):
+        raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(frictions) > 1)]))
+    return Sweep(
+        frictions=tuple(float(friction) for friction in frictions),
+        gaits=tuple(gaits),
+        borders=tuple(borders),
+        problem="; ".join(dict.fromkeys(problems)) or None,
+    )
+
+
+def _begin(
+    runner: Runner, frictions: Sequence[float], start: int, bar: tqdm
+) -> tuple[int, Orbit | None, str | None]:
+    """Number of a friction with a gait, the first from `start` on; that gait; why the one at `start` is none.
+
+    While there is none yet, the longer search is made at both ends of the range: a branch that comes from
+    outside is met there.
+    """
+    why = None
+    for number in range(start, len(frictions)):
+        search = first_orbit if start == 0 and number in (0, len(frictions) - 1) else find_orbit
+        try:
+            return number, search(runner.but(FRICTION, frictions[number])), why
+        except RunError as problem:
+            why = why or str(problem)
+            bar.update()
+    return len(frictions), None, why
+
+
+def _followed(
+    runner: Runner, frictions: Sequence[float], first: Orbit, bar: tqdm
+) -> tuple[list[Orbit], str | None]:
+    """Gaits from one on, as far as the branch could be followed, and what stopped it."""
+    found: list[Orbit] = []
+    try:
+        for orbit in gaits_over(runner, FRICTION, frictions, first):
+            found.append(orbit)
+            bar.update()
+    except RunError as problem:
+        return found, str(problem)
+    return found, None
+
+
+def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
+    """All changes of the word, and why some are missing."""
+    borders: list[Border] = []
+    problems: list[str] = []
+    for before, after in pairwise(orbits):
+        try:
+            for border, _ in crossings(Family(runner, FRICTION), before, after):
+                borders.append(border)
+        except RunError as problem:
+            problems.append(str(problem))
+    return borders, problems
+
+
+def check_frictions(runner: Runner, frictions: Sequence[float]) -> None:
+    """Refuse, before any work, frictions at which there is no gait to follow."""
+    for friction in frictions:
+        _ = runner.but(FRICTION, friction).inputs
+        check_has_gaits(friction)

@@ -1,0 +1,42 @@
+"""How loose a tolerance may be for an accuracy, and how fast work is."""
+
+import time
+from collections.abc import Callable, Iterator
+
+from ..errors import RunError
+from .results import ACCURACIES
+
+TOLERANCES = tuple(digit * 10.0**-power for power in range(3, 13) for digit in (10, 5, 2))
+REPEATS = 5
+
+
+def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[float, float, float]]:
+    """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error.
+
+    Raises:
+        RunError: no tolerance does.
+    """
+    errors: dict[float, float] = {}
+    for accuracy in ACCURACIES:
+        found = None
+        for tolerance in reversed(TOLERANCES):
+            if tolerance not in errors:
+                errors[tolerance] = error_at(tolerance)
+            if not errors[tolerance] <= accuracy:
+                break
+            found = tolerance
+        if found is None:
+            raise RunError(
+                f"{what}: no tolerance down to {TOLERANCES[-1]:g} reaches an error of {accuracy:g}"
+            )
+        yield accuracy, found, errors[found]
+
+
+def fastest(work: Callable[[], object], repeats: int = REPEATS) -> float:
+    """Seconds of the fastest of some repeats."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)

@@ -1,0 +1,87 @@
+"""Runners that start about a gait's apex: what all solvers are given, and by what their errors are judged."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..library import ensemble
+from ..library.orbit import Orbit, find_orbit
+from ..library.runner import Runner
+from ..unit.section import COORDINATES
+from ..unit.unit import Unit
+from .accuracy import fastest
+
+FRICTION = 0.6
+RUNNERS, STRIDES_EACH = 4096, 4
+SPREAD = 0.05
+"""Of starts about the gait's apex, either way; all make the gait's word."""
+JUDGED = 64
+"""Starts by which each solver's error is judged, besides the gait's apex."""
+TIGHT = 1e-13
+"""Tolerance of the native solver that the others are held against."""
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """Runners that start about a gait's apex."""
+
+    gait: Orbit
+    case: ensemble.Case
+    starts: np.ndarray
+
+    @cached_property
+    def judged(self) -> np.ndarray:
+        """The starts by which errors are judged: the gait's apex, and some about it."""
+        return np.vstack([self.gait.apex, self.starts[:JUDGED]])
+
+    @cached_property
+    def exact(self) -> np.ndarray:
+        """What one stride from each of them comes to, by the native solver at `TIGHT`."""
+        return self.ends("one by one", TIGHT)
+
+    def ends(self, instructions: str, tolerance: float) -> np.ndarray:
+        """What one stride of the ensemble engine from each of them comes to, see `run_ensemble`."""
+        return ensemble.run_ensemble(
+            [self.case],
+            self.judged,
+            most_strides=1,
+            tolerance=tolerance,
+            threads=1,
+            instructions=instructions,
+        )[0]
+
+    def error(self, apices: np.ndarray) -> float:
+        """The largest difference from the exact apices, over the scales; infinite where one is no number."""
+        differences = np.abs(apices - self.exact["apex"]) / self.case.runner.scales
+        return float(np.max(np.where(np.isnan(differences), np.inf, differences)))
+
+    def run(
+        self, instructions: str | None, tolerance: float, threads: int, effort: float
+    ) -> tuple[float, ensemble.Work]:
+        """Seconds for all, making some strides, and the work that was done."""
+        count = max(JUDGED, round(effort * len(self.starts))) * threads
+        runners = np.resize(self.starts, (count, len(COORDINATES)))
+        work: list[ensemble.Work] = []
+
+        def once() -> None:
+            _, done = ensemble.run_ensemble(
+                [self.case],
+                runners,
+                most_strides=STRIDES_EACH,
+                tolerance=tolerance,
+                threads=threads,
+                instructions=instructions,
+            )
+            work.append(done)
+
+        return fastest(once), work[0]
+
+
+def crowd(unit: Unit) -> Crowd:
+    """Starts drawn about the gait's apex."""
+    source = np.random.default_rng(0)
+    runner = Runner.of({"ground.friction": FRICTION}, unit)
+    spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(COORDINATES)))
+    gait = find_orbit(runner)
+    return Crowd(gait, ensemble.Case(runner), gait.apex + spread)

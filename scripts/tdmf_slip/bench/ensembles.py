@@ -1,0 +1,68 @@
+"""Many runners: the ensemble engine by its instruction sets, over threads, and heyoka's batches."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..library import ensemble
+from ..unit.section import COORDINATES
+from .accuracy import REPEATS, fastest, loosest
+from .crowd import Crowd
+from .one_runner import STRIDES
+from .results import ALONE, MANY, Measurement
+
+
+def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
+    """Time the engine by one instruction set, in one thread."""
+
+    def error_at(tolerance: float) -> float:
+        return many.error(many.ends(instructions, tolerance)["apex"])
+
+    for accuracy, tolerance, error in loosest(instructions, error_at):
+        seconds, work = many.run(instructions, tolerance, 1, effort)
+        yield Measurement(
+            MANY,
+            instructions,
+            accuracy,
+            tolerance,
+            error,
+            work.evaluations / work.strides,
+            1e6 * seconds / work.strides,
+        )
+
+
+def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
+    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone.
+
+    Raises:
+        ImportError: it is not installed.
+    """
+    from .peers.heyoka_peer import BatchPeer
+
+    full = -(-len(many.judged) // BatchPeer.lanes) * BatchPeer.lanes  # the last batch is filled up
+    judged = np.resize(many.judged, (full, len(COORDINATES))).reshape(-1, BatchPeer.lanes, len(COORDINATES))
+    batches = many.starts[: len(many.judged) - 1].reshape(-1, BatchPeer.lanes, len(COORDINATES))
+
+    def error_at(tolerance: float) -> float:
+        peer = BatchPeer(tolerance)
+        found = np.concatenate([peer.strides(batch) for batch in judged])
+        return many.error(found[: len(many.judged)])
+
+    for accuracy, tolerance, error in loosest(BatchPeer.name, error_at):
+        peer = BatchPeer(tolerance)
+        rounds = [*batches] * max(1, round(effort * STRIDES["heyoka"] / len(batches)))
+        strides = len(rounds) * BatchPeer.lanes
+        whole, alone = [], []
+        for _ in range(REPEATS):
+            peer.seconds = 0.0
+            whole.append(fastest(lambda peer=peer, rounds=rounds: [peer.strides(b) for b in rounds], 1))
+            alone.append(peer.seconds)
+        for name, seconds in ((BatchPeer.name, min(whole)), (BatchPeer.name + ALONE, min(alone))):
+            yield Measurement(MANY, name, accuracy, tolerance, error, None, 1e6 * seconds / strides)
+
+
+def measure_scaling(many: Crowd, threads: int, effort: float) -> float:
+    """Strides a second of each of many threads, over those of one alone."""
+    alone, _ = many.run(None, ensemble.TOLERANCE, 1, effort)
+    together, _ = many.run(None, ensemble.TOLERANCE, threads, effort)
+    return alone / together

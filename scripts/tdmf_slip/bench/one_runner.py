@@ -1,0 +1,82 @@
+"""One runner: the solvers of the unit, through Co-Simulation, and peers that make one stride at a time."""
+
+import time
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ..terminal import interrupts
+from ..unit.instance import opened
+from ..unit.section import COORDINATES, start_values
+from ..unit.unit import Unit
+from .accuracy import REPEATS, TOLERANCES, fastest, loosest
+from .crowd import FRICTION, Crowd
+from .results import ALONE, ONE, Measurement
+
+STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
+"""Timed in each repeat."""
+
+
+def starts(unit: Unit, solver: str, tolerance: float, apex: Sequence[float]) -> dict[str, float | int]:
+    """Start values of a run from an apex by a solver of the unit."""
+    methods = unit.variables["solver.method"].items
+    return {
+        **start_values(unit, apex),
+        "ground.friction": FRICTION,
+        "solver.method": {name: number for number, name in methods.items()}[solver],
+        "solver.relative_tolerance": tolerance,
+    }
+
+
+def stride_error(unit: Unit, many: Crowd, solver: str, tolerance: float) -> float:
+    """Error of the apex after one stride by a solver of the unit, from the worst start."""
+    names = [f"apex.{name}" for name in COORDINATES]
+    apices = []
+    for apex, exact in zip(many.judged, many.exact, strict=True):
+        with opened(unit, "cs") as runner:
+            runner.start(starts(unit, solver, tolerance, apex))
+            runner.advance(0.0, 1.001 * exact["time"])
+            apices.append(list(runner.read(names).values()))
+    return many.error(np.array(apices))
+
+
+def measure_unit(unit: Unit, many: Crowd, solver: str, effort: float) -> Iterator[Measurement]:
+    """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
+    strides = max(1, round(effort * STRIDES[solver]))
+    duration = strides * many.gait.period
+    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(unit, many, solver, t)):
+        times, evaluations = [], 0
+        for _ in range(REPEATS):
+            with opened(unit, "cs") as runner:
+                runner.start(starts(unit, solver, tolerance, many.gait.apex))
+                start = time.perf_counter()
+                runner.advance(0.0, duration)
+                times.append(time.perf_counter() - start)
+                evaluations = runner.value("solver.evaluations")
+        yield Measurement(
+            ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
+        )
+
+
+def measure_peer(peer_of: type, many: Crowd, strides: int) -> Iterator[Measurement]:
+    """Time a peer that makes one stride at a time."""
+    apex = many.gait.apex
+    with interrupts.held():  # a compiler may lose one
+        peer_of(max(TOLERANCES)).stride(apex)
+
+    def error_at(tolerance: float) -> float:
+        peer = peer_of(tolerance)
+        return many.error(np.array([peer.stride(start) for start in many.judged]))
+
+    for accuracy, tolerance, error in loosest(peer_of.name, error_at):
+        peer = peer_of(tolerance)
+        peer.stride(apex)
+        counted = getattr(peer, "evaluations", None)
+        alone, whole = [], []
+        for _ in range(REPEATS):
+            peer.seconds = 0.0
+            whole.append(fastest(lambda peer=peer: [peer.stride(apex) for _ in range(strides)], 1))
+            alone.append(peer.seconds)
+        for name, seconds in ((peer_of.name, min(whole)), (peer_of.name + ALONE, min(alone))):
+            if seconds > 0.0:
+                yield Measurement(ONE, name, accuracy, tolerance, error, counted, 1e6 * seconds / strides)

@@ -1,0 +1,96 @@
+"""What a benchmark found: a measurement for each solver and accuracy, as an object and as tables."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+
+from ..terminal.text import table
+
+ACCURACIES = (1e-8, 1e-5)
+"""Wanted of the apex after one stride, over its scales, from the gait's apex and all around it."""
+ALONE = ", integrators alone"
+"""Without the transitions between modes, which a user of heyoka writes in Python."""
+ONE, MANY = "one runner", "ensemble, on one processor"
+"""The groups."""
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """One solver at the loosest tolerance that reaches an accuracy."""
+
+    group: str
+    solver: str
+    accuracy: float
+    tolerance: float
+    error: float
+    """Of the apex after one stride, the largest coordinate over its scale; from the worst of the starts."""
+    evaluations: float | None
+    """Of the right-hand side, or of a coefficient of its series, a stride; None where nobody says."""
+    microseconds: float
+    """A stride, the fastest of the repeats."""
+
+
+@dataclass(frozen=True)
+class Bench:
+    """What was measured, and on what."""
+
+    measurements: tuple[Measurement, ...]
+    ours: Mapping[str, str]
+    """By group, the solver of ours that the others are compared with."""
+    threads: int
+    scaling: float
+    """Of the ensemble over so many threads: strides a second each, over those of one alone."""
+    versions: Mapping[str, str]
+    missing: tuple[str, ...] = ()
+    """Peers that are not installed."""
+
+    def ratio(self, measurement: Measurement) -> float:
+        """How many times faster our solver of its group is than a solver."""
+        ours = next(
+            m
+            for m in self.measurements
+            if (m.group, m.accuracy, m.solver)
+            == (measurement.group, measurement.accuracy, self.ours[measurement.group])
+        )
+        return measurement.microseconds / ours.microseconds
+
+    def as_json(self) -> dict[str, object]:
+        """The measurements as a plain object."""
+        rows = [asdict(m) | {"ratio": self.ratio(m)} for m in self.measurements]
+        return {
+            "measurements": rows,
+            "threads": self.threads,
+            "scaling": self.scaling,
+            "versions": dict(self.versions),
+            "missing": list(self.missing),
+        }
+
+    def as_text(self) -> str:
+        """The measurements as tables."""
+        parts = []
+        for group, ours in self.ours.items():
+            for accuracy in ACCURACIES:
+                rows = [m for m in self.measurements if (m.group, m.accuracy) == (group, accuracy)]
+                parts += [f"{group}, to {accuracy:g}; ratios to {ours}", self._rows_text(rows), ""]
+        parts.append(f"{self.threads} threads: each makes {self.scaling:.2f} times the strides of one alone")
+        parts += [f"{name} is not installed: pip install 'tdmf-slip[bench]'" for name in self.missing]
+        parts += [f"{name}: {what}" for name, what in self.versions.items()]
+        return "\n".join(parts)
+
+    def _rows_text(self, rows: list[Measurement]) -> str:
+        header = ("solver", "tolerance", "error", "evaluations", "ns each", "us/stride", "strides/s", "ratio")
+        return table(
+            header,
+            [
+                (
+                    m.solver,
+                    f"{m.tolerance:.0e}",
+                    f"{m.error:.1e}",
+                    "" if m.evaluations is None else f"{m.evaluations:.0f}",
+                    "" if m.evaluations is None else f"{1e3 * m.microseconds / m.evaluations:.1f}",
+                    f"{m.microseconds:.2f}" if m.microseconds < 100 else f"{m.microseconds:.0f}",
+                    f"{1e6 / m.microseconds:.0f}",
+                    f"{self.ratio(m):.3g}",
+                )
+                for m in rows
+            ],
+        )

@@ -1,0 +1,92 @@
+"""Solvers and the ensemble engine against peers: the same strides, each at the loosest accurate tolerance."""
+
+import datetime
+import os
+import platform
+from collections.abc import Callable, Iterator
+from importlib.metadata import version
+
+from ..checks import checked
+from ..library import ensemble
+from ..library.binding import c, ffi
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from .crowd import Crowd, crowd
+from .ensembles import measure_batches, measure_lanes, measure_scaling
+from .one_runner import STRIDES, measure_peer, measure_unit
+from .results import MANY, ONE, Bench, Measurement
+
+
+def _peers(many: Crowd, effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
+    """What may not be installed, by name."""
+
+    def of(name: str) -> Iterator[Measurement]:
+        if name == "heyoka":
+            from .peers.heyoka_peer import Peer
+        elif name == "numba":
+            from .peers.numba_peer import Peer
+        else:
+            from .peers.scipy_peer import Peer
+        yield from measure_peer(Peer, many, max(1, round(effort * STRIDES[name])))
+
+    for name in ("heyoka", "numba", "scipy"):
+        yield name, lambda name=name: of(name)
+
+
+def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None = None) -> Bench:
+    """Measure everything on this machine; all but the scaling over threads in one thread.
+
+    Args:
+        effort: scales how long is measured.
+        show_progress: a bar on stderr.
+        unit: the unit to measure; by default that of `fmu_path`.
+
+    Raises:
+        InputError: the unit was built without CVODE, or the effort is out of range.
+        RunError: a solver does not reach the wanted error.
+    """
+    checked("effort", effort, 1e-3, 1e3)
+    unit = load(unit)
+    many = crowd(unit)
+    sets = ensemble.instruction_sets()
+    jobs = [
+        *(
+            (solver, lambda solver=solver: measure_unit(unit, many, solver, effort))
+            for solver in ("native", "cvode")
+        ),
+        *_peers(many, effort),
+        *((name, lambda name=name: measure_lanes(many, name, effort)) for name in reversed(sets)),
+        ("heyoka", lambda: measure_batches(many, effort)),
+    ]
+    measurements: list[Measurement] = []
+    missing: dict[str, None] = {}
+    with progress.bar("bench", len(jobs) + 1, "solvers", show_progress) as bar:
+        for name, measure in jobs:
+            try:
+                measurements += measure()
+            except ImportError:
+                missing[name] = None
+            bar.update(1)
+        threads = os.cpu_count() or 1
+        scaling = measure_scaling(many, threads, effort)
+        bar.update(1)
+    ours = {ONE: "native", MANY: sets[-1]}
+    return Bench(tuple(measurements), ours, threads, scaling, _versions(), tuple(missing))
+
+
+def _versions() -> dict[str, str]:
+    return {
+        "date": datetime.date.today().isoformat(),
+        "processor": f"{_processor()}, {platform.system()} {platform.machine()}",
+        "compiler": ffi.string(c.tdmf_compiler()).decode(),
+        "tdmf-slip": version("tdmf-slip"),
+        "python": platform.python_version(),
+    }
+
+
+def _processor() -> str:
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or "unknown processor"

@@ -1,0 +1,145 @@
+"""The command `basin`: what a gait attracts."""
+
+from pathlib import Path
+
+import click
+import numpy as np
+
+from ..files.whole import check_place
+from ..terminal.text import columns, quantity
+from ..unit.section import COORDINATES
+from ..unit.unit import Unit, load
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SCHEDULER_OPTION,
+    SET_OPTION,
+    WORKERS_OPTION,
+    Command,
+    values_given,
+)
+from .output import json_text
+from .ranges import ends_of
+from .runner import runner_of
+
+
+@click.command("basin", cls=Command)
+@FRICTION_OPTION
+@click.option(
+    "--axes",
+    nargs=2,
+    default=("com_height", "com_speed"),
+    show_default=True,
+    metavar="NAME NAME",
+    help="Coordinates of the apex section that are varied.",
+)
+@click.option(
+    "--range",
+    "spans",
+    nargs=2,
+    metavar="A:B C:D",
+    help="Their ranges, as in 1:4 or '60 deg:80 deg'.  [default: around the gait]",
+)
+@click.option(
+    "--n",
+    "count",
+    type=click.IntRange(2, 16384),
+    default=128,
+    show_default=True,
+    help="Starts along each axis.",
+)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the map as NetCDF (.nc), block by block; gone on with where the file has blocks already.",
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the map: .png, .svg or .pdf."
+)
+@click.option(
+    "--samples",
+    type=click.IntRange(0, 100_000_000),
+    default=20000,
+    show_default=True,
+    help="Random starts in all six coordinates, for the region's volume; 0 for none.",
+)
+@SCHEDULER_OPTION
+@WORKERS_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def basin_command(
+    friction: float | None,
+    axes: tuple[str, str],
+    spans: tuple[str, str] | None,
+    count: int,
+    output: Path | None,
+    plot: Path | None,
+    samples: int,
+    scheduler: str | None,
+    workers: int | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """The region of attraction of a gait: a map over a slice of the apex section, its volume, its robustness.
+
+    Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
+    recovers from.
+    """
+    from ..analysis import attraction  # xarray is slow to load
+    from ..analysis.basin import basin, check_axes, range_around, stable_gait
+
+    check_axes(axes)
+    if output is not None:
+        check_place(output, (".nc",), "--output")
+    if plot is not None:
+        from ..pictures import basin_map, overview  # matplotlib is slow to load
+
+        check_place(plot, overview.FORMATS, "--plot")
+    unit = load()
+    runner = runner_of(unit, parameters, values_given(friction, settings))
+    variables = [unit.variables[f"apex.{axis}"] for axis in axes]
+    ends = [ends_of(*pair, "--range") for pair in zip(spans, variables, strict=True)] if spans else None
+    gait = stable_gait(runner, unit)
+    ends = ends or [range_around(gait, axis) for axis in axes]
+    ranges = tuple(np.linspace(*pair, count) for pair in ends)
+    where = {"scheduler": scheduler, "workers": workers, "show_progress": True}
+    data = basin(runner, axes, ranges, path=output, unit=unit, **where)
+    if plot is not None:
+        basin_map.draw(plot, data)
+    fates = {
+        name: int((data["fate"] == flag).sum())
+        for flag, name in enumerate(data["fate"].attrs["flag_meanings"].split())
+    }
+    result = {
+        "word": gait.word,
+        "starts": data["fate"].size,
+        **fates,
+        "strides": int(data["strides"].sum()),
+        "settled_share": data.attrs["settled_share"],
+        "settled_area": data.attrs["settled_area"],
+        "robustness": attraction.robustness(gait).as_json(),
+    }
+    if samples:
+        result["volume"] = attraction.volume(gait, samples, **where).as_json()
+    print(json_text(result) if as_json_object else _basin_text(result, axes, unit))
+
+
+def _basin_text(result: dict, axes: tuple[str, str], unit: Unit) -> str:
+    units = {axis: unit.variables[f"apex.{axis}"].unit for axis in COORDINATES}
+    rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
+    rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
+    for name, value in result["robustness"].items():
+        axis = "com_speed" if name.startswith("push") else "com_height"
+        rows[name] = "beyond the largest tried" if value is None else quantity(value, units[axis], 4)
+    if "volume" in result:
+        found = result["volume"]
+        low, high = found["share_interval"]
+        rows["volume"] = (
+            f"{found['volume']:.5g} in the section's scales, {100 * found['share']:.2f} % of the box "
+            f"({100 * found['confidence']:.0f} % confidence: {100 * low:.2f} to {100 * high:.2f} %)"
+        )
+    return columns(rows)

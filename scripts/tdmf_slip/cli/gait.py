@@ -1,0 +1,50 @@
+"""The command `gait`: one periodic gait."""
+
+import click
+
+from ..analysis.search import first_orbit
+from ..library.orbit import Orbit
+from ..terminal.text import columns, quantity
+from ..unit.section import COORDINATES
+from ..unit.unit import Unit, load
+from .options import FRICTION_OPTION, JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, Command, values_given
+from .output import json_text
+from .runner import runner_of
+
+QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
+"""Of a stride, that are printed."""
+
+
+@click.command("gait", cls=Command)
+@FRICTION_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def gait_command(
+    friction: float | None, settings: tuple[str, ...], parameters: str | None, as_json_object: bool
+) -> None:
+    """The periodic gait, stable or not, with the eigenvalues of its return map."""
+    unit = load()
+    orbit = first_orbit(runner_of(unit, parameters, values_given(friction, settings)), unit)
+    print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
+
+
+def _orbit_text(orbit: Orbit, unit: Unit) -> str:
+    def of(name: str, value: float) -> str:
+        return quantity(value, unit.variables[name].unit, 12)
+
+    rows = {
+        "word": orbit.word,
+        "friction": of("ground.friction", orbit.friction),
+        **{name: of(f"stride.{name}", orbit.stride[name]) for name in QUANTITIES},
+        "liftoff_angle": of("hip.liftoff_angle", orbit.liftoff_angle),
+        **{f"apex.{n}": of(f"apex.{n}", v) for n, v in zip(COORDINATES, orbit.apex, strict=True)},
+        "eigenvalues": ", ".join(_complex(value) for value in orbit.eigenvalues),
+        "stable": "yes" if orbit.stable else "no",
+    }
+    return columns(rows)
+
+
+def _complex(value: complex) -> str:
+    value = complex(value)
+    return f"{value.real:.9g}" if value.imag == 0.0 else f"{value.real:.9g}{value.imag:+.9g}i"

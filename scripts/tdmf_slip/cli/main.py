@@ -1,0 +1,87 @@
+"""The command `tdmf-slip`: its group of commands, and how it ends.
+
+Results go to stdout (with --json one JSON object and nothing else), progress and messages to stderr. Exit
+status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
+"""
+
+import contextlib
+import importlib
+import os
+import signal
+import sys
+
+import click
+
+from ..errors import TdmfSlipError
+from ..terminal import interrupts
+from ..version import __version__
+
+COMMANDS = ("basin", "bench", "figures", "gait", "simulate", "sweep", "validate")
+"""Each in the module of its name."""
+
+
+class LazyGroup(click.Group):
+    """A group that imports the module of a command when the command is asked for."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names of all commands."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """The command of a name, or None."""
+        if cmd_name not in COMMANDS:
+            return None
+        with interrupts.held():
+            module = importlib.import_module(f".{cmd_name}", __package__)
+        return getattr(module, f"{cmd_name}_command")
+
+
+@click.group(
+    cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}
+)
+@click.version_option(__version__, prog_name="tdmf-slip")
+def commands() -> None:
+    """Run the legged runner whose foot can slip, through its FMI unit."""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line; the exit status, after one message on stderr where something is wrong."""
+    if sys.stdout is None:
+        return _complain("stdout is closed, the results cannot be printed", 1)
+    if hasattr(sys.stdout, "reconfigure"):  # names of files need not be UTF-8
+        sys.stdout.reconfigure(errors="surrogateescape")
+    try:
+        status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
+        sys.stdout.flush()
+        return status
+    except click.exceptions.Abort:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # what Python does at its end is not interrupted again
+        return _complain("interrupted", 130)
+    except click.exceptions.NoArgsIsHelpError as problem:
+        print(problem.format_message(), file=sys.stderr)
+        return 2
+    except click.UsageError as problem:
+        where = problem.ctx.command_path if problem.ctx else "tdmf-slip"
+        return _complain(f"{problem.format_message()} (see {where} --help)", 2)
+    except TdmfSlipError as problem:
+        return _complain(str(problem), problem.exit_status)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 1
+    except BrokenPipeError:
+        _forget_stdout()
+        return 1
+    except OSError as problem:  # files are dealt with where they are written
+        _forget_stdout()
+        return _complain(f"the results cannot be printed: {problem.strerror}", 1)
+
+
+def _forget_stdout() -> None:
+    """Python flushes once more at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _complain(message: str, status: int) -> int:
+    with contextlib.suppress(OSError):
+        if sys.stderr is not None:  # else it would be printed among the results
+            print(f"tdmf-slip: {message}", file=sys.stderr)
+    return status

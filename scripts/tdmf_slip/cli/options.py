@@ -1,0 +1,146 @@
+"""What several commands share: options, and how start values are read from them."""
+
+from collections.abc import Mapping
+
+import click
+
+from ..checks import checked, checked_whole
+from ..errors import InputError
+from ..unit.parameters import preset_names, read_parameters
+from ..unit.unit import FRICTION, Unit
+
+
+class Command(click.Command):
+    """A command that refuses an option given twice, where click would take the last in silence."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the command line.
+
+        Raises:
+            UsageError: an option that takes one value has two, or there is no such option.
+        """
+        try:
+            _, _, given = self.make_parser(ctx).parse_args(args=list(args))
+        except click.UsageError as problem:
+            problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
+            raise
+        once = [option for option in given if not getattr(option, "multiple", True) and not option.is_flag]
+        twice = next((option for option in once if once.count(option) > 1), None)
+        if twice is not None:
+            raise click.UsageError(f"{twice.opts[0]} is given twice; allowed: once", ctx)
+        return super().parse_args(ctx, args)
+
+
+class Number(click.ParamType):
+    """A number within a range; the message names the option."""
+
+    name = "number"
+
+    def __init__(self, low: float, high: float, *, whole: bool = False) -> None:
+        """From `low` to `high`, on request a whole one."""
+        self.low, self.high, self.whole = low, high, whole
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> float | int:
+        """The number that a text stands for.
+
+        Raises:
+            InputError: it is beyond the range.
+        """
+        number = (click.INT if self.whole else click.FLOAT).convert(value, param, ctx)
+        check = checked_whole if self.whole else checked
+        return check(param.opts[0], number, self.low, self.high)
+
+
+FRICTION_OPTION = click.option(
+    "--friction", type=float, metavar="MU", help=f"Friction of the ground; short for {FRICTION}."
+)
+JSON_OPTION = click.option(
+    "--json", "as_json_object", is_flag=True, help="Print one JSON object and nothing else."
+)
+SET_OPTION = click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Start value of a variable, as in leg.stiffness=20000 or leg.angle='40 deg'. Repeatable.",
+)
+PARAMETERS_OPTION = click.option(
+    "--parameters",
+    metavar="FILE",
+    help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
+)
+SCHEDULER_OPTION = click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Dask scheduler whose workers do the work, tcp://host:8786; without one, processes of this machine.",
+)
+WORKERS_OPTION = click.option(
+    "--workers",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Processes on this machine.  [default: one for each processor]",
+)
+
+
+def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, object]]:
+    """By name of a variable: the option, --friction or --set, and the value that it gives.
+
+    Raises:
+        InputError: a variable is given twice, or a setting is not of the form NAME=VALUE.
+    """
+    given: dict[str, tuple[str, object]] = {} if friction is None else {FRICTION: ("--friction", friction)}
+    for setting in settings:
+        name, _, value = (part.strip() for part in setting.partition("="))
+        if not name or not value:
+            raise InputError(f"--set {setting}: allowed: NAME=VALUE")
+        if name in given:
+            raise InputError(f"--set {setting}: {given[name][0]} gives {name}, too; allowed: one of the two")
+        given[name] = "--set", value
+    return given
+
+
+def start_values(
+    unit: Unit, base: Mapping[str, object], given: Mapping[str, tuple[str, object]]
+) -> dict[str, object]:
+    """Start values: those of a file, and over them what single options give.
+
+    Args:
+        unit: checks names and values.
+        base: of a file, see `file_values`.
+        given: of single options, see `values_given`.
+
+    Raises:
+        InputError: the unit refuses one.
+    """
+    values = dict(base)
+    for name, (option, value) in given.items():
+        values |= unit.start_values({name: value}, option)
+    return values
+
+
+def file_values(unit: Unit, parameters: str | None) -> dict[str, object]:
+    """Start values of --parameters.
+
+    Raises:
+        InputError: the file is none, or the unit refuses a value.
+    """
+    if parameters is None:
+        return {}
+    return unit.start_values(read_parameters(parameters), f"--parameters {parameters}")
+
+
+def refuse_given(given: Mapping[str, tuple[str, object]], name: str, by: str) -> None:
+    """Refuse a start value for what another option says already.
+
+    Args:
+        given: see `values_given`.
+        name: of the variable.
+        by: the other option.
+
+    Raises:
+        InputError: there is one.
+    """
+    if name.strip() in given:
+        option = given[name.strip()][0]
+        shown = option if option == "--friction" else f"{option} {name.strip()}"
+        raise InputError(f"{shown}: {by} says what {name.strip()} is; allowed: one of the two")

@@ -1,0 +1,24 @@
+"""The runner whose gait a command is asked for."""
+
+from collections.abc import Mapping
+
+from ..errors import InputError
+from ..library.runner import STATES, VARIED, Runner
+from ..unit.unit import Unit
+from .options import file_values, start_values
+
+
+def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, object]]) -> Runner:
+    """The runner of the options.
+
+    Raises:
+        InputError: a value is refused, or has no part in a gait.
+    """
+    starts = start_values(unit, file_values(unit, parameters), given)
+    for name, (option, _) in given.items():
+        if name not in (*VARIED, *STATES):
+            raise InputError(
+                f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
+                f"allowed: parameters and inputs of the model, and its state"
+            )
+    return Runner.of(starts, unit)

@@ -1,0 +1,205 @@
+"""The command `simulate`: one run of the unit."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import click
+
+from ..errors import InputError
+from ..files.whole import check_place
+from ..terminal.text import columns, quantity
+from ..unit.events import as_json
+from ..unit.inputs import read_tables
+from ..unit.parameters import read_gait
+from ..unit.simulation import (
+    DEFAULT_STRIDES,
+    DEFAULT_TOLERANCE,
+    INTERVALS,
+    MOST_STRIDES,
+    TIMES,
+    TOLERANCES,
+    Run,
+    simulate,
+)
+from ..unit.tables import WRITERS, write_table
+from ..unit.unit import INTERFACES, Unit, load
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    file_values,
+    refuse_given,
+    start_values,
+    values_given,
+)
+from .output import json_text
+
+SOLVER_TOLERANCE = "solver.relative_tolerance"
+
+
+@click.command("simulate", cls=Command)
+@click.option(
+    "--interface",
+    type=click.Choice(list(INTERFACES)),
+    default="me",
+    show_default=True,
+    help="FMI interface: Model Exchange or Co-Simulation.",
+)
+@click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Stop at this time.")
+@click.option(
+    "--strides",
+    type=Number(1, MOST_STRIDES, whole=True),
+    metavar="N",
+    help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
+)
+@FRICTION_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@click.option(
+    "--from-gait",
+    metavar="FILE",
+    help="Begin on the gait that `tdmf-slip gait --json` wrote to a file, with its parameters; -: to stdin.",
+)
+@click.option(
+    "--inputs",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Inputs over time: CSV with a header time,<input>,...",
+)
+@click.option(
+    "--tolerance",
+    type=Number(*TOLERANCES),
+    help="Relative tolerance: of CVODE in Model Exchange; in Co-Simulation the tighter of it and "
+    f"solver.relative_tolerance holds.  [default: {DEFAULT_TOLERANCE:g}]",
+)
+@click.option(
+    "--output-interval",
+    type=Number(*INTERVALS),
+    metavar="SECONDS",
+    help="Time between recorded rows.  [default: a tenth of sqrt(m/k)]",
+)
+@click.option(
+    "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the rows: .csv or .nc."
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the run: .png, .svg or .pdf."
+)
+@JSON_OPTION
+def simulate_command(
+    interface: str,
+    stop_time: float | None,
+    strides: int | None,
+    friction: float | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    from_gait: str | None,
+    inputs: Path | None,
+    tolerance: float | None,
+    output_interval: float | None,
+    output: Path | None,
+    plot: Path | None,
+    as_json_object: bool,
+) -> None:
+    """One run of the unit through FMPy.
+
+    A fall ends the run and is a result, not an error.
+    """
+    if output is not None:
+        check_place(output, WRITERS, "--output")
+        for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
+            if file and output.resolve() == file.resolve():
+                raise InputError(f"--output {output}: holds the {what}; allowed: another file name")
+        if output.exists():
+            from ..files.resume import refuse_resumable  # xarray is slow to load
+
+            refuse_resumable(output)
+    if plot is not None:
+        from ..pictures import overview  # matplotlib is slow to load
+
+        check_place(plot, overview.FORMATS, "--plot")
+    unit = load()
+    if parameters is not None and from_gait is not None:
+        raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
+    given = values_given(friction, settings)
+    base = file_values(unit, parameters)
+    if from_gait is not None:
+        base = unit.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
+    starts = start_values(unit, base, given)
+    _refuse_other_interface(unit, interface, given)
+    if interface == "cs" and tolerance is not None:
+        _refuse_loose(unit, starts, tolerance)
+    tables = read_tables(inputs, unit) if inputs is not None else {}
+    for name in tables:
+        refuse_given(given, name, "--inputs")
+    run = simulate(
+        starts,
+        stop_time=stop_time,
+        strides=strides,
+        relative_tolerance=DEFAULT_TOLERANCE if tolerance is None else tolerance,
+        output_interval=output_interval,
+        inputs=tables,
+        interface=interface,
+        show_progress=True,
+        unit=unit,
+    )
+    if output is not None:
+        write_table(output, run, unit)
+    if plot is not None:
+        overview.draw(plot, run, unit)
+    print(json_text(_run_object(run)) if as_json_object else _run_text(run))
+
+
+OF_INTERFACE = {"me": "Model Exchange: ", "cs": "Co-Simulation: "}
+"""How the unit's description of a variable begins that has a meaning in one interface only."""
+
+
+def _refuse_other_interface(unit: Unit, interface: str, given: Mapping[str, object]) -> None:
+    for other, beginning in OF_INTERFACE.items():
+        for name in given:
+            if other != interface and unit.variables[name].description.startswith(beginning):
+                raise InputError(
+                    f"--set {name}: has no meaning with --interface {interface}; "
+                    f"allowed: with --interface {other}"
+                )
+
+
+def _refuse_loose(unit: Unit, starts: Mapping[str, float | bool], tolerance: float) -> None:
+    tightest = starts.get(SOLVER_TOLERANCE, unit.start_of(SOLVER_TOLERANCE))
+    if tolerance > tightest:
+        raise InputError(
+            f"--tolerance = {tolerance:g}: in Co-Simulation the tighter of it and {SOLVER_TOLERANCE} = "
+            f"{tightest:g} holds; allowed: up to that, or --set {SOLVER_TOLERANCE}={tolerance:g}"
+        )
+
+
+def _run_object(run: Run) -> dict[str, object]:
+    return {
+        "fallen": run.fallen,
+        "fall_time": run.fall_time,
+        "end_time": float(run.table["time"][-1]),
+        "rows": len(run.table),
+        "stride": run.stride,
+        "apex": run.apex,
+        "final": run.final,
+        "events": as_json(run.events),
+        "messages": run.messages,
+    }
+
+
+def _run_text(run: Run) -> str:
+    stride = run.stride
+    end = f"fell at t = {run.fall_time:g} s" if run.fallen else f"ran to t = {run.table['time'][-1]:g} s"
+    lines = [f"{end}, {stride['count']} strides, {len(run.events)} events"]
+    if stride["count"]:
+        rows = {
+            f"  {name}": value
+            if isinstance(value, str)
+            else quantity(value, run.units.get(f"stride.{name}", ""), 8)
+            for name, value in stride.items()
+            if name not in ("count", "word_code")
+        }
+        lines += ["last stride:", columns(rows)]
+    return "\n".join([*lines, *(f"unit: {message}" for message in run.messages)])

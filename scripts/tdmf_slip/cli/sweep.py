@@ -1,0 +1,153 @@
+"""The command `sweep`: gaits over a range of friction, alone or with a second parameter."""
+
+from pathlib import Path
+
+import click
+import numpy as np
+
+from ..analysis.sweep import Sweep, sweep
+from ..errors import InputError, RunError
+from ..files.whole import check_place
+from ..library.runner import Runner, check_varied
+from ..terminal.text import table
+from ..unit.unit import FRICTION, Unit, load
+from .options import (
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SCHEDULER_OPTION,
+    SET_OPTION,
+    WORKERS_OPTION,
+    Command,
+    refuse_given,
+    values_given,
+)
+from .output import json_text
+from .ranges import SPACINGS, values_of
+from .runner import runner_of
+
+SPACING_OPTION = click.option(
+    "--spacing",
+    type=click.Choice(list(SPACINGS)),
+    default="linear",
+    show_default=True,
+    help="Of the values in a range.",
+)
+
+
+@click.command("sweep", cls=Command)
+@click.option("--friction", "frictions", required=True, metavar="A:B:N", help="N values from A to B.")
+@click.option(
+    "--over",
+    metavar="NAME=A:B:N",
+    help="A second parameter or input, as in leg.damping=0.1:0.3:20 or "
+    "hip.touchdown_angle='35 deg:45 deg:11'; makes a grid of gaits, written to --output row by row; resumed "
+    "where the file has rows already.",
+)
+@SPACING_OPTION
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the gaits as NetCDF (.nc).",
+)
+@SCHEDULER_OPTION
+@WORKERS_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def sweep_command(
+    frictions: str,
+    over: str | None,
+    spacing: str,
+    output: Path | None,
+    scheduler: str | None,
+    workers: int | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """Gaits over a range of friction, and the borders between gait words.
+
+    A range that begins where there is no gait is swept from the first friction that has one. Where gaits are
+    missing, those that were found are printed and written, and the exit status is 1. The rows of a grid are
+    computed side by side.
+    """
+    if output is not None:
+        check_place(output, (".nc",), "--output")
+    unit = load()
+    given = values_given(None, settings)
+    refuse_given(given, FRICTION, "--friction")
+    values = values_of(frictions, spacing, unit.variables[FRICTION], "--friction")
+    runner = runner_of(unit, parameters, given)
+    if over is None and (scheduler is not None or workers is not None):
+        raise InputError(
+            "--scheduler, --workers: without --over each gait is found from the one before; "
+            "allowed: with --over"
+        )
+    if over is not None:
+        where = {"scheduler": scheduler, "workers": workers}
+        refuse_given(given, over.partition("=")[0], "--over")
+        _grid(runner, values, over, spacing, output, where, as_json_object)
+        return
+    if output is not None:
+        from ..files.resume import refuse_resumable  # xarray is slow to load
+
+        refuse_resumable(output)
+    found = sweep(runner, values, show_progress=True)
+    if output is not None:
+        from ..analysis.grid import as_dataset
+        from ..files.netcdf import write_dataset
+
+        write_dataset(output, as_dataset(found.gaits, {FRICTION: values}, unit))
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit))
+    if found.problem is not None:
+        raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")
+
+
+def _grid(
+    runner: Runner,
+    frictions: np.ndarray,
+    over: str,
+    spacing: str,
+    output: Path | None,
+    where: dict,
+    as_json_object: bool,
+) -> None:
+    from ..analysis.grid import grid  # xarray is slow to load
+
+    name, equals, span = (part.strip() for part in over.partition("="))
+    if not equals:
+        raise InputError(f"--over {over}: allowed: NAME=A:B:N")
+    if output is None:
+        raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
+    unit = load()
+    check_varied(name, "--over")
+    rows = values_of(span, spacing, unit.variables[name], f"--over {name} =")
+    data = grid(runner, frictions, name, rows, output, show_progress=True, unit=unit, **where)
+    gaits = int(data["period"].notnull().sum())
+    words = sorted({word for word in data["word"].values.ravel() if word})
+    result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
+    text = f"{output}: {gaits} gaits at {data['period'].size} points, words {', '.join(words)}"
+    print(json_text(result) if as_json_object else text)
+    problems = [problem for problem in data["problem"].values if problem]
+    if problems:
+        raise RunError(f"{problems[0]}; {gaits} of {data['period'].size} gaits were found")
+
+
+def _sweep_text(found: Sweep, unit: Unit) -> str:
+    rows = [
+        (
+            f"{orbit.friction:.6g}",
+            orbit.word,
+            f"{orbit.stride['period']:.8g}",
+            f"{orbit.stride['speed']:.8g}",
+            f"{orbit.stride['cost_of_transport']:.8g}",
+            f"{abs(orbit.eigenvalues[0]):.8f}",
+            "yes" if orbit.stable else "no",
+        )
+        for orbit in found.orbits
+    ]
+    with_units = [f"{name} ({unit.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
+    header = ("friction", "word", *with_units, "cost of transport", "lambda_max", "stable")
+    borders = [f"{border.before} to {border.after} at {border.value:.10g}" for border in found.borders]
+    return "\n".join([table(header, rows), *borders])

@@ -1,0 +1,46 @@
+"""Datasets as NetCDF files.
+
+NetCDF is made in memory and goes through Python's own files as everything does: its library knows neither
+why a write failed nor names that are no UTF-8.
+"""
+
+from pathlib import Path
+
+import xarray
+from netCDF4 import Dataset
+from xarray.backends import NetCDF4DataStore
+
+from .whole import destination, whole
+
+IN_MEMORY = "memory.nc"
+"""Name of a NetCDF file that is on no disk."""
+FIRST_SIZE = 2**16
+"""Bytes of such a one at first; it grows."""
+
+
+def new_netcdf() -> Dataset:
+    """One in memory, whose `close` gives its bytes."""
+    return Dataset(IN_MEMORY, "w", memory=FIRST_SIZE)
+
+
+def write_dataset(path: Path, data: xarray.Dataset) -> None:
+    """A dataset as NetCDF.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    with whole(path) as beside:
+        dataset = new_netcdf()
+        data.dump_to_store(NetCDF4DataStore(dataset))
+        beside.write_bytes(dataset.close())
+
+
+def read_dataset(path: Path) -> xarray.Dataset:
+    """A dataset from a NetCDF file, all of it.
+
+    Raises:
+        InputError: there is something else than a file.
+        OSError, ValueError: it cannot be read, or is no such file.
+    """
+    content = destination(path, str(path)).read_bytes()
+    return xarray.load_dataset(NetCDF4DataStore(Dataset(IN_MEMORY, memory=content)))

@@ -1,0 +1,97 @@
+"""Results on file that are gone on with: only a file of the very same work will do."""
+
+import contextlib
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+from ..errors import InputError
+from .netcdf import read_dataset
+
+
+def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
+    """What a file holds already of the work that would fill `blank`, or `blank` where there is no file.
+
+    Args:
+        path: of the NetCDF file.
+        blank: the result before any of it is done, with all variables, coordinates and attributes.
+        what: the work, as in `sweep`, for messages.
+
+    Raises:
+        InputError: the file holds something else; the message says what differs.
+    """
+    try:
+        data = read_dataset(path)
+    except FileNotFoundError:
+        return blank
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or "no NetCDF file"
+        raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
+    difference = _difference(data, blank)
+    if difference is not None:
+        raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")
+    return data
+
+
+def refuse_resumable(path: Path) -> None:
+    """Refuse, before any work, to write something else over results on file, which have taken long.
+
+    Raises:
+        InputError: the file is a grid of gaits or a map.
+    """
+    with contextlib.suppress(OSError, ValueError):
+        data = read_dataset(path)
+        if "done" in data or "fate" in data:
+            what = "grid of gaits" if "done" in data else "map"
+            raise InputError(f"{path}: holds a {what}; allowed: another file name")
+
+
+def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float = 0.0) -> bool:
+    """Whether all variables of one dataset are those of another, NaN where it is NaN.
+
+    Args:
+        found: has at least these variables, in the same shapes.
+        wanted: whose variables are looked at.
+        relative: by how much of a variable's largest value, here, numbers may be off.
+    """
+    return all(_close(found[name].values, wanted[name].values, relative) for name in wanted.data_vars)
+
+
+def _close(found: np.ndarray, wanted: np.ndarray, relative: float) -> bool:
+    if wanted.dtype.kind != "f":
+        return np.array_equal(found, wanted)
+    off = relative * np.max(np.abs(wanted), initial=0.0, where=np.isfinite(wanted))
+    return np.allclose(found, wanted, rtol=0.0, atol=off, equal_nan=True)
+
+
+def _difference(data: xarray.Dataset, blank: xarray.Dataset) -> str | None:
+    for name, wanted in blank.coords.items():
+        if name not in data.coords or not np.array_equal(data[name].values, wanted.values):
+            return f"with other values of {name}"
+    for name, wanted in blank.data_vars.items():
+        if name not in data or data[name].dims != wanted.dims or _kind(data[name]) != _kind(wanted):
+            return f"without such a variable {name}"
+    for name, wanted in blank.variables.items():
+        for attribute in wanted.attrs:
+            if not _same(data[name].attrs, wanted.attrs, attribute):
+                return f"with another {attribute} of {name}"
+    return next(
+        (f"with another {name}" for name in blank.attrs if not _same(data.attrs, blank.attrs, name)), None
+    )
+
+
+def _kind(variable: xarray.DataArray) -> str:
+    """Of its values; texts come back from a file in another type."""
+    return "text" if variable.dtype.kind in "OSTU" else variable.dtype.kind
+
+
+def _same(found: Mapping, wanted: Mapping, name: str) -> bool:
+    """Numbers up to rounding, as in a gait that another machine has found."""
+    value, there = wanted[name], found.get(name)
+    if isinstance(value, str):
+        return isinstance(there, str) and there == value
+    if np.asarray(there).dtype.kind not in "iuf" or np.shape(there) != np.shape(value):
+        return False
+    return np.allclose(there, value, rtol=1e-9, atol=1e-12)

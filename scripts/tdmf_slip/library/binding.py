@@ -1,0 +1,66 @@
+"""The C library, called from Python: all its public functions and structs, declared by its public headers.
+
+    from tdmf_slip.library import c, ffi
+
+    parameters = c.tdmf_default_parameters()
+    model = ffi.new("tdmf_model *")
+    c.tdmf_model_create(model, ffi.new("tdmf_parameters *", parameters))
+
+The headers are read when this module is imported, so that no declaration is repeated here.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+from cffi import FFI
+
+from ..errors import InputError
+
+FOLDER = Path(__file__).parents[1] / "native"
+HEADERS = FOLDER / "tdmf_slip"
+ROOTS = ("tdmf_slip.h", "ensemble.h")
+"""Headers that bring in all others."""
+PATH_VARIABLE = "TDMF_SLIP_LIBRARY"
+NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
+
+
+def library_path() -> Path:
+    """Path of the shared library: that of the environment variable TDMF_SLIP_LIBRARY, else the package's own.
+
+    Raises:
+        InputError: there is no such file.
+    """
+    override = os.environ.get(PATH_VARIABLE)
+    path = Path(override) if override else FOLDER / NAMES.get(sys.platform, "libtdmf_slip_shared.so")
+    if not path.is_file():
+        wanted = f"{PATH_VARIABLE}: {override!r} is not a file" if override else f"{path} is missing"
+        raise InputError(f"{wanted}; install the package with pip, or name the library that CMake built")
+    return path
+
+
+def _declarations() -> str:
+    """The public headers in the order of their inclusion, without what is for a preprocessor."""
+    seen: list[str] = []
+    texts: list[str] = []
+
+    def read(name: str) -> None:
+        if name in seen:
+            return
+        seen.append(name)
+        text = (HEADERS / name).read_text(encoding="utf-8")
+        for included in re.findall(r'^#include "tdmf_slip/(.*)"', text, re.MULTILINE):
+            read(included)
+        text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.DOTALL)
+        text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+        texts.append(re.sub(r"^#.*$", "", text, flags=re.MULTILINE))
+
+    for name in ROOTS:
+        read(name)
+    return "\n".join(texts)
+
+
+ffi = FFI()
+ffi.cdef(_declarations())
+c = ffi.dlopen(str(library_path()))

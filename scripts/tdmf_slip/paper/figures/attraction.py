@@ -1,0 +1,94 @@
+"""Two measures of a gait's stability over the friction: its largest eigenvalue, and what it attracts."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...analysis.attraction import FARTHEST, Attraction
+from ...analysis.sweep import Sweep
+from ...pictures import style
+from . import figure_9
+
+DISTURBANCES = {
+    "step_down": ("step down  / l₀", "#1f5fa8"),
+    "push_forward": ("push forward  / l₀√(k/m)", "#e07b00"),
+}
+"""Names and colours of the disturbances that are shown."""
+
+
+def table(measured: Sequence[Attraction]) -> dict[str, list]:
+    """The figure's data, by column; a disturbance beyond the largest tried is inf."""
+    return {
+        "friction": [one.friction for one in measured],
+        "word": [one.word for one in measured],
+        "lambda_max": [one.lambda_max for one in measured],
+        "attracted_share": [one.volume.share for one in measured],
+        "attracted_share_low": [one.volume.interval[0] for one in measured],
+        "attracted_share_high": [one.volume.interval[1] for one in measured],
+        "samples": [one.volume.samples for one in measured],
+        **{
+            name: [getattr(one.robustness, name) for one in measured]
+            for name in ("push_forward", "push_backward", "step_down", "step_up")
+        },
+    }
+
+
+def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
+    """Draw the share of the section that is attracted, the largest eigenvalue, and the disturbances."""
+    data = table(measured)
+    with style.styled():
+        figure, axes = plt.subplots(3, 1, figsize=(7.6, 7.6), sharex=True, layout="constrained")
+        _draw_share(axes[0], data)
+        axes[1].plot(
+            [orbit.friction for orbit in sweep.orbits],
+            [abs(orbit.eigenvalues[0]) for orbit in sweep.orbits],
+            color=style.CURVE,
+        )
+        axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
+        _draw_disturbances(axes[2], data)
+        for panel in axes:
+            figure_9.mark_borders(panel, sweep)
+        figure_9.name_words(axes[0], sweep, height=0.2)
+        figure_9.friction_axis(axes[-1], [orbit.friction for orbit in sweep.orbits])
+        style.save(figure, path)
+
+
+def _draw_share(axes: Axes, data: dict[str, list]) -> None:
+    axes.fill_between(
+        data["friction"],
+        data["attracted_share_low"],
+        data["attracted_share_high"],
+        color="#9bd3c4",
+        label="95 % confidence",
+    )
+    axes.plot(
+        data["friction"],
+        data["attracted_share"],
+        color=style.SECOND_CURVE,
+        label=f"{data['samples'][0]} random starts",
+    )
+    axes.set_ylim(0.0, 1.0)
+    axes.set_title("(a) share of a box in all six coordinates of the apex that the gait attracts", pad=18)
+    axes.legend(loc="lower left")
+
+
+def _draw_disturbances(axes: Axes, data: dict[str, list]) -> None:
+    for name, (label, colour) in DISTURBANCES.items():
+        axes.plot(
+            data["friction"], np.minimum(data[name], FARTHEST), "o-", markersize=3, color=colour, label=label
+        )
+    axes.axhline(FARTHEST, **style.LIMIT_LINE)
+    axes.annotate(
+        "the largest tried",
+        (data["friction"][0], FARTHEST),
+        xytext=(-4, 4),
+        textcoords="offset points",
+        ha="right",
+        fontsize=8.5,
+    )
+    axes.set_ylim(0.0, 1.15 * FARTHEST)
+    axes.set_title("(c) largest disturbance at an apex that is recovered from")
+    axes.legend(loc="center right")

@@ -1,0 +1,150 @@
+"""All figures of the paper, remade, and what it could not show: PNG and SVG, with the data beside as CSV."""
+
+import csv
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from ...analysis.attraction import Attraction, measure_all
+from ...analysis.sweep import Sweep, sweep
+from ...errors import InputError
+from ...files.whole import whole
+from ...library.orbit import find_orbit
+from ...library.runner import Runner
+from ...pictures.stride import Stride
+from ...terminal import progress
+from ...unit.parameters import read_parameters
+from ...unit.unit import Unit
+from . import (
+    attraction,
+    energy,
+    figure_1,
+    figure_2,
+    figure_3,
+    figure_4,
+    figure_5,
+    figure_6,
+    figure_7,
+    figure_8,
+    figure_9,
+)
+
+FORMATS = (".png", ".svg")
+SWEPT = np.geomspace(10.0, 0.05, 200)
+"""Frictions of figure 9."""
+MEASURED = 26
+"""So many of these have their region of attraction measured."""
+STRIDE_COLUMNS = (
+    "time",
+    "com.y",
+    "foot.x",
+    "foot.y",
+    "foot.vx",
+    "leg.length",
+    "leg.angle",
+    "contact.fx",
+    "contact.fy",
+    "contact.mode",
+)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """How a figure is drawn into a file, and its data by column."""
+
+    draw: Callable[[Path], None]
+    table: Callable[[], Mapping[str, Sequence]]
+
+
+def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bool = False) -> list[Path]:
+    """Draw the figures into a folder.
+
+    Args:
+        folder: where the files go; made where it is missing.
+        unit: run for one stride of a gait.
+        only: only figures whose name begins like this.
+        show_progress: a bar on stderr.
+
+    Returns:
+        The files written.
+
+    Raises:
+        InputError: no figure has such a name, or nothing can be written there.
+    """
+    known = _figures(unit)
+    chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
+    if not chosen:
+        raise InputError(f"--only {only}: no such figure; allowed: {', '.join(known)}")
+    folder.mkdir(exist_ok=True)
+    written = []
+    with progress.bar("figures", len(chosen), "figures", show_progress) as bar:
+        for name, figure in chosen.items():
+            for suffix in FORMATS:
+                figure.draw(folder / f"{name}{suffix}")
+                written.append(folder / f"{name}{suffix}")
+            write_columns(folder / f"{name}.csv", figure.table())
+            written.append(folder / f"{name}.csv")
+            bar.update()
+    return written
+
+
+def write_columns(path: Path, columns: Mapping[str, Sequence]) -> None:
+    """Write columns of equal length as CSV, whole or not at all."""
+    with whole(path) as beside, beside.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(columns)
+        writer.writerows(zip(*columns.values(), strict=True))
+
+
+def _figures(unit: Unit) -> dict[str, Figure]:
+    runner = Runner.of(read_parameters("paper"), unit)
+
+    @cache
+    def stride(friction: float) -> Stride:
+        return Stride(find_orbit(runner.but("ground.friction", friction)), unit)
+
+    @cache
+    def gaits() -> Sweep:
+        return sweep(runner, SWEPT)
+
+    @cache
+    def measured() -> list[Attraction]:
+        orbits = gaits().orbits
+        chosen = [orbits[i] for i in np.linspace(0, len(orbits) - 1, MEASURED).round().astype(int)]
+        return measure_all(chosen)
+
+    first, second = figure_8.FRICTIONS
+    return {
+        "figure_1b": Figure(figure_1.draw, figure_1.table),
+        "figure_2a": Figure(figure_2.draw_maps, figure_2.map_table),
+        "figure_2b": Figure(figure_2.draw_gaits, figure_2.gait_table),
+        "figure_3": Figure(figure_3.draw, figure_3.table),
+        "figure_4a": Figure(figure_4.draw, figure_2.gait_table),
+        "figure_5": _of_stride(figure_5.draw, stride, figure_5.FRICTION),
+        "figure_6": _of_stride(figure_6.draw, stride, figure_6.FRICTION),
+        "figure_7": _of_stride(figure_7.draw, stride, figure_7.FRICTION),
+        "figure_8": Figure(
+            lambda path: figure_8.draw(path, (stride(first), stride(second))),
+            lambda: _stride_table([stride(first), stride(second)]),
+        ),
+        "figure_9": Figure(lambda path: figure_9.draw(path, gaits()), lambda: figure_9.table(gaits())),
+        "attraction": Figure(
+            lambda path: attraction.draw(path, gaits(), measured()), lambda: attraction.table(measured())
+        ),
+        "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
+    }
+
+
+def _of_stride(
+    drawing: Callable[[Path, Stride], None], stride: Callable[[float], Stride], friction: float
+) -> Figure:
+    return Figure(lambda path: drawing(path, stride(friction)), lambda: _stride_table([stride(friction)]))
+
+
+def _stride_table(strides: Sequence[Stride]) -> dict[str, np.ndarray]:
+    """Recorded rows of one or more strides, normalised, with the gait's friction first."""
+    rows = {"friction": np.concatenate([np.full(len(s.time), s.gait.friction) for s in strides])}
+    return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}

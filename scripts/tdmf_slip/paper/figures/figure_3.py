@@ -1,0 +1,121 @@
+"""Figure 3: a massless foot that slips, at touchdown and in stance, and the cone that an impact must meet."""
+
+import math
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Polygon
+
+from ...library import classic_slip
+from ...pictures import style
+from . import slip_path
+
+TOUCHDOWN_ANGLE = math.radians(40.0)
+STANCE_ANGLE = math.radians(30.0)
+HEIGHT = 1.2
+"""Of the apex before, m."""
+MARGIN = 0.8
+"""Friction over what would be needed."""
+COMPRESSED = 0.85
+"""Length of the leg in (a), a little after touchdown, so that what the foot does can be seen."""
+
+
+def _early() -> tuple[float, object]:
+    """A friction that ends the stance early, and the step."""
+    needed = classic_slip.step(classic_slip.slip(STANCE_ANGLE), HEIGHT).stance_friction
+    friction = MARGIN * needed
+    return friction, classic_slip.step(classic_slip.slip(STANCE_ANGLE, friction), HEIGHT)
+
+
+def table() -> dict[str, list]:
+    """What the three panels show, by column."""
+    friction, early = _early()
+    touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)
+    return {
+        "panel": ["a", "b", "c"],
+        "friction": [MARGIN * math.tan(TOUCHDOWN_ANGLE), friction, touchdown.impact_friction],
+        "x": [touchdown.touchdown.x, early.take_off.x, touchdown.touchdown.x],
+        "y": [touchdown.touchdown.y, early.take_off.y, touchdown.touchdown.y],
+        "vx": [touchdown.touchdown.vx, early.take_off.vx, touchdown.touchdown.vx],
+        "vy": [touchdown.touchdown.vy, early.take_off.vy, touchdown.touchdown.vy],
+    }
+
+
+def draw(path: Path) -> None:
+    """Draw the three panels."""
+    with style.styled():
+        figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.8), layout="constrained", sharey=True)
+        _touchdown(axes[0])
+        _take_off(axes[1])
+        _impact(axes[2])
+        for panel in axes:
+            panel.set_xlim(-1.05, 1.05)
+            panel.set_ylim(-0.35, 1.3)
+        for panel in axes[1:]:
+            panel.set_ylabel("")
+        style.save(figure, path)
+
+
+def _cone(axes: Axes, friction: float, up: float = 1.0, reach: float = 0.55) -> None:
+    """The friction cone at the foot."""
+    side = friction * reach
+    axes.add_patch(
+        Polygon([(0, 0), (-side, up * reach), (side, up * reach)], color="#dce7c8", linewidth=0, zorder=0)
+    )
+
+
+def _velocity(axes: Axes, x: float, y: float, vx: float, vy: float) -> None:
+    size = 0.45 / math.hypot(vx, vy)
+    axes.annotate(
+        "",
+        (x + size * vx, y + size * vy),
+        (x, y),
+        arrowprops={"arrowstyle": "-|>", "color": style.SECOND_CURVE},
+    )
+
+
+def _extended(axes: Axes, x: float, y: float, towards: float) -> None:
+    """The leg after the foot has slid out until the spring is as long as it can be."""
+    foot = x + towards * math.sqrt(max(0.0, 1.0 - y * y))
+    slip_path.leg(axes, (foot, 0.0), (x, y), style.FAINT, linestyle=":")
+    axes.annotate("", (foot, -0.12), (0.0, -0.12), arrowprops={"arrowstyle": "-|>", "color": "#e07b00"})
+
+
+def _touchdown(axes: Axes) -> None:
+    slip_path.ground(axes)
+    axes.set_title("(a) outside the cone at touchdown:\nthe foot slides out, the mass falls")
+    _cone(axes, MARGIN * math.tan(TOUCHDOWN_ANGLE))
+    touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT).touchdown
+    x, y = COMPRESSED * touchdown.x, COMPRESSED * touchdown.y
+    slip_path.leg(axes, (0.0, 0.0), (x, y))
+    _extended(axes, x, y, 1.0)
+    _velocity(axes, x, y, touchdown.vx, touchdown.vy)
+
+
+def _take_off(axes: Axes) -> None:
+    friction, early = _early()
+    slip_path.ground(axes)
+    axes.set_title("(b) reaching its edge in stance:\nan early take-off")
+    _cone(axes, friction)
+    path = classic_slip.stance(
+        classic_slip.slip(STANCE_ANGLE), HEIGHT, np.linspace(0.0, early.stance_time, slip_path.POINTS)
+    )
+    axes.plot(path[0], path[1], color=style.SECOND_CURVE, linestyle="--", linewidth=1.2)
+    end = early.take_off
+    slip_path.leg(axes, (0.0, 0.0), (end.x, end.y))
+    _extended(axes, end.x, end.y, -1.0)
+    _velocity(axes, end.x, end.y, end.vx, end.vy)
+
+
+def _impact(axes: Axes) -> None:
+    slip_path.ground(axes)
+    axes.set_title("(c) a foot with mass sticks if its\nvelocity points into the cone")
+    step = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)
+    at, foot = step.touchdown, (0.0, 0.3)
+    axes.add_patch(Polygon([foot, (-0.3, 0.0), (0.3, 0.0)], color="#dce7c8", linewidth=0, zorder=0))
+    slip_path.leg(axes, foot, (foot[0] + at.x, foot[1] + at.y))
+    axes.plot(*foot, "o", color=style.INK, markersize=5)
+    _velocity(axes, *foot, at.vx, at.vy)
+    axes.annotate(f"needs μ ≥ {step.impact_friction:.2f}", (0.42, 0.16), fontsize=8.5)

@@ -1,0 +1,68 @@
+"""Figure 5: the gait at high friction, where the foot sticks: heights, leg, foot velocity, force ratio."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...pictures import panels, style
+from ...pictures.stride import Stride
+
+FRICTION = 10.0
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Draw the four panels."""
+    with style.styled():
+        figure, axes = plt.subplots(2, 2, figsize=(8.4, 6.2), layout="constrained")
+        _heights(axes[0, 0], stride)
+        _leg(axes[0, 1], stride)
+        _velocity(axes[1, 0], stride)
+        _ratio(axes[1, 1], stride)
+        figure.suptitle(
+            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
+            x=0.02,
+            ha="left",
+        )
+        style.save(figure, path)
+
+
+def _heights(axes: Axes, stride: Stride) -> None:
+    panels.mark_stance(axes, stride)
+    axes.plot(stride.time, stride["com.y"], color=style.CURVE, label=r"centre of mass $y_c$")
+    axes.plot(stride.time, stride["foot.y"], color=style.SECOND_CURVE, label=r"foot $y$")
+    axes.set_title("(a) heights")
+    axes.set_ylim(-0.05, 1.75)
+    axes.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.0))
+    style.label(axes, panels.TIME_LABEL, "height  / l₀")
+
+
+def _leg(axes: Axes, stride: Stride) -> None:
+    panels.mark_stance(axes, stride)
+    axes.plot(stride.time, stride["leg.length"], color=style.CURVE)
+    axes.set_title("(b) leg length and angle")
+    axes.set_ylim(0.0, 1.25)
+    style.label(axes, panels.TIME_LABEL, "leg length  r / l₀")
+    angle = axes.twinx()
+    angle.spines["right"].set_visible(True)
+    angle.plot(stride.time, np.degrees(stride["leg.angle"]), color=style.SECOND_CURVE)
+    angle.set_ylabel("leg angle  θ  in degrees", color=style.SECOND_CURVE)
+    angle.tick_params(axis="y", colors=style.SECOND_CURVE)
+    angle.set_ylim(-65, 75)
+
+
+def _velocity(axes: Axes, stride: Stride) -> None:
+    panels.mark_stance(axes, stride)
+    panels.foot_velocity(axes, stride, stance_only=False)
+    axes.set_title("(c) foot velocity")
+    axes.legend(
+        handles=panels.mode_key(stride, style.MODE_COLOURS), loc="center", bbox_to_anchor=(0.27, 0.42)
+    )
+
+
+def _ratio(axes: Axes, stride: Stride) -> None:
+    panels.mark_stance(axes, stride)
+    panels.mark_mid_stance(axes, stride)
+    panels.force_ratio(axes, stride)
+    axes.set_title("(d) force ratio in stance; × impulses at the impact")

@@ -1,0 +1,13 @@
+"""Figure 6: the gait at friction 1.2, sliding on landing and again just before lift-off."""
+
+from pathlib import Path
+
+from ...pictures.stride import Stride
+from . import velocity_and_ratio
+
+FRICTION = 1.2
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Draw foot velocity and force ratio."""
+    velocity_and_ratio.draw(path, stride)

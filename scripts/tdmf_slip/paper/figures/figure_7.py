@@ -1,0 +1,13 @@
+"""Figure 7: the gait at friction 0.6, with three slips, parted by two sticks."""
+
+from pathlib import Path
+
+from ...pictures.stride import Stride
+from . import velocity_and_ratio
+
+FRICTION = 0.6
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Draw foot velocity and force ratio."""
+    velocity_and_ratio.draw(path, stride)

@@ -1,0 +1,101 @@
+"""Figure 9: largest eigenvalue, speed and cost of transport of the gaits over the friction, with their words.
+
+Below 0.3 the paper has no eigenvalues and below 0.1 no gait; its axis leaves out 2 to 7. Here nothing is left
+out, and what the paper does not show is drawn on a tinted ground.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.patches import Patch
+
+from ...analysis.sweep import Sweep
+from ...pictures import style
+
+NARROW = 1.02
+"""Ratio of two borders of friction between which no word can be written."""
+PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}
+"""Ranges of friction in the paper's own figure."""
+TINT = "#eef3e6"
+TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+
+
+def table(sweep: Sweep) -> dict[str, list]:
+    """The figure's data, by column."""
+    orbits = sweep.orbits
+    return {
+        "friction": [orbit.friction for orbit in orbits],
+        "word": [orbit.word for orbit in orbits],
+        "lambda_max": [float(abs(orbit.eigenvalues[0])) for orbit in orbits],
+        "speed": [orbit.stride["speed"] for orbit in orbits],
+        "cost_of_transport": [orbit.stride["cost_of_transport"] for orbit in orbits],
+    }
+
+
+def draw(path: Path, sweep: Sweep) -> None:
+    """Draw the three panels."""
+    data = table(sweep)
+    panels = (
+        ("lambda_max", r"(a) largest eigenvalue $\lambda_{max}$", "eigenvalue"),
+        ("speed", r"(b) average speed $V$  / l₀√(k/m)", "gait"),
+        ("cost_of_transport", r"(c) cost of transport $c_{mt}$", "gait"),
+    )
+    with style.styled():
+        figure, axes = plt.subplots(3, 1, figsize=(7.6, 8.4), sharex=True, layout="constrained")
+        for panel, (name, title, shown) in zip(axes, panels, strict=True):
+            tint(panel, PAPER_SHOWS[shown], data["friction"])
+            panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)
+            panel.set_title(title, pad=18 if panel is axes[0] else None)
+            mark_borders(panel, sweep)
+        name_words(axes[0], sweep)
+        axes[1].legend(handles=[Patch(color=TINT, label="not in the paper's figure")], loc="lower right")
+        friction_axis(axes[-1], data["friction"])
+        style.save(figure, path)
+
+
+def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Sequence[float]) -> None:
+    """Tint what the paper's figure does not show."""
+    edge = min(frictions)
+    for low, high in shown:
+        if low > edge:
+            axes.axvspan(edge, low, color=TINT, zorder=0, linewidth=0)
+        edge = high
+
+
+def mark_borders(axes: Axes, sweep: Sweep) -> None:
+    """A dashed line where the word changes."""
+    for border in sweep.borders:
+        axes.axvline(border.value, **style.STANCE_LINE)
+
+
+def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
+    """The gait words between the borders, above the axes; what is too narrow is named inside, at a height."""
+    frictions = sorted(orbit.friction for orbit in (sweep.orbits[0], sweep.orbits[-1]))
+    edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]
+    words = [sweep.orbits[0].word, *(border.after for border in sweep.borders)]
+    for word, high, low in zip(words, edges, edges[1:], strict=False):
+        centre = (high * low) ** 0.5
+        if high > NARROW * low:
+            position = {"xy": (centre, 1.02), "xycoords": ("data", "axes fraction")}
+            axes.annotate(style.word(word), **position, ha="center", fontsize=9)
+        else:
+            axes.annotate(
+                style.word(word),
+                (centre, height),
+                xycoords=("data", "axes fraction"),
+                xytext=(12, 14),
+                textcoords="offset points",
+                arrowprops={"arrowstyle": "-", "color": style.FAINT},
+                fontsize=9,
+            )
+
+
+def friction_axis(axes: Axes, frictions: Sequence[float]) -> None:
+    """A logarithmic axis of friction with plain numbers."""
+    axes.set_xscale("log")
+    axes.set_xlim(min(frictions), max(frictions))
+    axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
+    axes.minorticks_off()
+    axes.set_xlabel("friction coefficient  μ")

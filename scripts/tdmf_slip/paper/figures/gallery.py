@@ -1,0 +1,56 @@
+"""All pictures of the five published gaits, in one folder."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ...library.orbit import find_orbit
+from ...library.runner import Runner
+from ...pictures import animation, model, snapshots
+from ...pictures.stride import Stride
+from ...terminal import progress
+from ...unit.parameters import read_parameters
+from ...unit.unit import FRICTION, Unit
+from ..claims import WORDS
+from . import figure_5, figure_6, figure_7, figure_8
+
+
+def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
+    """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model.
+
+    Args:
+        folder: where the files go; made where it is missing.
+        unit: run for one stride of each gait.
+        show_progress: a bar on stderr.
+
+    Returns:
+        The files written.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    folder.mkdir(exist_ok=True)
+    runner = Runner.of(read_parameters("paper"), unit)
+    with progress.bar("pictures", len(WORDS) + 7, "", show_progress) as bar:
+        strides = {}
+        for friction in WORDS:
+            strides[friction] = Stride(find_orbit(runner.but(FRICTION, friction)), unit)
+            bar.update()
+        written = []
+        for name, drawing in _drawings(strides).items():
+            drawing(folder / name)
+            written.append(folder / name)
+            bar.update()
+    return written
+
+
+def _drawings(strides: dict[float, Stride]) -> dict[str, Callable[[Path], None]]:
+    first, second = figure_8.FRICTIONS
+    return {
+        "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION]),
+        "figure_6.png": lambda path: figure_6.draw(path, strides[figure_6.FRICTION]),
+        "figure_7.png": lambda path: figure_7.draw(path, strides[figure_7.FRICTION]),
+        "figure_8.png": lambda path: figure_8.draw(path, (strides[first], strides[second])),
+        "snapshots.png": lambda path: snapshots.draw(path, strides[snapshots.FRICTION]),
+        "stride.gif": lambda path: animation.draw(path, strides[animation.FRICTION]),
+        "model.png": model.draw,
+    }

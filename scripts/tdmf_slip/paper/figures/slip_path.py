@@ -1,0 +1,69 @@
+"""The path of the classic SLIP over a step, and how its leg is drawn: what figures 1 and 3 share."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...library import classic_slip
+from ...pictures import style
+
+COILS = 7
+POINTS = 60
+
+
+@dataclass(frozen=True)
+class Path:
+    """One step from apex to apex; the foot stands at x = 0."""
+
+    time: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    phase: list[str]
+    """fall, stance or rise."""
+
+
+def of_step(parameters: object, height: float) -> Path:
+    """The path of the mass from an apex, over the stance, to the next apex."""
+    step = classic_slip.step(parameters, height)
+    gravity = parameters.gravity
+    fall = np.linspace(0.0, -step.touchdown.vy / gravity, POINTS)
+    stance = np.linspace(0.0, step.stance_time, POINTS)
+    rise = np.linspace(0.0, max(0.0, step.take_off.vy) / gravity, POINTS)
+    on_ground = classic_slip.stance(parameters, height, stance)
+    x = [
+        step.touchdown.x + step.touchdown.vx * (fall - fall[-1]),
+        on_ground[0],
+        step.take_off.x + step.take_off.vx * rise,
+    ]
+    y = [
+        height - 0.5 * gravity * fall**2,
+        on_ground[1],
+        step.take_off.y + step.take_off.vy * rise - 0.5 * gravity * rise**2,
+    ]
+    time = [fall, fall[-1] + stance, fall[-1] + stance[-1] + rise]
+    phases = [phase for phase in ("fall", "stance", "rise") for _ in range(POINTS)]
+    return Path(np.concatenate(time), np.concatenate(x), np.concatenate(y), phases)
+
+
+def leg(
+    axes: Axes, foot: tuple[float, float], mass: tuple[float, float], colour: str = style.INK, **line
+) -> None:
+    """A spring from foot to mass, and the mass."""
+    (x0, y0), (x1, y1) = foot, mass
+    length = math.hypot(x1 - x0, y1 - y0)
+    along = np.array([0.0, 0.15, *np.linspace(0.2, 0.8, 2 * COILS), 0.85, 1.0]) * length
+    across = np.array([0.0, 0.0, *(0.05 * (-1) ** i for i in range(2 * COILS)), 0.0, 0.0])
+    ux, uy = (x1 - x0) / length, (y1 - y0) / length
+    axes.plot(
+        x0 + along * ux - across * uy, y0 + along * uy + across * ux, color=colour, linewidth=1.0, **line
+    )
+    axes.plot([x1], [y1], "o", color=colour, markersize=8, **line)
+
+
+def ground(axes: Axes) -> None:
+    """The ground line, and axes of equal scale."""
+    axes.axhline(0.0, color=style.GROUND, linewidth=3.0, zorder=0)
+    axes.set_aspect("equal")
+    style.label(axes, "x  in m", "y  in m")

@@ -1,0 +1,28 @@
+"""What figures 6 and 7 are made of: foot velocity and force ratio, in the stance, side by side."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+from ...pictures import panels, style
+from ...pictures.stride import Stride
+
+
+def draw(path: Path, stride: Stride) -> None:
+    """Draw the two panels."""
+    with style.styled():
+        figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.7), layout="constrained")
+        for axes in (left, right):
+            panels.mark_stance(axes, stride)
+            panels.mark_mid_stance(axes, stride)
+        panels.foot_velocity(left, stride, stance_only=True)
+        left.set_title("(a) foot velocity; the jump is the slipping impact")
+        panels.force_ratio(right, stride)
+        right.set_title("(b) force ratio; × impulses at the impact")
+        figure.suptitle(
+            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
+            x=0.02,
+            ha="left",
+        )
+        panels.key_below(figure, [stride])
+        style.save(figure, path)

@@ -1,0 +1,121 @@
+"""Many runs of the unit, by FMPy, over a table of parameters: here or on a Dask cluster."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import xarray
+
+from ..blocks.running import run_blocks
+from ..checks import checked, checked_whole
+from ..errors import InputError, TdmfSlipError
+from ..terminal import progress
+from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
+from .unit import Unit, load
+
+
+@dataclass(frozen=True)
+class Job:
+    """A run: a block of work."""
+
+    values: Mapping[str, object]
+    strides: int
+    relative_tolerance: float
+    interface: str
+
+
+@dataclass(frozen=True)
+class Result:
+    """How a run ended."""
+
+    stride: Mapping[str, object]
+    """The last completed stride, by the unit's names in the group `stride`."""
+    fallen: bool
+    problem: str
+    """Why there is no result, or nothing."""
+
+
+def run_one(job: Job) -> Result:
+    """One run of the unit. A run that fails is a result, too: the others go on."""
+    try:
+        run = simulate(
+            job.values,
+            strides=job.strides,
+            relative_tolerance=job.relative_tolerance,
+            interface=job.interface,
+        )
+    except TdmfSlipError as problem:  # the unit may refuse how several values go together
+        return Result({}, False, str(problem))
+    return Result(run.stride, run.fallen, "")
+
+
+def run_batch(
+    table: Sequence[Mapping[str, object]],
+    *,
+    strides: int,
+    relative_tolerance: float = DEFAULT_TOLERANCE,
+    interface: str = "cs",
+    scheduler: str | None = None,
+    workers: int | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> xarray.Dataset:
+    """Run the unit once for each row of a table.
+
+    Args:
+        table: start values by the unit's names, one mapping for each run; all with the same names.
+        strides: how many each run makes.
+        relative_tolerance: as in `simulate`.
+        interface: `me` or `cs`.
+        scheduler: of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+        workers: processes on this machine, by default one for each processor.
+        show_progress: a bar on stderr.
+        unit: checks the table before anything is run.
+
+    Returns:
+        Over the dimension `run`: the table's columns as coordinates, the last stride's quantities with their
+        units, `fallen`, and `problem`, empty where there was none.
+
+    Raises:
+        InputError: an empty table, rows with different names, or a value that is not allowed.
+    """
+    unit = load(unit)
+    unit.require_interface(interface)
+    checked_whole("strides", strides, 1, MOST_STRIDES)
+    checked("relative_tolerance", relative_tolerance, *TOLERANCES)
+    rows = isinstance(table, Sequence) and all(isinstance(row, Mapping) for row in table)
+    names = list(table[0]) if rows and table else []
+    if not names or any(list(row) != names for row in table):
+        raise InputError("table: allowed: one or more rows, all with the same names in the same order")
+    jobs = [
+        Job(unit.start_values(row, f"row {number}"), strides, relative_tolerance, interface)
+        for number, row in enumerate(table)
+    ]
+    results: list[Result | None] = [None] * len(jobs)
+    with (
+        progress.bar("batch", len(jobs), "runs", show_progress) as bar,
+        run_blocks(run_one, jobs, scheduler=scheduler, workers=workers) as finished,
+    ):
+        for number, result in finished:
+            results[number] = result
+            bar.update()
+    return _dataset(jobs, results, names, unit)
+
+
+def _dataset(
+    jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], unit: Unit
+) -> xarray.Dataset:
+    data = xarray.Dataset(
+        {
+            "fallen": ("run", [result.fallen for result in results]),
+            "problem": ("run", np.array([result.problem for result in results], dtype=object)),
+        },
+        coords={name: ("run", [job.values[name] for job in jobs]) for name in names},
+    )
+    for full in unit.group("stride"):
+        name = full.removeprefix("stride.")
+        values = [result.stride.get(name, "" if name == "word" else np.nan) for result in results]
+        data[name] = "run", np.array(values, dtype=object if name == "word" else float)
+        variable = unit.variables[full]
+        data[name].attrs = {"units": variable.unit or "1", "long_name": variable.description}
+    return data

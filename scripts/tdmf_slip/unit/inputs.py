@@ -1,0 +1,133 @@
+"""Inputs that change in time, as tables."""
+
+import csv
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..checks import check_kind
+from ..errors import InputError, reason
+from .unit import Unit
+from .variable import Variable
+
+InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
+"""By name of an input: times in s, ascending, and values. Values in between are interpolated linearly; a time
+given twice is a jump. Before and after the table its first and last value hold."""
+
+
+def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | bool]) -> np.ndarray | None:
+    """All inputs on one time grid, as FMPy wants them; None without tables.
+
+    FMPy's CVODE applies inputs where it looks for events, not at each evaluation of the right-hand side: a
+    ramp is followed within one solver step. Jumps are exact.
+
+    Raises:
+        InputError: a name that is no input, times that go back, a value out of range.
+    """
+    if not tables:
+        return None
+    check_kind(tables, Mapping, "inputs", "pairs of times and values, by the names of inputs")
+    checked = {name: _checked(unit, name, table, "inputs") for name, table in tables.items()}
+    grid = _grid([times for times, _ in checked.values()])
+    inputs = unit.names("input")
+    array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
+    array["time"] = grid
+    for name in inputs:
+        if name in checked:
+            array[name] = _on_grid(grid, *checked[name])
+        else:  # FMPy warns on stdout of an input without a column
+            array[name] = start_values.get(name, unit.start_of(name))
+    return array
+
+
+def read_tables(path: Path | str, unit: Unit) -> InputTables:
+    """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
+
+    A value is a number in its input's unit, or has a unit after a space.
+
+    Raises:
+        InputError: unreadable, not such a file, or not inputs of the unit.
+    """
+    path = Path(path)
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:  # Excel writes a mark at the beginning
+            reader = csv.reader(file, strict=True)
+            lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
+    except (OSError, ValueError, csv.Error) as problem:
+        raise InputError(f"{path}: not a table of inputs: {reason(problem)}") from problem
+    header = lines[0][1] if lines else []
+    if header[:1] != ["time"] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
+        raise InputError(
+            f"{path}: the header has to be time,<input>,..., each once, with rows below; "
+            f"found {','.join(header) or 'nothing'}"
+        )
+    inputs = [unit.find(name, str(path)) for name in header[1:]]
+    columns = np.array([_numbers(path, line, row, inputs) for line, row in lines[1:]]).T
+    tables = {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
+    return {name: _checked(unit, name, table, str(path)) for name, table in tables.items()}
+
+
+def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) -> list[float]:
+    where = f"{path}, line {line}"
+    if len(row) != 1 + len(inputs):
+        raise InputError(f"{where}: {len(row)} numbers; allowed: {1 + len(inputs)}, as in the header")
+    try:
+        time = float(row[0])
+    except ValueError as problem:
+        raise InputError(f"{where}: {problem}; allowed: numbers") from None
+    return [time, *(_number(cell, variable, where) for cell, variable in zip(row[1:], inputs, strict=True))]
+
+
+def _number(cell: str, variable: Variable, where: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return variable.value_of(cell, where)
+
+
+def _checked(
+    unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike], where: str
+) -> tuple[np.ndarray, np.ndarray]:
+    variable = unit.find(name, where)
+    if variable.causality != "input":
+        raise InputError(f"{where}: {name} is no input; inputs: {', '.join(unit.names('input'))}")
+    try:
+        times, values = (np.asarray(column, dtype=float) for column in table)
+    except (TypeError, ValueError):
+        raise InputError(f"{where}: {name} = {table!r}: allowed: a pair of times and values") from None
+    if times.ndim != 1 or times.shape != values.shape or not len(times):
+        raise InputError(
+            f"{where}: {name}: times {times.shape} and values {values.shape} have to be equally long"
+        )
+    if not np.all(np.isfinite(times)) or np.any(np.diff(times) < 0):
+        raise InputError(f"{where}: {name}: times have to be finite and ascending")
+    for time, value in zip(times, values, strict=True):
+        variable.value_of(float(value), f"{where}, time {time:g}")
+    return times, values
+
+
+def _grid(all_times: list[np.ndarray]) -> np.ndarray:
+    """Every time of any table; twice where any table jumps."""
+    times = np.unique(np.concatenate(all_times))
+    jumps = np.concatenate([table[1:][np.diff(table) == 0] for table in all_times])
+    return np.repeat(times, np.where(np.isin(times, jumps), 2, 1))
+
+
+def _on_grid(grid: np.ndarray, times: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values on the grid; at a time that it has twice, the limits from the left and from the right."""
+    right = np.array([_limit(t, times, values, "right") for t in grid])
+    first = np.append(np.diff(grid) == 0, False)
+    right[first] = [_limit(t, times, values, "left") for t in grid[first]]
+    return right
+
+
+def _limit(t: float, times: np.ndarray, values: np.ndarray, side: str) -> float:
+    after = int(np.searchsorted(times, t, side=side))
+    if after == 0:
+        return float(values[0])
+    if after == len(times):
+        return float(values[-1])
+    share = (t - times[after - 1]) / (times[after] - times[after - 1])
+    return float(values[after - 1] + share * (values[after] - values[after - 1]))

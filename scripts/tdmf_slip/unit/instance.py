@@ -1,0 +1,180 @@
+"""One instance of the unit in FMPy: made, run, read, and always freed."""
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import fmpy
+import fmpy.simulation
+import numpy as np
+from fmpy.fmi1 import FMICallException
+
+from ..errors import InputError, RunError, TdmfSlipError
+from ..terminal import interrupts
+from .unit import Unit
+
+# FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.
+for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
+    os.environ.setdefault(log, os.devnull)
+
+REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
+"""FMI calls by which the unit refuses start values: one alone, or several together."""
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """What FMPy is asked to do with an instance; times in s."""
+
+    stop_time: float
+    relative_tolerance: float
+    output_interval: float
+    start_values: Mapping[str, float | bool]
+    inputs: np.ndarray | None = None
+    """Structured array: `time` and one column per input."""
+    variables: tuple[str, ...] = ()
+    """Names to record beside time."""
+
+
+class Instance:
+    """An instance of the unit; use `opened`."""
+
+    def __init__(self, unit: Unit, interface: str) -> None:
+        """Instantiate; whatever the unit says from here on is kept in `messages`."""
+        self.unit = unit
+        self.interface = unit.require_interface(interface)
+        self.messages: list[str] = []
+        self._fmu = fmpy.simulation.instantiate_fmu(
+            unit.folder, unit.description, self.interface, logger=self._log
+        )
+        troubles = [c.name for c in unit.description.logCategories or [] if c.name.startswith("logStatus")]
+        self._fmu.setDebugLogging(True, troubles)
+
+    def _log(
+        self, _environment: object, _name: bytes, _status: int, _category: bytes, message: bytes
+    ) -> None:
+        self.messages.append(message.decode("utf-8", errors="replace").strip())
+
+    def read(self, names: Iterable[str]) -> dict[str, float | int | bool | str]:
+        """Present values by name: Real float, Integer and Enumeration int, Boolean bool, String str."""
+        return {name: self.value(name) for name in names}
+
+    def value(self, name: str) -> float | int | bool | str:
+        """Present value of one variable."""
+        variable = self.unit.variables[name]
+        getter = {
+            "Real": self._fmu.getReal,
+            "Integer": self._fmu.getInteger,
+            "Enumeration": self._fmu.getInteger,
+            "Boolean": self._fmu.getBoolean,
+            "String": self._fmu.getString,
+        }[variable.type]
+        value = getter([variable.reference])[0]
+        if variable.type == "Boolean":
+            return bool(value)
+        return value.decode("utf-8") if isinstance(value, bytes) else value
+
+    def simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
+        """Run through FMPy: Model Exchange with CVODE, recording before and after each event.
+
+        Args:
+            experiment: what to run.
+            step_finished: called with the time and FMPy's recorder after each output interval and each
+                event, except a fall; False ends the run.
+
+        Returns:
+            Structured array of what was recorded: `time` and the experiment's variables.
+
+        An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
+        with the numbers that they were about to give.
+
+        Raises:
+            InputError: the unit refused a start value, or how several go together.
+            RunError: FMPy or the unit failed; the message has what both said.
+        """
+        with interrupts.held() as interrupt:
+
+            def step(time: float, recorder: object) -> bool:
+                interrupt.deliver()
+                return step_finished(time, recorder)
+
+            return self._simulate(experiment, step)
+
+    def _simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
+        try:
+            return fmpy.simulate_fmu(
+                self.unit.folder,
+                model_description=self.unit.description,
+                fmu_instance=self._fmu,
+                fmi_type=self.interface,
+                stop_time=experiment.stop_time,
+                relative_tolerance=experiment.relative_tolerance,
+                output_interval=experiment.output_interval,
+                start_values=dict(experiment.start_values),
+                input=experiment.inputs,
+                output=list(experiment.variables),
+                step_finished=step_finished,
+                terminate=False,
+            )
+        except Exception as problem:  # FMPy raises bare Exceptions
+            raise self._account_of(problem) from problem
+
+    def start(self, values: Mapping[str, float | int | bool]) -> None:
+        """Set start values and initialize, to go on by `advance` (Co-Simulation).
+
+        Raises:
+            InputError: the unit refused a value, or how several go together.
+        """
+        setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
+        try:
+            for name, value in values.items():
+                variable = self.unit.variables[name]
+                setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
+            self._fmu.setupExperiment()
+            self._fmu.enterInitializationMode()
+            self._fmu.exitInitializationMode()
+        except FMICallException as problem:
+            raise self._account_of(problem) from problem
+
+    def advance(self, time: float, duration: float) -> None:
+        """One communication step from `time` on; both in s.
+
+        Raises:
+            RunError: the unit could not take it; the message has what it said.
+        """
+        try:
+            self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
+        except FMICallException as problem:
+            raise self._account_of(problem) from problem
+
+    def _account_of(self, problem: Exception) -> TdmfSlipError:
+        said = "; ".join(dict.fromkeys(self.messages))
+        if isinstance(problem, FMICallException) and problem.function.startswith(REFUSING_CALLS):
+            return InputError(f"start values: {said or problem}")
+        # FMPy formats CVODE's account of an error even where CVODE gave none.
+        why = "CVODE failed" if isinstance(problem, TypeError) else str(problem)
+        return RunError(f"the run failed: {why}" + (f"; the unit says: {said}" if said else ""))
+
+    def close(self) -> None:
+        """Terminate, where FMPy has not done so, and free the instance."""
+        try:
+            if self.interface == "CoSimulation":
+                self._fmu.terminate()
+        except FMICallException:
+            pass  # after a failed call there is nothing to terminate
+        finally:
+            self._fmu.freeInstance()
+
+
+@contextmanager
+def opened(unit: Unit, interface: str = "me") -> Iterator[Instance]:
+    """An instance that is freed at the end, whatever happens.
+
+    Raises:
+        InputError: the unit does not offer the interface.
+    """
+    instance = Instance(unit, interface)
+    try:
+        yield instance
+    finally:
+        instance.close()

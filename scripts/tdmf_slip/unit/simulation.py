@@ -1,0 +1,227 @@
+"""One run of the unit through FMPy."""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..checks import check_kind, checked, checked_whole
+from ..errors import InputError, RunError
+from ..terminal import progress
+from .events import MODE, PHASE, Event, events_of
+from .inputs import InputTables, signals
+from .instance import Experiment, Instance, opened
+from .unit import Unit, load
+
+DEFAULT_STRIDES = 10
+DEFAULT_TOLERANCE = 1e-9
+TOLERANCES = 1e-14, 0.1
+"""From and to; as the following."""
+TIMES = 1e-9, 1e9
+INTERVALS = 1e-12, 1e9
+MOST_STRIDES = 10**9
+POINTS_PER_TIME_UNIT = 10
+"""Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
+between two points: 500 steps."""
+LONGEST_STRIDE = 20.0
+"""A stride that takes longer than this many sqrt(l0/g) + sqrt(m/k) is taken for none."""
+MOST_ROWS = 10_000_000
+FALLEN = "status.fallen"
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run gave. All values are in the units of the model description, see `units`."""
+
+    table: np.ndarray
+    """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
+    units: Mapping[str, str]
+    """Unit of each field."""
+    fallen: bool
+    fall_time: float | None
+    """s; None where the runner has not fallen."""
+    final: Mapping[str, float | int | bool | str]
+    """Every variable of the unit at the end of the run, also where the runner has fallen."""
+    events: list[Event] = field(default_factory=list)
+    messages: list[str] = field(default_factory=list)
+    """What the unit had to say."""
+
+    @property
+    def stride(self) -> dict[str, float | int | str]:
+        """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
+        return self._group("stride")
+
+    @property
+    def apex(self) -> dict[str, float]:
+        """The section at the last apex: `time`, `com_height` and so on."""
+        return self._group("apex")
+
+    def _group(self, group: str) -> dict:
+        return {n.split(".", 1)[1]: v for n, v in self.final.items() if n.startswith(group + ".")}
+
+
+def simulate(
+    start_values: Mapping[str, object] | None = None,
+    *,
+    stop_time: float | None = None,
+    strides: int | None = None,
+    relative_tolerance: float = DEFAULT_TOLERANCE,
+    output_interval: float | None = None,
+    inputs: InputTables | None = None,
+    variables: Iterable[str] | None = None,
+    record_events: bool = True,
+    interface: str = "me",
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Run:
+    """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
+
+    Args:
+        start_values: by variable name, a number in the variable's unit or a text like `40 deg`.
+        stop_time: s; the run begins at 0.
+        strides: end at the apex that closes this many strides, in Co-Simulation at the next recorded row.
+            With `stop_time`, whichever comes first; with neither, ten strides.
+        relative_tolerance: of CVODE, whose absolute tolerances follow from the unit's nominal values; in
+            Co-Simulation the tighter of it and `solver.relative_tolerance` holds.
+        output_interval: s between recorded rows; by default a tenth of sqrt(m/k).
+        inputs: tables by input name, see `inputs.InputTables`.
+        variables: names to record; by default every numeric input and output.
+        record_events: keep the rows before and after each event (Model Exchange), not the regular ones only.
+        interface: `me` (Model Exchange) or `cs` (Co-Simulation).
+        show_progress: a bar on stderr.
+        unit: the unit to run; by default that of `fmu_path`.
+
+    Raises:
+        InputError: something given is not allowed, by this package or by the unit; nothing was run.
+        RunError: the unit or FMPy failed, or the strides did not come about.
+    """
+    unit = load(unit)
+    starts = unit.start_values(start_values or {}, "start values")
+    if stop_time is None and strides is None:
+        strides = DEFAULT_STRIDES
+    recorded = _recorded(unit, variables)
+    experiment = Experiment(
+        stop_time=_stop_time(unit, starts, stop_time, strides),
+        relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
+        output_interval=_interval(unit, starts, output_interval),
+        start_values=starts,
+        inputs=signals(unit, inputs or {}, starts),
+        variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
+    )
+    _check_rows(experiment, _least_duration(unit, starts, stop_time, strides))
+    with opened(unit, interface) as instance:
+        table = _run(instance, experiment, stop_time, strides, show_progress)
+        run = _result(instance, table, recorded, None if record_events else experiment.output_interval)
+    if strides is not None and stop_time is None and not run.fallen and run.stride["count"] < strides:
+        raise RunError(
+            f"only {run.stride['count']} of {strides} strides closed within {experiment.stop_time:g} s, "
+            "and the runner did not fall; give a stop time to see what it does"
+        )
+    return run
+
+
+def time_unit(unit: Unit, starts: Mapping[str, float | bool]) -> float:
+    """The paper's unit of time, sqrt(m/k), in s."""
+    mass, stiffness = (starts.get(name, unit.start_of(name)) for name in ("body.mass", "leg.stiffness"))
+    return math.sqrt(mass / stiffness)
+
+
+def longest_time(unit: Unit, starts: Mapping[str, float | bool], strides: int) -> float:
+    """A time, in s, in which so many strides have closed if they close at all."""
+    length, gravity = (starts.get(name, unit.start_of(name)) for name in ("leg.free_length", "gravity"))
+    return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(unit, starts))
+
+
+def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
+    if variables is None:
+        return unit.names("input") + unit.names("output")
+    check_kind(variables, Iterable, "variables", "names of variables in a list")
+    names = [variables] if isinstance(variables, str) else variables
+    found = [unit.find(name, "variables") for name in names]
+    for variable in found:
+        if variable.type == "String":
+            raise InputError(
+                f"variables: {variable.name} is a text and has no column; it is in the run's `final`"
+            )
+    return [variable.name for variable in found if variable.causality != "independent"]
+
+
+def _stop_time(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
+    if strides is not None:
+        strides = checked_whole("strides", strides, 1, MOST_STRIDES)
+    if stop_time is not None:
+        return checked("stop_time", stop_time, *TIMES)
+    return longest_time(unit, starts, strides)
+
+
+def _interval(unit: Unit, starts: Mapping, interval: float | None) -> float:
+    return time_unit(unit, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
+
+
+def _least_duration(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
+    """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
+    by_strides = math.inf if strides is None else strides * time_unit(unit, starts)
+    return min(by_strides, math.inf if stop_time is None else stop_time)
+
+
+def _check_rows(experiment: Experiment, duration: float) -> None:
+    """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
+    interval = checked("output_interval", experiment.output_interval, *INTERVALS)
+    if duration / interval > MOST_ROWS:
+        raise InputError(
+            f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
+            f"allowed: {MOST_ROWS:,} rows, which an interval of {duration / MOST_ROWS:.3g} gives"
+        )
+
+
+def _run(
+    instance: Instance, experiment: Experiment, stop_time: float | None, strides: int | None, show: bool
+) -> np.ndarray:
+    total, unit = (strides, "strides") if stop_time is None else (stop_time, "s")
+    with progress.bar("simulate", total, unit, show) as bar:
+
+        def step_finished(time: float, recorder: object) -> bool:
+            closed = instance.value("stride.count") if strides is not None else 0
+            bar.update((closed if stop_time is None else time) - bar.n)
+            if time > MOST_ROWS * experiment.output_interval:
+                raise RunError(
+                    f"{MOST_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
+                )
+            if strides is None or closed < strides:
+                return True
+            recorder.sample(time)  # FMPy would stop before the row after the apex
+            return False
+
+        return instance.simulate(experiment, step_finished)
+
+
+def _result(instance: Instance, table: np.ndarray, recorded: list[str], interval: float | None) -> Run:
+    unit = instance.unit
+    fallen = instance.value(FALLEN)
+    if fallen and not table[FALLEN][-1]:  # FMPy stops before it records the row in which the runner falls
+        last = (table["time"][-1], *instance.read(table.dtype.names[1:]).values())
+        table = np.append(table, np.array([last], dtype=table.dtype))
+    fall_time = float(table["time"][np.argmax(table[FALLEN])]) if fallen else None
+    events = events_of(table, unit)
+    if interval is not None:
+        table = _regular_rows(table, interval)
+    names = ["time", *recorded]
+    return Run(
+        table=np.array(table[names], dtype=[(name, table.dtype[name]) for name in names]),
+        units={name: unit.variables[name].unit for name in names},
+        fallen=fallen,
+        fall_time=fall_time,
+        final=instance.read(unit.variables),
+        events=events,
+        messages=list(instance.messages),
+    )
+
+
+def _regular_rows(table: np.ndarray, interval: float) -> np.ndarray:
+    """Rows on the grid of output points, the later one where an event fell on a point, and the last row."""
+    steps = table["time"] / interval
+    regular = np.abs(steps - np.round(steps)) < 1e-6
+    later = np.append(np.diff(table["time"]) > 0, True)
+    regular[-1] = True
+    return table[regular & later]

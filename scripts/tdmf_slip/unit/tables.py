@@ -1,0 +1,68 @@
+"""A run's recorded rows on file: CSV, or NetCDF with units, flags and the run's end."""
+
+import csv
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from ..files.whole import check_place, whole
+from .simulation import Run
+from .unit import Unit
+
+
+def write_table(path: Path | str, run: Run, unit: Unit) -> None:
+    """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
+
+    Raises:
+        InputError: another suffix than .csv or .nc, or nothing can be written there.
+    """
+    path = check_place(path, WRITERS, "output")
+    with whole(path) as beside:
+        WRITERS[path.suffix.lower()](beside, run, unit)
+
+
+def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(run.table.dtype.names)
+        writer.writerows(run.table.tolist())
+
+
+def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
+    from ..files.netcdf import new_netcdf  # slow to load, and seldom asked for
+
+    dataset = new_netcdf()
+    dataset.createDimension("row", len(run.table))
+    for name in run.table.dtype.names:
+        column = run.table[name]
+        variable = dataset.createVariable(
+            name, "i4" if column.dtype == bool else column.dtype, ("row",), zlib=True
+        )
+        variable[:] = column
+        variable.setncatts(_attributes(unit, name))
+    dataset.title = f"TDMF-SLIP run, unit version {unit.version}"
+    dataset.fallen = int(run.fallen)
+    for name in [*unit.names("parameter"), *unit.group("stride")]:
+        dataset.setncattr(name, _plain(run.final[name]))
+    path.write_bytes(dataset.close())
+
+
+def _plain(value: float | int | bool | str) -> float | int | str:
+    """NetCDF has no booleans."""
+    return int(value) if isinstance(value, bool) else value
+
+
+def _attributes(unit: Unit, name: str) -> dict[str, object]:
+    """CF attributes of a variable."""
+    variable = unit.variables[name]
+    attributes: dict[str, object] = {"long_name": variable.description}
+    if variable.unit:
+        attributes["units"] = variable.unit
+    if variable.items:
+        attributes["flag_values"] = np.array(list(variable.items), dtype="i4")
+        attributes["flag_meanings"] = " ".join(variable.items.values())
+    return attributes
+
+
+WRITERS: Mapping[str, Callable[[Path, Run, Unit], None]] = {".csv": _write_csv, ".nc": _write_netcdf}
