@@ -399,7 +399,7 @@ static inline lane_outcome step_standing(standing_member *m, choice live, bool s
     lane_search search;
     lane_remainder remainder = {real_of(0.0), real_of(0.0)};
     const real start[GROUND_START_COUNT] = {m->x, m->y, m->vx, m->vy, m->foot_vx};
-    expand_ground(&m->law, start, order, slips, grazes, g);
+    expand_ground(&m->law, start, order, (ground_case){slips, grazes, true}, g);
     note_remainder(&remainder, g->normal_force, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->leg_force_x, order - 1, m->frame.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, m->frame.speed_scale);

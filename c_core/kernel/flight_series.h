@@ -12,9 +12,9 @@ typedef struct {
     real angle[SERIES_TERMS];        /* theta */
     real momentum[SERIES_TERMS];     /* L */
     real angle_rate[SERIES_TERMS];   /* w, up to order - 1, as all that follows */
+    real square[SERIES_TERMS];       /* r^2 */
     real rate_square[SERIES_TERMS];  /* w^2 */
     real speed_square[SERIES_TERMS]; /* v^2 */
-    flight_factors factors;
 } flight_series;
 
 /* What the series depend on, besides their first coefficients. */
@@ -28,51 +28,81 @@ typedef struct {
     real torque, torque_rate; /* M tau_1, M tau_2 */
 } flight_coefficients;
 
-/* From length, angle, length rate and angle rate. */
-static inline void expand_flight(const flight_coefficients *a, const real start[4], int order,
+/* The inner terms of coefficient k of r r, w w, v v (half of them), r^2 w and r w^2. */
+typedef struct {
+    real length_length, rate_rate, speed_speed, square_rate, length_rate_square;
+} flight_sums;
+
+static inline flight_sums sum_flight(const flight_series *f, int k, bool even) {
+    const real *r = f->length, *v = f->length_rate, *w = f->angle_rate;
+    const real *square = f->square, *rate_square = f->rate_square;
+    const int middle = k / 2;
+    flight_sums sum = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
+    if (even) {
+        sum.length_length = 0.5 * (r[middle] * r[middle]);
+        sum.rate_rate = 0.5 * (w[middle] * w[middle]);
+        sum.speed_speed = 0.5 * (v[middle] * v[middle]);
+        sum.square_rate = square[middle] * w[middle];
+        sum.length_rate_square = r[middle] * rate_square[middle];
+    }
+    for (int i = even ? middle - 1 : middle, j = middle + 1; i > 0; --i, ++j) {
+        sum.length_length += r[i] * r[j];
+        sum.rate_rate += w[i] * w[j];
+        sum.speed_speed += v[i] * v[j];
+        sum.square_rate += square[j] * w[i];
+        sum.square_rate += square[i] * w[j];
+        sum.length_rate_square += r[i] * rate_square[j];
+        sum.length_rate_square += r[j] * rate_square[i];
+    }
+    return sum;
+}
+
+/* From coefficient k of length, length rate, angle and momentum to the next ones, k > 0. */
+static inline void expand_flight_on(const flight_coefficients *a, real inverse_square, int k, bool even,
+                                    flight_series *f) {
+    const double divide = series_reciprocal[k + 1];
+    const real r0 = f->length[0], v0 = f->length_rate[0], w0 = f->angle_rate[0];
+    const real r = f->length[k], v = f->length_rate[k], theta = f->angle[k];
+    const flight_sums sum = sum_flight(f, k, even);
+    const real square = 2.0 * (sum.length_length + r0 * r);
+    const real w = (f->momentum[k] - sum.square_rate - w0 * square) * inverse_square;
+    const real rate_square = 2.0 * (sum.rate_rate + w0 * w);
+    const real leg = sum.length_rate_square + f->rate_square[0] * r - a->stiffness * r - a->damping * v;
+    f->square[k] = square;
+    f->angle_rate[k] = w;
+    f->rate_square[k] = rate_square;
+    f->speed_square[k] = 2.0 * (sum.speed_speed + v0 * v);
+    f->length[k + 1] = v * divide;
+    f->length_rate[k + 1] = (leg + r0 * rate_square) * divide;
+    f->angle[k + 1] = w * divide;
+    f->momentum[k + 1] = -(a->gain * theta + a->rate_gain * w) * divide;
+}
+
+/* From length, angle, length rate and angle rate. An odd order gets one coefficient more. */
+static inline void expand_flight(const flight_coefficients *coefficients, const real start[4], int order,
                                  flight_series *f) {
-    const real inverse_square = 1.0 / (start[0] * start[0]);
-    real r = start[0], theta = start[1], v = start[2], w = start[3];
-    real square = r * r, L = square * w, across = r * w, centrifugal = across * w;
-    const real across0 = across;
+    const flight_coefficients a = *coefficients;
+    const real r = start[0], theta = start[1], v = start[2], w = start[3];
+    const real square = r * r;
+    const real inverse_square = 1.0 / square;
+    f->length[0] = r;
+    f->angle[0] = theta;
+    f->length_rate[0] = v;
+    f->angle_rate[0] = w;
+    f->momentum[0] = square * w;
+    f->square[0] = square;
     f->rate_square[0] = w * w;
     f->speed_square[0] = v * v;
-    for (int k = 0; k < order; ++k) {
-        if (k > 0) {
-            real sum[FLIGHT_PRODUCTS];
-            flight_sums(&f->factors, k, sum);
-            const real r0 = f->length[0], w0 = f->angle_rate[0], v0 = f->length_rate[0];
-            square = sum[FLIGHT_LENGTH_LENGTH] + 2.0 * r0 * r;
-            w = (L - sum[FLIGHT_SQUARE_RATE] - square * w0) * inverse_square;
-            across = sum[FLIGHT_LENGTH_RATE] + r0 * w + r * w0;
-            centrifugal = sum[FLIGHT_ACROSS_RATE] + across0 * w + across * w0;
-            f->rate_square[k] = sum[FLIGHT_RATE_RATE] + 2.0 * w0 * w;
-            f->speed_square[k] = sum[FLIGHT_SPEED_SPEED] + 2.0 * v0 * v;
-        }
-        const flight_factor factor = {r, square, across, w, v};
-        flight_keep(&f->factors, k, &factor);
-        f->length[k] = r;
-        f->length_rate[k] = v;
-        f->angle[k] = theta;
-        f->momentum[k] = L;
-        f->angle_rate[k] = w;
-        real force = centrifugal - a->stiffness * r - a->damping * v;
-        real torque = -a->gain * theta - a->rate_gain * w;
-        if (k == 0) {
-            force += a->stiffness * a->free_length;
-            torque += a->gain * a->target + a->torque;
-        } else if (k == 1) {
-            torque += a->torque_rate;
-        }
-        r = v * series_reciprocal[k + 1];
-        v = force * series_reciprocal[k + 1];
-        theta = w * series_reciprocal[k + 1];
-        L = torque * series_reciprocal[k + 1];
+    f->length[1] = v;
+    f->length_rate[1] = r * f->rate_square[0] + a.stiffness * (a.free_length - r) - a.damping * v;
+    f->angle[1] = w;
+    f->momentum[1] = a.gain * (a.target - theta) - a.rate_gain * w + a.torque;
+    expand_flight_on(&a, inverse_square, 1, false, f);
+    f->momentum[2] += 0.5 * a.torque_rate;
+    for (int k = 2; k < order; k += 2) {
+        expand_flight_on(&a, inverse_square, k, true, f);
+        expand_flight_on(&a, inverse_square, k + 1, false, f);
     }
-    f->length[order] = r;
-    f->length_rate[order] = v;
-    f->angle[order] = theta;
-    f->momentum[order] = L;
 }
 
 /* How far series of an order may be trusted, whatever their coefficients. Where the leg comes to rest terms
@@ -84,4 +114,51 @@ static inline real longest_flight_step(const flight_coefficients *a, real length
     const real springs_back = real_sqrt(larger(a->stiffness, a->gain * inverse_square));
     const real comes_to_rest = larger(a->damping, a->rate_gain * inverse_square);
     return (double)order / larger(springs_back, comes_to_rest);
+}
+
+/* The first variation of a motion in flight. */
+typedef struct {
+    real length[SERIES_TERMS], length_rate[SERIES_TERMS], angle[SERIES_TERMS], momentum[SERIES_TERMS];
+    real angle_rate[SERIES_TERMS], square[SERIES_TERMS], rate_square[SERIES_TERMS];
+    real torque[SERIES_TERMS], power[SERIES_TERMS]; /* tau, tau w */
+} flight_variation;
+
+/* The recurrence of expand_flight, differentiated: `d` is the variation of the coefficients, `start` that of
+ * length, angle, length rate and angle rate. */
+static inline void vary_flight(const flight_coefficients *a, const flight_series *f,
+                               const flight_coefficients *d, const real start[4], int order,
+                               flight_variation *t) {
+    real torque[SERIES_TERMS];
+    t->length[0] = start[0];
+    t->angle[0] = start[1];
+    t->length_rate[0] = start[2];
+    t->angle_rate[0] = start[3];
+    t->momentum[0] = 2.0 * f->length[0] * start[0] * f->angle_rate[0] + f->square[0] * start[3];
+    for (int k = 0; k < order; ++k) {
+        const double divide = series_reciprocal[k + 1];
+        t->square[k] = 2.0 * product(f->length, t->length, k);
+        if (k > 0) {
+            t->angle_rate[k] =
+                vary_quotient(f->angle_rate, t->angle_rate, f->square, t->square, t->momentum[k], k);
+        }
+        t->rate_square[k] = 2.0 * product(f->angle_rate, t->angle_rate, k);
+        real d_acceleration = vary_product(f->length, t->length, f->rate_square, t->rate_square, k) -
+                              a->stiffness * t->length[k] - d->stiffness * f->length[k] -
+                              a->damping * t->length_rate[k] - d->damping * f->length_rate[k];
+        real d_momentum_rate = -a->gain * t->angle[k] - d->gain * f->angle[k] -
+                               a->rate_gain * t->angle_rate[k] - d->rate_gain * f->angle_rate[k];
+        if (k == 0) {
+            d_acceleration += a->stiffness * d->free_length + d->stiffness * a->free_length;
+            d_momentum_rate += a->gain * d->target + d->gain * a->target + d->torque;
+        } else if (k == 1) {
+            d_momentum_rate += d->torque_rate;
+        }
+        torque[k] = (double)(k + 1) * f->momentum[k + 1] / a->mobility;
+        t->torque[k] = (d_momentum_rate - d->mobility * torque[k]) / a->mobility;
+        t->power[k] = vary_product(torque, t->torque, f->angle_rate, t->angle_rate, k);
+        t->length[k + 1] = t->length_rate[k] * divide;
+        t->length_rate[k + 1] = d_acceleration * divide;
+        t->angle[k + 1] = t->angle_rate[k] * divide;
+        t->momentum[k + 1] = d_momentum_rate * divide;
+    }
 }

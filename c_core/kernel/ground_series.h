@@ -1,10 +1,11 @@
-/* On the ground: the body's place (X, Y) as seen from the foot, so that no sine is needed. With U the body's
- * speed relative to the foot, u the foot's, r^2 = X^2 + Y^2, F = k (l0 - r) - c rdot, a = F/r and b =
- * tau/r^2, the leg pushes the body with P upwards and pulls the foot with H:
+/* On the ground: the body's position (X, Y) as seen from the foot, so that no sine is needed. With U the
+ * body's speed relative to the foot, u the foot's, r^2 = X^2 + Y^2, F = k (l0 - r) - c rdot, a = F/r and b =
+ * tau/r^2, the leg lifts the body with P and pushes the foot with H:
  *
  *     P = a Y + b X,      H = b Y - a X,      f_y = P + m_f g,      f_x = -H (stick), -mu sgn(u) f_y (slip)
  *     Xdot = U,   Ydot = V,   m Udot = -H - m udot,   m Vdot = P - m g,   m_f udot = H + f_x
- *     thetadot = w = (X V - Y U)/r^2,      d(X V - Y U)/dt = tau/m - g X + Y udot.
+ *     d(X V - Y U)/dt = tau/m - g X + Y udot,      thetadot = w = (X V - Y U)/r^2,      tau w = b (X V - Y
+ * U).
  *
  * Graze takes the torque that makes f_y = 0: b = -(a Y + m_f g)/X.
  *
@@ -17,15 +18,19 @@ typedef struct {
     real length[SERIES_TERMS];               /* r */
     real square[SERIES_TERMS];               /* r^2 */
     real moment[SERIES_TERMS];               /* X V - Y U */
-    real normal_force[SERIES_TERMS];         /* f_y, up to order - 1, as all that follows */
-    real leg_force_x[SERIES_TERMS];          /* H */
+    real length_rate[SERIES_TERMS];          /* rdot, up to order - 1, as all that follows */
+    real axial[SERIES_TERMS];                /* a */
     real axial_y[SERIES_TERMS];              /* a Y */
-    real angle_rate[SERIES_TERMS];           /* w */
+    real turning[SERIES_TERMS];              /* b */
+    real normal_force[SERIES_TERMS];         /* f_y */
+    real leg_force_x[SERIES_TERMS];          /* H */
+    real friction[SERIES_TERMS];             /* -f_x, in slip */
+    real foot_acceleration[SERIES_TERMS];    /* udot */
     real torque[SERIES_TERMS];               /* tau */
+    real angle_rate[SERIES_TERMS];           /* w, in graze */
     real power[SERIES_TERMS];                /* tau w */
     real speed_square[SERIES_TERMS];         /* rdot^2 */
     real friction_power[SERIES_TERMS];       /* -f_x u */
-    ground_factors factors;
 } ground_series;
 
 typedef struct {
@@ -39,160 +44,216 @@ typedef struct {
 
 enum { GROUND_X, GROUND_Y, GROUND_VX, GROUND_VY, GROUND_FOOT_VX, GROUND_START_COUNT };
 
-/* What is known of coefficient k before its forces, and of coefficient 0. */
+/* Which terms there are. The foot is free unless it sticks; slip and graze exclude each other. Where there is
+ * no torque, nothing turns the leg. */
 typedef struct {
-    real inverse_length, inverse_square, inverse_x;
-    real a, b, w, v;
-    real ax, ay, bx, by;
-    real a0, b0, v0, friction0, acceleration0;
-} ground_step;
+    bool slips, grazes, turns;
+} ground_case;
 
-/* Place and length of coefficient k + 1, and the length's rate of coefficient k. */
-static inline void expand_place(ground_series *g, int k, ground_step *now) {
-    real sum[PLACE_PRODUCTS];
-    const int next = k + 1;
-    const real x = g->vx[k] * series_reciprocal[next];
-    const real y = g->vy[k] * series_reciprocal[next];
-    place_sums(&g->factors, next, sum);
-    const real square = sum[PLACE_X_X] + sum[PLACE_Y_Y] + 2.0 * (g->x[0] * x + g->y[0] * y);
-    const real length = 0.5 * (square - sum[PLACE_LENGTH_LENGTH]) * now->inverse_length;
-    place_keep(&g->factors, next, x, y, length);
-    g->x[next] = x;
-    g->y[next] = y;
-    g->square[next] = square;
-    g->length[next] = length;
-    now->v = (double)next * length;
+/* What all coefficients are divided by. */
+typedef struct {
+    real length, square, x;
+} ground_inverses;
+
+/* Position and length of coefficient k + 1, and the length's rate of coefficient k. */
+static inline void expand_position(const ground_inverses *inverse, int k, bool even, ground_series *g) {
+    const real *x = g->x, *y = g->y, *r = g->length;
+    const int next = k + 1, middle = next / 2;
+    real squares = real_of(0.0), lengths = real_of(0.0);
+    g->x[next] = g->vx[k] * series_reciprocal[next];
+    g->y[next] = g->vy[k] * series_reciprocal[next];
+    if (!even) {
+        squares = 0.5 * (x[middle] * x[middle] + y[middle] * y[middle]);
+        lengths = 0.5 * (r[middle] * r[middle]);
+    }
+    for (int i = even ? middle : middle - 1, j = middle + 1; i > 0; --i, ++j) {
+        squares += x[i] * x[j];
+        squares += y[i] * y[j];
+        lengths += r[i] * r[j];
+    }
+    squares += x[0] * x[next] + y[0] * y[next];
+    g->square[next] = 2.0 * squares;
+    g->length[next] = (squares - lengths) * inverse->length;
+    g->length_rate[k] = (double)next * g->length[next];
 }
 
-/* Coefficient k of what the leg pushes with and turns at. */
-static inline void expand_leg(const ground_coefficients *c, ground_series *g, int k, bool grazes,
-                              const real sum[FREE_PRODUCTS], ground_step *now) {
-    const real x = g->x[k], y = g->y[k], r = g->length[k], s = g->square[k];
-    const real x0 = g->x[0], y0 = g->y[0];
-    real push = -c->stiffness * r - c->damping * now->v;
+/* The inner terms of coefficient k of r a, X a, Y a, r^2 b, X b, Y b, r^2 w, Y udot, of the powers b (X V - Y
+ * U) and -f_x u, and half those of rdot^2. */
+typedef struct {
+    real length_axial, x_axial, y_axial, square_turning, x_turning, y_turning, square_rate;
+    real y_acceleration, turning_moment, friction_speed, speed_speed;
+} ground_sums;
+
+/* The terms i of one factor and j of the other, without squares. */
+static inline void add_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
+    sum->length_axial += g->length[i] * g->axial[j];
+    sum->x_axial += g->x[i] * g->axial[j];
+    sum->y_axial += g->y[i] * g->axial[j];
+    if (is.turns) {
+        sum->square_turning += g->square[i] * g->turning[j];
+        sum->x_turning += g->x[i] * g->turning[j];
+        sum->y_turning += g->y[i] * g->turning[j];
+        sum->turning_moment += g->moment[i] * g->turning[j];
+    }
+    if (is.slips || is.grazes) {
+        sum->y_acceleration += g->y[i] * g->foot_acceleration[j];
+    }
+    if (is.slips) {
+        sum->friction_speed += g->foot_vx[i] * g->friction[j];
+    }
+    if (is.grazes) {
+        sum->square_rate += g->square[i] * g->angle_rate[j];
+    }
+}
+
+static inline ground_sums sum_ground(const ground_series *g, ground_case is, int k, bool even) {
+    const int middle = k / 2;
+    const real zero = real_of(0.0);
+    ground_sums sum = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
     if (k == 0) {
-        push += c->stiffness * c->free_length;
-        now->a = push * now->inverse_length;
-        now->ax = now->a * x;
-        now->ay = now->a * y;
-        now->b = grazes ? -(now->ay + c->foot_weight) * now->inverse_x : c->torque * now->inverse_square;
-        now->bx = now->b * x;
-        now->by = now->b * y;
-        now->w = g->moment[0] * now->inverse_square;
-        g->speed_square[0] = now->v * now->v;
-        now->a0 = now->a;
-        now->b0 = now->b;
-        now->v0 = now->v;
-        return;
+        return sum;
     }
-    const real a0 = now->a0, b0 = now->b0, w0 = g->angle_rate[0];
-    now->a = (push - sum[LENGTH_AXIAL] - a0 * r) * now->inverse_length;
-    now->ax = sum[X_AXIAL] + a0 * x + now->a * x0;
-    now->ay = sum[Y_AXIAL] + a0 * y + now->a * y0;
-    now->b = grazes ? -(now->ay + sum[X_TURNING] + b0 * x) * now->inverse_x
-                    : (g->torque[k] - sum[SQUARE_TURNING] - b0 * s) * now->inverse_square;
-    now->bx = sum[X_TURNING] + b0 * x + now->b * x0;
-    now->by = sum[Y_TURNING] + b0 * y + now->b * y0;
-    now->w = (g->moment[k] - sum[SQUARE_RATE] - w0 * s) * now->inverse_square;
-    g->speed_square[k] = sum[SPEED_SPEED] + 2.0 * now->v0 * now->v;
+    if (even) {
+        add_terms(g, is, middle, middle, &sum);
+        sum.speed_speed = 0.5 * (g->length_rate[middle] * g->length_rate[middle]);
+    }
+    for (int i = even ? middle - 1 : middle, j = middle + 1; i > 0; --i, ++j) {
+        add_terms(g, is, j, i, &sum);
+        add_terms(g, is, i, j, &sum);
+        sum.speed_speed += g->length_rate[i] * g->length_rate[j];
+    }
+    return sum;
 }
 
-/* Coefficient k of the torque and its power. */
-static inline void expand_power(ground_series *g, int k, bool grazes, const real sum[FREE_PRODUCTS],
-                                const ground_step *now) {
-    const real w0 = k == 0 ? now->w : g->angle_rate[0];
-    if (!grazes) {
-        g->power[k] = g->torque[0] * now->w;
+/* Coefficient k of a product, from its inner terms. */
+static inline real with_outer_terms(real inner, const real *a, const real *b, int k) {
+    return k == 0 ? a[0] * b[0] : inner + a[k] * b[0] + a[0] * b[k];
+}
+
+/* Coefficient k of what the leg pushes the body and the foot with. Returns P. */
+static inline real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse,
+                                    ground_case is, int k, const ground_sums *sum, ground_series *g) {
+    const real force = -c->stiffness * g->length[k] - c->damping * g->length_rate[k];
+    const real axial = k == 0 ? force + c->stiffness * c->free_length
+                              : force - sum->length_axial - g->axial[0] * g->length[k];
+    g->axial[k] = axial * inverse->length;
+    g->axial_y[k] = with_outer_terms(sum->y_axial, g->y, g->axial, k);
+    const real axial_x = with_outer_terms(sum->x_axial, g->x, g->axial, k);
+    if (!is.turns) {
+        g->turning[k] = real_of(0.0);
+        g->leg_force_x[k] = -axial_x;
+        return g->axial_y[k];
+    }
+    if (is.grazes) {
+        const real rest = k == 0 ? c->foot_weight : sum->x_turning + g->turning[0] * g->x[k];
+        g->turning[k] = -(g->axial_y[k] + rest) * inverse->x;
+        g->torque[k] = with_outer_terms(sum->square_turning, g->square, g->turning, k);
+    } else {
+        const real rest = k == 0 ? real_of(0.0) : sum->square_turning + g->turning[0] * g->square[k];
+        g->turning[k] = (g->torque[k] - rest) * inverse->square;
+    }
+    g->leg_force_x[k] = with_outer_terms(sum->y_turning, g->y, g->turning, k) - axial_x;
+    return g->axial_y[k] + with_outer_terms(sum->x_turning, g->x, g->turning, k);
+}
+
+/* Coefficient k of the ground's force on the foot, and of the foot's acceleration. */
+static inline void expand_contact(const ground_coefficients *c, ground_case is, int k, real lift,
+                                  ground_series *g) {
+    real force = g->leg_force_x[k];
+    g->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
+    if (is.slips) {
+        g->friction[k] = c->friction * g->normal_force[k];
         if (k > 0) {
-            g->power[k] += g->torque[1] * g->angle_rate[k - 1];
+            g->friction[k] += c->friction_rate * g->normal_force[k - 1];
         }
-        return;
+        force -= g->friction[k];
     }
-    g->torque[k] = now->b0 * g->square[k];
-    if (k > 0) {
-        g->torque[k] += sum[SQUARE_TURNING] + now->b * g->square[0];
-    }
-    g->power[k] = g->torque[k] * w0;
-    if (k > 0) {
-        g->power[k] += sum[LOSS] + g->torque[0] * now->w;
+    g->foot_acceleration[k] = is.slips || is.grazes ? force * c->inverse_foot_mass : real_of(0.0);
+}
+
+/* Coefficient k of what changes the energy. */
+static inline void expand_powers(const ground_inverses *inverse, ground_case is, int k,
+                                 const ground_sums *sum, ground_series *g) {
+    const real v0 = g->length_rate[0];
+    g->speed_square[k] = k == 0 ? v0 * v0 : 2.0 * (sum->speed_speed + v0 * g->length_rate[k]);
+    g->power[k] = is.turns ? with_outer_terms(sum->turning_moment, g->moment, g->turning, k) : real_of(0.0);
+    g->friction_power[k] =
+        is.slips ? with_outer_terms(sum->friction_speed, g->foot_vx, g->friction, k) : real_of(0.0);
+    if (is.grazes) {
+        const real rest = k == 0 ? real_of(0.0) : sum->square_rate + g->angle_rate[0] * g->square[k];
+        g->angle_rate[k] = (g->moment[k] - rest) * inverse->square;
     }
 }
 
-/* The foot is free unless it sticks; `slips` and `grazes` exclude each other. Constants wherever this is
- * inlined. */
-static inline void expand_ground(const ground_coefficients *c, const real start[GROUND_START_COUNT],
-                                 int order, bool slips, bool grazes, ground_series *g) {
-    const bool free = slips || grazes;
-    const real x0 = start[GROUND_X], y0 = start[GROUND_Y];
-    ground_step now;
-    g->x[0] = x0;
-    g->y[0] = y0;
+/* From coefficient k of positions, velocities and moment to the next ones. */
+static inline void expand_ground_on(const ground_coefficients *c, const ground_inverses *inverse,
+                                    ground_case is, int k, bool even, ground_series *g) {
+    const double divide = series_reciprocal[k + 1];
+    expand_position(inverse, k, even, g);
+    const ground_sums sum = sum_ground(g, is, k, even);
+    const real lift = expand_leg_force(c, inverse, is, k, &sum, g);
+    expand_contact(c, is, k, lift, g);
+    expand_powers(inverse, is, k, &sum, g);
+    const real rise = lift * c->inverse_body_mass;
+    real push = g->leg_force_x[k] * c->inverse_body_mass;
+    real turn = g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k];
+    if (is.slips || is.grazes) {
+        push += g->foot_acceleration[k];
+        turn += with_outer_terms(sum.y_acceleration, g->y, g->foot_acceleration, k);
+    }
+    g->foot_vx[k + 1] = g->foot_acceleration[k] * divide;
+    g->vx[k + 1] = -push * divide;
+    g->vy[k + 1] = (k == 0 ? rise - c->gravity : rise) * divide;
+    g->moment[k + 1] = turn * divide;
+}
+
+/* An odd order gets one coefficient more. The case is a constant wherever this is inlined. */
+static inline void expand_ground(const ground_coefficients *coefficients,
+                                 const real start[GROUND_START_COUNT], int order, ground_case is,
+                                 ground_series *g) {
+    const ground_coefficients c = *coefficients;
+    const real x = start[GROUND_X], y = start[GROUND_Y];
+    g->x[0] = x;
+    g->y[0] = y;
     g->foot_vx[0] = start[GROUND_FOOT_VX];
     g->vx[0] = start[GROUND_VX] - start[GROUND_FOOT_VX];
     g->vy[0] = start[GROUND_VY];
-    g->square[0] = x0 * x0 + y0 * y0;
+    g->square[0] = x * x + y * y;
     g->length[0] = real_sqrt(g->square[0]);
-    g->moment[0] = x0 * g->vy[0] - y0 * g->vx[0];
-    now.inverse_length = 1.0 / g->length[0];
-    now.inverse_square = now.inverse_length * now.inverse_length;
-    now.friction0 = real_of(0.0);
-    now.acceleration0 = real_of(0.0);
-    now.inverse_x = grazes ? 1.0 / x0 : real_of(0.0);
-    for (int k = 0; k < order; ++k) {
-        g->torque[k] = k == 0 ? c->torque : k == 1 ? c->torque_rate : real_of(0.0);
+    g->moment[0] = x * g->vy[0] - y * g->vx[0];
+    for (int k = 0; k <= order; ++k) {
+        g->torque[k] = k == 0 ? c.torque : k == 1 ? c.torque_rate : real_of(0.0);
     }
-    for (int k = 0; k < order; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        real sum[FREE_PRODUCTS];
-        real acceleration = real_of(0.0), friction = real_of(0.0), lever = real_of(0.0);
-        expand_place(g, k, &now);
-        ground_sums(&g->factors, k, free, sum);
-        expand_leg(c, g, k, grazes, sum, &now);
-        expand_power(g, k, grazes, sum, &now);
-        real lift = now.ay + now.bx;
-        g->axial_y[k] = now.ay;
-        g->leg_force_x[k] = now.by - now.ax;
-        g->normal_force[k] = grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
-        g->friction_power[k] = real_of(0.0);
-        if (slips) {
-            friction = c->friction * g->normal_force[k];
-            if (k > 0) {
-                friction += c->friction_rate * g->normal_force[k - 1];
-            }
-            g->friction_power[k] = friction * g->foot_vx[0];
-            if (k > 0) {
-                g->friction_power[k] += sum[LOSS] + now.friction0 * g->foot_vx[k];
-            }
-        }
-        if (free) {
-            acceleration = (g->leg_force_x[k] - friction) * c->inverse_foot_mass;
-            lever = y0 * acceleration;
-            if (k > 0) {
-                lever += sum[Y_ACCELERATION] + now.acceleration0 * g->y[k];
-            }
-        }
-        if (k == 0) {
-            now.friction0 = friction;
-            now.acceleration0 = acceleration;
-        }
-        const ground_factor factor = {.length = g->length[k],
-                                      .x = g->x[k],
-                                      .y = g->y[k],
-                                      .square = g->square[k],
-                                      .axial = now.a,
-                                      .turning = now.b,
-                                      .angle_rate = now.w,
-                                      .length_rate = now.v,
-                                      .acceleration = acceleration,
-                                      .loss_left = grazes ? g->torque[k] : friction,
-                                      .loss_right = grazes ? now.w : g->foot_vx[k]};
-        ground_keep(&g->factors, k, free, &factor);
-        g->angle_rate[k] = now.w;
-        g->foot_vx[k + 1] = acceleration * divide;
-        g->vx[k + 1] = -(g->leg_force_x[k] * c->inverse_body_mass + acceleration) * divide;
-        lift = lift * c->inverse_body_mass;
-        g->vy[k + 1] = (k == 0 ? lift - c->gravity : lift) * divide;
-        g->moment[k + 1] = (g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k] + lever) * divide;
+    const real inverse_length = 1.0 / g->length[0];
+    const ground_inverses inverse = {
+        .length = inverse_length,
+        .square = inverse_length * inverse_length,
+        .x = is.grazes ? 1.0 / x : real_of(0.0),
+    };
+    expand_ground_on(&c, &inverse, is, 0, true, g);
+    expand_ground_on(&c, &inverse, is, 1, false, g);
+    for (int k = 2; k < order; k += 2) {
+        expand_ground_on(&c, &inverse, is, k, true, g);
+        expand_ground_on(&c, &inverse, is, k + 1, false, g);
+    }
+}
+
+/* The same, where the case is known at run time only. */
+static inline void expand_ground_by_case(const ground_coefficients *c, const real start[GROUND_START_COUNT],
+                                         int order, ground_case is, ground_series *g) {
+    const ground_case sticks = {false, false, false}, sticks_and_turns = {false, false, true};
+    const ground_case slips = {true, false, false}, slips_and_turns = {true, false, true};
+    const ground_case grazes = {false, true, true};
+    if (is.grazes) {
+        expand_ground(c, start, order, grazes, g);
+    } else if (is.slips && is.turns) {
+        expand_ground(c, start, order, slips_and_turns, g);
+    } else if (is.slips) {
+        expand_ground(c, start, order, slips, g);
+    } else if (is.turns) {
+        expand_ground(c, start, order, sticks_and_turns, g);
+    } else {
+        expand_ground(c, start, order, sticks, g);
     }
 }
 
@@ -201,4 +262,91 @@ static inline real longest_ground_step(const ground_coefficients *c, bool free, 
     const real mobility = free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
     const real springs_back = real_sqrt(mobility * c->stiffness);
     return (double)order / larger(springs_back, mobility * c->damping);
+}
+
+/* The first variation of a motion on the ground. */
+typedef struct {
+    real x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS], foot_vx[SERIES_TERMS];
+    real length[SERIES_TERMS], length_rate[SERIES_TERMS], square[SERIES_TERMS], moment[SERIES_TERMS];
+    real axial[SERIES_TERMS], axial_y[SERIES_TERMS], turning[SERIES_TERMS];
+    real normal_force[SERIES_TERMS], leg_force_x[SERIES_TERMS], power[SERIES_TERMS];
+} ground_variation;
+
+/* expand_position, differentiated. */
+static inline void vary_position(const ground_series *g, int k, ground_variation *t) {
+    const int next = k + 1;
+    t->x[next] = t->vx[k] * series_reciprocal[next];
+    t->y[next] = t->vy[k] * series_reciprocal[next];
+    t->square[next] = 2.0 * (product(g->x, t->x, next) + product(g->y, t->y, next));
+    t->length[next] = (0.5 * t->square[next] - product_so_far(t->length, g->length, next)) / g->length[0];
+    t->length_rate[k] = (double)next * t->length[next];
+    t->moment[k] = vary_product(g->x, t->x, g->vy, t->vy, k) - vary_product(g->y, t->y, g->vx, t->vx, k);
+}
+
+/* expand_leg_force, differentiated. Returns the variation of P. */
+static inline real vary_leg_force(const ground_coefficients *c, const ground_series *g,
+                                  const ground_coefficients *d, bool grazes, int k, ground_variation *t) {
+    real d_force = -c->stiffness * t->length[k] - d->stiffness * g->length[k] -
+                   c->damping * t->length_rate[k] - d->damping * g->length_rate[k];
+    const real d_torque = k == 0 ? d->torque : k == 1 ? d->torque_rate : real_of(0.0);
+    if (k == 0) {
+        d_force += c->stiffness * d->free_length + d->stiffness * c->free_length;
+    }
+    t->axial[k] = vary_quotient(g->axial, t->axial, g->length, t->length, d_force, k);
+    t->axial_y[k] = vary_product(g->axial, t->axial, g->y, t->y, k);
+    if (grazes) {
+        const real d_lift = k == 0 ? -t->axial_y[k] - d->foot_weight : -t->axial_y[k];
+        t->turning[k] = vary_quotient(g->turning, t->turning, g->x, t->x, d_lift, k);
+    } else {
+        t->turning[k] = vary_quotient(g->turning, t->turning, g->square, t->square, d_torque, k);
+    }
+    t->leg_force_x[k] =
+        vary_product(g->turning, t->turning, g->y, t->y, k) - vary_product(g->axial, t->axial, g->x, t->x, k);
+    t->power[k] = vary_product(g->turning, t->turning, g->moment, t->moment, k);
+    return t->axial_y[k] + vary_product(g->turning, t->turning, g->x, t->x, k);
+}
+
+/* The foot's acceleration and the normal force, differentiated. */
+static inline real vary_contact(const ground_coefficients *c, const ground_series *g,
+                                const ground_coefficients *d, ground_case is, int k, real d_lift,
+                                ground_variation *t) {
+    real force = g->leg_force_x[k];
+    real d_force = t->leg_force_x[k];
+    t->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? d_lift + d->foot_weight : d_lift;
+    if (is.slips) {
+        force -= g->friction[k];
+        d_force -= c->friction * t->normal_force[k] + d->friction * g->normal_force[k];
+        if (k > 0) {
+            d_force -= c->friction_rate * t->normal_force[k - 1] + d->friction_rate * g->normal_force[k - 1];
+        }
+    }
+    return is.slips || is.grazes ? d_force * c->inverse_foot_mass + force * d->inverse_foot_mass
+                                 : real_of(0.0);
+}
+
+/* The recurrence of expand_ground, differentiated: `d` is the variation of the coefficients, `start` that of
+ * what the motion starts from. */
+static inline void vary_ground(const ground_coefficients *c, const ground_series *g,
+                               const ground_coefficients *d, const real start[GROUND_START_COUNT], int order,
+                               ground_case is, ground_variation *t) {
+    t->x[0] = start[GROUND_X];
+    t->y[0] = start[GROUND_Y];
+    t->foot_vx[0] = start[GROUND_FOOT_VX];
+    t->vx[0] = start[GROUND_VX] - start[GROUND_FOOT_VX];
+    t->vy[0] = start[GROUND_VY];
+    t->square[0] = 2.0 * (g->x[0] * t->x[0] + g->y[0] * t->y[0]);
+    t->length[0] = 0.5 * t->square[0] / g->length[0];
+    for (int k = 0; k < order; ++k) {
+        const double divide = series_reciprocal[k + 1];
+        vary_position(g, k, t);
+        const real d_lift = vary_leg_force(c, g, d, is.grazes, k, t);
+        const real d_acceleration = vary_contact(c, g, d, is, k, d_lift, t);
+        const real lift = k == 0 ? g->normal_force[0] - c->foot_weight : g->normal_force[k];
+        const real d_rise = d_lift * c->inverse_body_mass + lift * d->inverse_body_mass;
+        t->foot_vx[k + 1] = d_acceleration * divide;
+        t->vx[k + 1] = -(t->leg_force_x[k] * c->inverse_body_mass + g->leg_force_x[k] * d->inverse_body_mass +
+                         d_acceleration) *
+                       divide;
+        t->vy[k + 1] = (k == 0 ? d_rise - d->gravity : d_rise) * divide;
+    }
 }

@@ -118,7 +118,7 @@ static flight_coefficients vary_flight_coefficients(const tdmf_chart *chart, con
 }
 
 static void carry_flight_on(const tdmf_step *step, double t, const tdmf_change *change,
-                            const flight_tangent *tangent, tdmf_carried *carried) {
+                            const flight_variation *tangent, tdmf_carried *carried) {
     const double d_gravity = change->parameters.gravity;
     carried->at.length = series_at(tangent->length, step->order, t);
     carried->at.length_rate = series_at(tangent->length_rate, step->order, t);
@@ -200,7 +200,7 @@ static ground_coefficients vary_ground_coefficients(const tdmf_chart *chart, con
     return varied;
 }
 
-static void carry_ground_on(const tdmf_step *step, double t, const ground_tangent *tangent,
+static void carry_ground_on(const tdmf_step *step, double t, const ground_variation *tangent,
                             tdmf_carried *carried) {
     carried->at.x = series_at(tangent->x, step->order, t);
     carried->at.y = series_at(tangent->y, step->order, t);
@@ -237,19 +237,25 @@ double tdmf_carried_expand(const tdmf_step *step, const tdmf_mode *mode, const t
                            const tdmf_carried *carried, tdmf_tangent_series *tangent) {
     const tdmf_scales *scales = &step->chart->model->scales;
     const int order = step->order;
+    const tdmf_coordinates *d = &carried->at;
     double sizes[SERIES_TERMS] = {0.0};
     if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
-        flight_tangent *flight = &tangent->flight;
+        flight_variation *flight = &tangent->flight;
         const flight_coefficients varied = vary_flight_coefficients(step->chart, mode, change, carried);
-        tdmf_expand_flight_tangent(step, &varied, &carried->at, flight);
+        const flight_coefficients coefficients = tdmf_step_flight_coefficients(step->chart);
+        const double start[4] = {d->length, d->angle, d->length_rate, d->angle_rate};
+        vary_flight(&coefficients, &step->series.flight, &varied, start, order, flight);
         add_sizes(flight->length, scales->length, order, sizes);
         add_sizes(flight->length_rate, scales->speed, order, sizes);
         add_sizes(flight->angle, 1.0, order, sizes);
         add_sizes(flight->momentum, scales->speed * scales->length, order, sizes);
     } else {
-        ground_tangent *ground = &tangent->ground;
+        ground_variation *ground = &tangent->ground;
         const ground_coefficients varied = vary_ground_coefficients(step->chart, mode, change);
-        tdmf_expand_ground_tangent(step, &varied, &carried->at, ground);
+        const ground_coefficients coefficients = tdmf_step_ground_coefficients(step->chart);
+        const double start[GROUND_START_COUNT] = {d->x, d->y, d->vx, d->vy, d->foot_vx};
+        vary_ground(&coefficients, &step->series.ground, &varied, start, order, tdmf_step_ground_case(step),
+                    ground);
         add_sizes(ground->x, scales->length, order, sizes);
         add_sizes(ground->y, scales->length, order, sizes);
         add_sizes(ground->vx, scales->speed, order, sizes);

@@ -49,6 +49,17 @@ ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart) {
     return coefficients;
 }
 
+ground_case tdmf_step_ground_case(const tdmf_step *step) {
+    const tdmf_chart *chart = step->chart;
+    const bool grazes = chart->contact == TDMF_CONTACT_GRAZE;
+    const ground_case is = {
+        .slips = chart->contact != TDMF_CONTACT_STICK && !grazes,
+        .grazes = grazes,
+        .turns = grazes || chart->torque != 0.0 || chart->torque_rate != 0.0,
+    };
+    return is;
+}
+
 /* These two expand, and return how far the series may be trusted, whatever their coefficients. */
 static double expand_leg_in_flight(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
@@ -62,17 +73,8 @@ static double expand_standing_leg(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
     const ground_coefficients coefficients = tdmf_step_ground_coefficients(step->chart);
     const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
-    ground_series *ground = &step->series.ground;
-    switch (step->chart->contact) {
-    case TDMF_CONTACT_STICK:
-        expand_ground(&coefficients, start, step->order, false, false, ground);
-        break;
-    case TDMF_CONTACT_GRAZE:
-        expand_ground(&coefficients, start, step->order, false, true, ground);
-        break;
-    default:
-        expand_ground(&coefficients, start, step->order, true, false, ground);
-    }
+    expand_ground_by_case(&coefficients, start, step->order, tdmf_step_ground_case(step),
+                          &step->series.ground);
     return longest_ground_step(&coefficients, step->chart->contact != TDMF_CONTACT_STICK, step->order);
 }
 

@@ -26,6 +26,9 @@ int tdmf_step_order(double tolerance);
 flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart);
 ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart);
 
+/* Which terms the series of a step on the ground have. */
+ground_case tdmf_step_ground_case(const tdmf_step *step);
+
 /* Expands the motion of a chart and finds how long the series may be trusted: step->size, not a number
  * where the series is not finite. */
 void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance);
