@@ -131,16 +131,60 @@ static bool took_the_same_way(const tdmf_ensemble_end *a, const tdmf_ensemble_en
     return a->fate == b->fate && a->strides == b->strides && a->word_code == b->word_code;
 }
 
-/* How far the native solver's ends at two tolerances are apart, in the scales of the section. Some strides
- * magnify the least error: of legs that spin, touch the ground at a tangent, or bounce a dozen times before
- * they stand. */
-static double spread_of(const tdmf_model *model, const tdmf_ensemble_end *native,
-                        const tdmf_ensemble_end *tighter) {
+/* The native solver's ends, and others of it that the tolerance and the last digits of the starts set apart.
+ * Some strides magnify the least error: of legs that spin, touch the ground at a tangent, or bounce a dozen
+ * times before they stand. */
+enum { OTHERS = 4 };
+typedef struct {
+    tdmf_ensemble_end *ends, *others[OTHERS];
+} native_ends;
+
+static native_ends run_natively(crowd *crowd) {
+    native_ends native;
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble ensemble = crowd->ensemble;
+    ensemble.instructions = TDMF_ONE_BY_ONE;
+    native.ends = run(&ensemble, NULL);
+    ensemble.relative_tolerance = 0.1 * tight;
+    ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])starts;
+    for (int other = 0; other < OTHERS; ++other) {
+        for (int i = 0; i < RUNNERS; ++i) {
+            for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+                starts[i][j] = crowd->starts[i][j] * (1.0 + 1e-14 * other);
+            }
+        }
+        native.others[other] = run(&ensemble, NULL);
+    }
+    return native;
+}
+
+static void free_native_ends(native_ends *native) {
+    for (int other = 0; other < OTHERS; ++other) {
+        free(native->others[other]);
+    }
+    free(native->ends);
+}
+
+/* Whether these ends all took the same way. */
+static bool way_is_certain(const native_ends *native, int runner) {
+    for (int other = 0; other < OTHERS; ++other) {
+        if (!took_the_same_way(&native->ends[runner], &native->others[other][runner])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* How far they are apart, in the scales of the section. */
+static double spread_of(const tdmf_model *model, const native_ends *native, int runner) {
     double section[TDMF_SECTION_COUNT];
     double farthest = 0.0;
     tdmf_section_scales(model, section);
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-        farthest = fmax(farthest, fabs(native->apex[i] - tighter->apex[i]) / section[i]);
+    for (int other = 0; other < OTHERS; ++other) {
+        for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+            const double apart = native->ends[runner].apex[i] - native->others[other][runner].apex[i];
+            farthest = fmax(farthest, fabs(apart) / section[i]);
+        }
     }
     return farthest;
 }
@@ -155,11 +199,7 @@ static int instruction_sets(int first) {
 }
 
 static void assert_agreement(crowd *crowd, double tolerance) {
-    crowd->ensemble.instructions = TDMF_ONE_BY_ONE;
-    tdmf_ensemble_end *native = run(&crowd->ensemble, NULL);
-    crowd->ensemble.relative_tolerance = 0.1 * tight;
-    tdmf_ensemble_end *tighter = run(&crowd->ensemble, NULL);
-    crowd->ensemble.relative_tolerance = tight;
+    native_ends native = run_natively(crowd);
     int sets = 0;
     for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         if (!tdmf_has_instructions((tdmf_instructions)set)) {
@@ -171,11 +211,11 @@ static void assert_agreement(crowd *crowd, double tolerance) {
         int compared = 0;
         for (int i = 0; i < RUNNERS; ++i) {
             const tdmf_model *model = &crowd->models[i];
-            if (took_the_same_way(&native[i], &tighter[i])) {
-                const double magnified = 1e3 * spread_of(model, &native[i], &tighter[i]);
-                assert_true(took_the_same_way(&lanes[i], &native[i]));
-                assert_same_end(model, &lanes[i], &native[i], fmax(tolerance, magnified));
-                assert_int_not_equal(native[i].fate, TDMF_FATE_UNSOLVED);
+            if (way_is_certain(&native, i)) {
+                const double magnified = 1e3 * spread_of(model, &native, i);
+                assert_true(took_the_same_way(&lanes[i], &native.ends[i]));
+                assert_same_end(model, &lanes[i], &native.ends[i], fmax(tolerance, magnified));
+                assert_int_not_equal(native.ends[i].fate, TDMF_FATE_UNSOLVED);
                 ++compared;
             }
         }
@@ -184,8 +224,7 @@ static void assert_agreement(crowd *crowd, double tolerance) {
         free(lanes);
     }
     assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));
-    free(tighter);
-    free(native);
+    free_native_ends(&native);
     free(crowd);
 }
 
