@@ -351,7 +351,7 @@ static inline void watch_graze(lane_search *search, const standing_member *m, co
     const guard_series rise = {g->vy, m->rise_share, m->rise_share * g->vy[0], order};
     watch(search, TDMF_GUARD_APEX, retracts, &rise, search->due_below * m->frame.speed_scale);
     law[0] = -m->kd * g->angle_rate[0] - m->kp * (m->angle - m->target);
-    stance[0] = m->stance_law + m->law.torque;
+    stance[0] = m->stance_law;
     for (int k = 1; k < order; ++k) {
         law[k] = -m->kd * g->angle_rate[k] - m->kp * g->angle_rate[k - 1] * series_reciprocal[k];
         stance[k] = real_of(0.0);

@@ -1,15 +1,15 @@
 /* A runner between lanes: what it takes along, and the events it meets. */
 #include "runner.h"
 
-#include "cone.h"
+#include "coefficients.h"
+#include "events/events.h"
+#include "friction.h"
 #include "input_rates.h"
 #include "margins.h"
 #include "scalar_series.h"
 #include "step.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/hip.h"
 #include "tdmf_slip/orbit.h"
-#include "transitions.h"
 
 #include "members.h"
 
@@ -105,18 +105,18 @@ static flying_member flying_fields(const tdmf_runner *runner) {
     const flying_member m = {
         .now = progress_of(runner),
         .frame = frame_of(runner),
-        .law = tdmf_step_flight_coefficients(chart),
-        .inverse_mobility = 1.0 / (model->inverse_body_mass + model->inverse_foot_mass),
+        .law = tdmf_flight_coefficients(chart),
+        .inverse_mobility = 1.0 / model->mobility,
         .length = chart->start.length,
         .angle = chart->start.angle,
         .length_rate = chart->start.length_rate,
         .angle_rate = chart->start.angle_rate,
         .com_y = chart->com_y,
         .com_vy = chart->com_vy,
-        .share = model->parameters.body.mass / model->total_mass,
-        .kp = watched * model->parameters.hip.kp,
-        .kd = watched * model->parameters.hip.kd,
-        .target = chart->target,
+        .share = model->body_share,
+        .kp = watched * chart->servo.gain,
+        .kd = watched * chart->servo.rate_gain,
+        .target = chart->servo.target,
     };
     return m;
 }
@@ -125,13 +125,12 @@ static standing_member standing_fields(const tdmf_runner *runner) {
     const tdmf_chart *chart = &runner->chart;
     const tdmf_model *model = runner->its_case->model;
     const tdmf_mode *mode = &runner->motion.mode;
-    const tdmf_parameters *p = &model->parameters;
     const bool retracts = mode->phase == TDMF_PHASE_RETRACT;
-    const tdmf_cone cone = tdmf_cone_of(runner->its_case->inputs.ground.friction);
+    const tdmf_cone cone = tdmf_cone_of(chart->static_friction);
     const standing_member m = {
         .now = progress_of(runner),
         .frame = frame_of(runner),
-        .law = tdmf_step_ground_coefficients(chart),
+        .law = tdmf_ground_coefficients(chart),
         .x = chart->start.x,
         .y = chart->start.y,
         .vx = chart->start.vx,
@@ -144,11 +143,11 @@ static standing_member standing_fields(const tdmf_runner *runner) {
         /* A leg that has wound past a half turn passes upright no more. */
         .drives = mode->phase == TDMF_PHASE_DRIVE && chart->turn == 0.0 ? 1.0 : 0.0,
         .angle = chart->start.angle,
-        .kp = p->hip.kp,
-        .kd = p->hip.kd,
-        .target = retracts ? p->hip.liftoff_angle_factor * mode->liftoff_angle : p->hip.touchdown_angle,
-        .stance_law = tdmf_hip_stance_law(model, mode),
-        .rise_share = retracts ? p->body.mass / model->total_mass : 0.0,
+        .kp = chart->servo.gain,
+        .kd = chart->servo.rate_gain,
+        .target = chart->servo.target,
+        .stance_law = chart->stance_law.torque,
+        .rise_share = retracts ? model->body_share : 0.0,
     };
     return m;
 }

@@ -3,98 +3,41 @@
  * the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
+#include "direction.h"
+#include "kinematics.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
-#include "tdmf_slip/kinematics.h"
 
 #include <math.h>
 #include <string.h>
 
 void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
                         double state[TDMF_STATE_COUNT]) {
-    const double share = model->parameters.body.mass / model->total_mass;
-    const double r = section[TDMF_SECTION_LEG_LENGTH];
-    const double sine = sin(section[TDMF_SECTION_LEG_ANGLE]);
-    const double cosine = cos(section[TDMF_SECTION_LEG_ANGLE]);
-    const double along = section[TDMF_SECTION_LEG_LENGTH_RATE];
-    const double across = r * section[TDMF_SECTION_LEG_ANGLE_RATE];
     memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
-    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - share * r * cosine;
-    state[TDMF_LEG_LENGTH] = r;
+    state[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH];
     state[TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE];
-    state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] + share * (along * sine + across * cosine);
-    state[TDMF_FOOT_VY] = -share * (along * cosine - across * sine);
-    state[TDMF_LEG_LENGTH_RATE] = along;
+    state[TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE];
     state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
+    const tdmf_point body = tdmf_body_from_foot(state);
+    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - model->body_share * body.y;
+    state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] - model->body_share * body.vx;
+    state[TDMF_FOOT_VY] = -model->body_share * body.vy;
 }
 
-/* Of the map above, along a direction on the section and in the masses. */
-static void vary_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
-                               const double d_section[TDMF_SECTION_COUNT], const tdmf_change *change,
+/* Of the map above, which has made `state`, along a direction on the section and in the masses. */
+static void vary_section_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                               const double d_section[TDMF_SECTION_COUNT], const tdmf_model *d,
                                double d_state[TDMF_STATE_COUNT]) {
-    const double total = model->total_mass;
-    const double share = model->parameters.body.mass / total;
-    const double d_share = (change->parameters.body.mass * model->parameters.foot.mass -
-                            model->parameters.body.mass * change->parameters.foot.mass) /
-                           (total * total);
-    const double r = section[TDMF_SECTION_LEG_LENGTH];
-    const double d_r = d_section[TDMF_SECTION_LEG_LENGTH];
-    const double d_angle = d_section[TDMF_SECTION_LEG_ANGLE];
-    const double sine = sin(section[TDMF_SECTION_LEG_ANGLE]);
-    const double cosine = cos(section[TDMF_SECTION_LEG_ANGLE]);
-    const double along = section[TDMF_SECTION_LEG_LENGTH_RATE];
-    const double across = r * section[TDMF_SECTION_LEG_ANGLE_RATE];
-    const double d_along = d_section[TDMF_SECTION_LEG_LENGTH_RATE];
-    const double d_across =
-        d_r * section[TDMF_SECTION_LEG_ANGLE_RATE] + r * d_section[TDMF_SECTION_LEG_ANGLE_RATE];
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
-    d_state[TDMF_FOOT_X] = 0.0;
-    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - d_share * r * cosine -
-                           share * (d_r * cosine - r * sine * d_angle);
-    d_state[TDMF_LEG_LENGTH] = d_r;
-    d_state[TDMF_LEG_ANGLE] = d_angle;
-    d_state[TDMF_FOOT_VX] =
-        d_section[TDMF_SECTION_COM_SPEED] + d_share * (along * sine + across * cosine) +
-        share * (d_along * sine + d_across * cosine + (along * cosine - across * sine) * d_angle);
-    d_state[TDMF_FOOT_VY] =
-        -d_share * (along * cosine - across * sine) -
-        share * (d_along * cosine - d_across * sine - (along * sine + across * cosine) * d_angle);
-    d_state[TDMF_LEG_LENGTH_RATE] = d_along;
+    d_state[TDMF_LEG_LENGTH] = d_section[TDMF_SECTION_LEG_LENGTH];
+    d_state[TDMF_LEG_ANGLE] = d_section[TDMF_SECTION_LEG_ANGLE];
+    d_state[TDMF_LEG_LENGTH_RATE] = d_section[TDMF_SECTION_LEG_LENGTH_RATE];
     d_state[TDMF_LEG_ANGLE_RATE] = d_section[TDMF_SECTION_LEG_ANGLE_RATE];
-}
-
-/* The centre of mass of a state, varied. */
-static tdmf_point vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                      const double d_state[TDMF_STATE_COUNT], const tdmf_change *change) {
-    const double section[TDMF_SECTION_COUNT] = {
-        [TDMF_SECTION_LEG_LENGTH] = state[TDMF_LEG_LENGTH],
-        [TDMF_SECTION_LEG_ANGLE] = state[TDMF_LEG_ANGLE],
-        [TDMF_SECTION_LEG_LENGTH_RATE] = state[TDMF_LEG_LENGTH_RATE],
-        [TDMF_SECTION_LEG_ANGLE_RATE] = state[TDMF_LEG_ANGLE_RATE],
-    };
-    const double d_section[TDMF_SECTION_COUNT] = {
-        [TDMF_SECTION_LEG_LENGTH] = d_state[TDMF_LEG_LENGTH],
-        [TDMF_SECTION_LEG_ANGLE] = d_state[TDMF_LEG_ANGLE],
-        [TDMF_SECTION_LEG_LENGTH_RATE] = d_state[TDMF_LEG_LENGTH_RATE],
-        [TDMF_SECTION_LEG_ANGLE_RATE] = d_state[TDMF_LEG_ANGLE_RATE],
-    };
-    const double share = model->parameters.body.mass / model->total_mass;
-    const double d_share = (change->parameters.body.mass * model->parameters.foot.mass -
-                            model->parameters.body.mass * change->parameters.foot.mass) /
-                           (model->total_mass * model->total_mass);
-    double d_offset[TDMF_STATE_COUNT]; /* of the foot from the centre of mass */
-    vary_section_state(model, section, d_section, change, d_offset);
-    const double d_offset_x =
-        d_share * state[TDMF_LEG_LENGTH] * sin(state[TDMF_LEG_ANGLE]) +
-        share * (d_state[TDMF_LEG_LENGTH] * sin(state[TDMF_LEG_ANGLE]) +
-                 state[TDMF_LEG_LENGTH] * cos(state[TDMF_LEG_ANGLE]) * d_state[TDMF_LEG_ANGLE]);
-    const tdmf_point d_com = {
-        .x = d_state[TDMF_FOOT_X] - d_offset_x,
-        .y = d_state[TDMF_FOOT_Y] - d_offset[TDMF_FOOT_Y],
-        .vx = d_state[TDMF_FOOT_VX] - d_offset[TDMF_FOOT_VX],
-        .vy = d_state[TDMF_FOOT_VY] - d_offset[TDMF_FOOT_VY],
-    };
-    return d_com;
+    /* The foot does not move yet: this is how the centre of mass moves from it. */
+    const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, d, d_state);
+    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - from_foot.y;
+    d_state[TDMF_FOOT_VX] = d_section[TDMF_SECTION_COM_SPEED] - from_foot.vx;
+    d_state[TDMF_FOOT_VY] = -from_foot.vy;
 }
 
 /* Projects a variation at the time of an apex on the section. */
@@ -102,7 +45,8 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion 
                                      const double derivatives[TDMF_STATE_COUNT], const tdmf_change *change,
                                      const double start_com_x, const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
-    const tdmf_point d_com = vary_center_of_mass(model, motion->state, d_state, change);
+    const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
+    const tdmf_point d_com = tdmf_vary_center_of_mass(model, motion->state, &d_model, d_state);
     const double shift = d_com.vy / model->parameters.gravity;
     const tdmf_stride_change result = {
         .apex = {d_com.y + com.vy * shift, d_com.vx,
@@ -124,8 +68,8 @@ typedef struct {
     double start_com_x[TDMF_VARIATION_LIMIT];
 } bundle;
 
-static void open_bundle(bundle *bundle, const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
-                        const double state[TDMF_STATE_COUNT], const tdmf_change *changes, int count) {
+static void open_bundle(bundle *bundle, const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                        const tdmf_change *changes, int count) {
     static const tdmf_change none = {0};
     bundle->count = TDMF_SECTION_COUNT + count;
     for (int i = 0; i < bundle->count; ++i) {
@@ -136,9 +80,10 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const double se
         const tdmf_change *change = i < TDMF_SECTION_COUNT ? &none : &changes[i - TDMF_SECTION_COUNT];
         bundle->changes[i] = *change;
         tdmf_variation *variation = &bundle->variations[i];
-        vary_section_state(model, section, d_section, change, variation->state);
+        const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
+        vary_section_state(model, state, d_section, &d_model, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
-        bundle->start_com_x[i] = vary_center_of_mass(model, state, variation->state, change).x;
+        bundle->start_com_x[i] = tdmf_vary_center_of_mass(model, state, &d_model, variation->state).x;
     }
 }
 
@@ -176,7 +121,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     }
     result.began_at_apex = true;
     if (derivatives) {
-        open_bundle(&bundle, model, section, motion.state, changes, count);
+        open_bundle(&bundle, model, motion.state, changes, count);
         result.outcome = tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
                                                    bundle.variations, bundle.count);
     } else {

@@ -7,57 +7,75 @@
  * f_y is the same in stick and slip, so friction never feeds back on it: no Painleve paradox. */
 #include "tdmf_slip/contact.h"
 
-#include "leg.h"
+#include "friction.h"
+#include "ground_force.h"
 
-tdmf_ground_force tdmf_leg_sticking_force(const tdmf_model *model, double torque, const tdmf_leg *leg) {
+double tdmf_foot_weight(const tdmf_model *model) {
+    return model->parameters.foot.mass * model->parameters.gravity;
+}
+
+double tdmf_vary_foot_weight(const tdmf_model *model, const tdmf_model *d) {
+    return d->parameters.foot.mass * model->parameters.gravity +
+           model->parameters.foot.mass * d->parameters.gravity;
+}
+
+tdmf_ground_force tdmf_force_under(const tdmf_evaluation *at, double torque) {
+    const tdmf_leg *leg = &at->leg;
     const double across = torque * leg->inverse_length;
-    const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const tdmf_ground_force force = {
         .fx = -leg->axial_force * leg->sine - across * leg->cosine,
-        .fy = leg->axial_force * leg->cosine - across * leg->sine + weight,
+        .fy = leg->axial_force * leg->cosine - across * leg->sine + tdmf_foot_weight(at->model),
     };
     return force;
 }
 
-tdmf_ground_force tdmf_leg_sticking_force_rate(const tdmf_model *model, double torque, double torque_rate,
-                                               double length_acceleration, const tdmf_leg *leg) {
-    const double axial = leg->axial_force;
-    const double axial_rate = -model->parameters.leg.stiffness * leg->length_rate -
-                              model->parameters.leg.damping * length_acceleration;
+tdmf_ground_force tdmf_vary_force_under(const tdmf_evaluation *at, const tdmf_evaluation *d, double torque,
+                                        double d_torque) {
+    const tdmf_leg *leg = &at->leg;
+    const tdmf_leg *d_leg = &d->leg;
     const double across = torque * leg->inverse_length;
-    const double across_rate = (torque_rate - across * leg->length_rate) * leg->inverse_length;
-    const tdmf_ground_force rate = {
-        .fx = -axial_rate * leg->sine - across_rate * leg->cosine -
-              (axial * leg->cosine - across * leg->sine) * leg->angle_rate,
-        .fy = axial_rate * leg->cosine - across_rate * leg->sine -
-              (axial * leg->sine + across * leg->cosine) * leg->angle_rate,
+    const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
+    const tdmf_ground_force d_force = {
+        .fx = -d_leg->axial_force * leg->sine - leg->axial_force * d_leg->sine - d_across * leg->cosine -
+              across * d_leg->cosine,
+        .fy = d_leg->axial_force * leg->cosine + leg->axial_force * d_leg->cosine - d_across * leg->sine -
+              across * d_leg->sine + tdmf_vary_foot_weight(at->model, d->model),
     };
-    return rate;
+    return d_force;
 }
 
-tdmf_ground_force tdmf_leg_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_mode *mode, double torque, const tdmf_leg *leg) {
+tdmf_ground_force tdmf_force_in_mode(const tdmf_evaluation *at) {
     tdmf_ground_force force = {0.0, 0.0};
-    if (tdmf_in_contact(mode)) {
-        force = tdmf_leg_sticking_force(model, torque, leg);
-        if (mode->contact != TDMF_CONTACT_STICK) {
-            force.fx = -tdmf_slip_sign(mode) * inputs->ground.friction * force.fy;
+    if (tdmf_in_contact(at->mode)) {
+        force = tdmf_force_under(at, at->torque);
+        if (at->mode->contact != TDMF_CONTACT_STICK) {
+            force.fx = -tdmf_signed_friction(at->inputs, at->mode) * force.fy;
         }
     }
     return force;
 }
 
+tdmf_ground_force tdmf_vary_force_in_mode(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    tdmf_ground_force d_force = {0.0, 0.0};
+    if (tdmf_in_contact(at->mode)) {
+        d_force = tdmf_vary_force_under(at, d, at->torque, d->torque);
+        if (at->mode->contact != TDMF_CONTACT_STICK) {
+            d_force.fx = -tdmf_signed_friction(d->inputs, at->mode) * at->force.fy -
+                         tdmf_signed_friction(at->inputs, at->mode) * d_force.fy;
+        }
+    }
+    return d_force;
+}
+
 tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
                                       const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    return tdmf_leg_sticking_force(model, torque, &leg);
+    const tdmf_evaluation at = {.model = model, .leg = tdmf_leg_of(model, state)};
+    return tdmf_force_under(&at, torque);
 }
 
 tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
-    return tdmf_leg_contact_force(model, inputs, mode, torque, &leg);
+    return tdmf_evaluate(model, inputs, mode, state).force;
 }
 
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction) {

@@ -6,60 +6,153 @@
  *     leg:   rddot = r thetadot^2 + u.(a_body - a_foot)
  *            r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot
  *
- * A foot on the ground has ay = 0, and one that sticks ax = 0, exactly and not by cancellation. */
-#include "tdmf_slip/dynamics.h"
+ * A foot on the ground has ay = 0, and one that sticks ax = 0, exactly and not by cancellation. In a
+ * variation d_ stands for the change of what follows. */
+#include "dynamics.h"
 
-#include "leg.h"
+#include "ground_force.h"
 
 #include <string.h>
 
-typedef struct {
-    double ax, ay;
-} foot_acceleration;
+/* ---- accelerations ------------------------------------------------------------------------------------ */
 
-static foot_acceleration accelerate_foot(const tdmf_model *model, const tdmf_mode *mode, const tdmf_leg *leg,
-                                         double across, tdmf_ground_force force) {
-    foot_acceleration foot = {0.0, 0.0};
-    if (mode->contact != TDMF_CONTACT_STICK) {
-        foot.ax = (force.fx + leg->axial_force * leg->sine + across * leg->cosine) * model->inverse_foot_mass;
-    }
-    if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        foot.ay = (-leg->axial_force * leg->cosine + across * leg->sine) * model->inverse_foot_mass -
-                  model->parameters.gravity;
-    }
-    return foot;
+/* The horizontal and vertical force of the leg on the foot. */
+typedef struct {
+    double x, y;
+} force_on_foot;
+
+static force_on_foot push_foot(const tdmf_evaluation *at) {
+    const tdmf_leg *leg = &at->leg;
+    const double across = at->torque * leg->inverse_length;
+    const force_on_foot force = {
+        .x = leg->axial_force * leg->sine + across * leg->cosine,
+        .y = -leg->axial_force * leg->cosine + across * leg->sine,
+    };
+    return force;
 }
 
-static void derivatives_of_leg(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                               const double state[TDMF_STATE_COUNT], const tdmf_leg *leg,
-                               double derivatives[TDMF_STATE_COUNT]) {
-    const double g = model->parameters.gravity;
-    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, leg);
-    const double across = torque * leg->inverse_length;
-    const tdmf_ground_force force = tdmf_leg_contact_force(model, inputs, mode, torque, leg);
-    const foot_acceleration foot = accelerate_foot(model, mode, leg, across, force);
+static force_on_foot vary_push_on_foot(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
+    const double across = at->torque * leg->inverse_length;
+    const double d_across = d->torque * leg->inverse_length + at->torque * d_leg->inverse_length;
+    const force_on_foot d_force = {
+        .x = d_leg->axial_force * leg->sine + leg->axial_force * d_leg->sine + d_across * leg->cosine +
+             across * d_leg->cosine,
+        .y = -d_leg->axial_force * leg->cosine - leg->axial_force * d_leg->cosine + d_across * leg->sine +
+             across * d_leg->sine,
+    };
+    return d_force;
+}
 
-    const double body_along = leg->axial_force * model->inverse_body_mass - g * leg->cosine;
-    const double body_across = across * model->inverse_body_mass + g * leg->sine;
-    const double foot_along = -foot.ax * leg->sine + foot.ay * leg->cosine;
-    const double foot_across = -foot.ax * leg->cosine - foot.ay * leg->sine;
-    const double power = torque * leg->angle_rate;
+static void accelerate_foot(const tdmf_evaluation *at, tdmf_acceleration *a) {
+    const force_on_foot push = push_foot(at);
+    a->foot_ax = a->foot_ay = 0.0;
+    if (at->mode->contact != TDMF_CONTACT_STICK) {
+        a->foot_ax = (at->force.fx + push.x) * at->model->inverse_foot_mass;
+    }
+    if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        a->foot_ay = push.y * at->model->inverse_foot_mass - at->model->parameters.gravity;
+    }
+}
 
-    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
+static void vary_foot_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d,
+                                   tdmf_acceleration *d_a) {
+    const force_on_foot push = push_foot(at);
+    const force_on_foot d_push = vary_push_on_foot(at, d);
+    d_a->foot_ax = d_a->foot_ay = 0.0;
+    if (at->mode->contact != TDMF_CONTACT_STICK) {
+        d_a->foot_ax = (d->force.fx + d_push.x) * at->model->inverse_foot_mass +
+                       (at->force.fx + push.x) * d->model->inverse_foot_mass;
+    }
+    if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        d_a->foot_ay = d_push.y * at->model->inverse_foot_mass + push.y * d->model->inverse_foot_mass -
+                       d->model->parameters.gravity;
+    }
+}
+
+/* t.(a_body - a_foot) - 2 rdot thetadot */
+static double turning(const tdmf_evaluation *at, const tdmf_acceleration *a) {
+    const tdmf_leg *leg = &at->leg;
+    return at->torque * leg->inverse_length * at->model->inverse_body_mass +
+           at->model->parameters.gravity * leg->sine + a->foot_ax * leg->cosine + a->foot_ay * leg->sine -
+           2.0 * leg->length_rate * leg->angle_rate;
+}
+
+tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
+    const tdmf_leg *leg = &at->leg;
+    tdmf_acceleration a;
+    accelerate_foot(at, &a);
+    a.length = leg->length * leg->angle_rate * leg->angle_rate +
+               leg->axial_force * at->model->inverse_body_mass - at->model->parameters.gravity * leg->cosine +
+               a.foot_ax * leg->sine - a.foot_ay * leg->cosine;
+    a.angle = turning(at, &a) * leg->inverse_length;
+    return a;
+}
+
+tdmf_acceleration tdmf_vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
+    const tdmf_model *model = at->model, *d_model = d->model;
+    const double g = model->parameters.gravity, d_g = d_model->parameters.gravity;
+    tdmf_acceleration a, d_a;
+    accelerate_foot(at, &a);
+    vary_foot_acceleration(at, d, &d_a);
+    d_a.length = d_leg->length * leg->angle_rate * leg->angle_rate +
+                 2.0 * leg->length * leg->angle_rate * d_leg->angle_rate +
+                 d_leg->axial_force * model->inverse_body_mass +
+                 leg->axial_force * d_model->inverse_body_mass - d_g * leg->cosine - g * d_leg->cosine +
+                 d_a.foot_ax * leg->sine + a.foot_ax * d_leg->sine - d_a.foot_ay * leg->cosine -
+                 a.foot_ay * d_leg->cosine;
+    const double d_across = d->torque * leg->inverse_length + at->torque * d_leg->inverse_length;
+    const double d_turning =
+        d_across * model->inverse_body_mass + at->torque * leg->inverse_length * d_model->inverse_body_mass +
+        d_g * leg->sine + g * d_leg->sine + d_a.foot_ax * leg->cosine + a.foot_ax * d_leg->cosine +
+        d_a.foot_ay * leg->sine + a.foot_ay * d_leg->sine -
+        2.0 * (d_leg->length_rate * leg->angle_rate + leg->length_rate * d_leg->angle_rate);
+    d_a.angle = d_turning * leg->inverse_length + turning(at, &a) * d_leg->inverse_length;
+    return d_a;
+}
+
+/* ---- the right-hand side ------------------------------------------------------------------------------ */
+
+void tdmf_rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]) {
+    const tdmf_leg *leg = &at->leg;
+    const tdmf_acceleration a = tdmf_accelerate(at);
+    const double power = at->torque * leg->angle_rate;
+    derivatives[TDMF_FOOT_X] = at->state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = at->state[TDMF_FOOT_VY];
     derivatives[TDMF_LEG_LENGTH] = leg->length_rate;
     derivatives[TDMF_LEG_ANGLE] = leg->angle_rate;
-    derivatives[TDMF_FOOT_VX] = foot.ax;
-    derivatives[TDMF_FOOT_VY] = foot.ay;
-    derivatives[TDMF_LEG_LENGTH_RATE] =
-        leg->length * leg->angle_rate * leg->angle_rate + body_along - foot_along;
-    derivatives[TDMF_LEG_ANGLE_RATE] =
-        (body_across - foot_across - 2.0 * leg->length_rate * leg->angle_rate) * leg->inverse_length;
+    derivatives[TDMF_FOOT_VX] = a.foot_ax;
+    derivatives[TDMF_FOOT_VY] = a.foot_ay;
+    derivatives[TDMF_LEG_LENGTH_RATE] = a.length;
+    derivatives[TDMF_LEG_ANGLE_RATE] = a.angle;
     derivatives[TDMF_HIP_WORK] = power;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
-        model->parameters.leg.damping * leg->length_rate * leg->length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.fx * state[TDMF_FOOT_VX];
+        at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];
     derivatives[TDMF_HIP_POSITIVE_WORK] = fmax(power, 0.0);
+}
+
+void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
+                              double derivatives[TDMF_STATE_COUNT]) {
+    const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
+    const tdmf_acceleration d_a = tdmf_vary_acceleration(at, d);
+    const double d_power = d->torque * leg->angle_rate + at->torque * d_leg->angle_rate;
+    derivatives[TDMF_FOOT_X] = d->state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = d->state[TDMF_FOOT_VY];
+    derivatives[TDMF_LEG_LENGTH] = d_leg->length_rate;
+    derivatives[TDMF_LEG_ANGLE] = d_leg->angle_rate;
+    derivatives[TDMF_FOOT_VX] = d_a.foot_ax;
+    derivatives[TDMF_FOOT_VY] = d_a.foot_ay;
+    derivatives[TDMF_LEG_LENGTH_RATE] = d_a.length;
+    derivatives[TDMF_LEG_ANGLE_RATE] = d_a.angle;
+    derivatives[TDMF_HIP_WORK] = d_power;
+    derivatives[TDMF_ENERGY_DAMPER_LOSS] =
+        d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
+        2.0 * at->model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] =
+        -d->force.fx * at->state[TDMF_FOOT_VX] - at->force.fx * d->state[TDMF_FOOT_VX];
+    derivatives[TDMF_HIP_POSITIVE_WORK] = at->torque * leg->angle_rate > 0.0 ? d_power : 0.0;
 }
 
 void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
@@ -68,20 +161,20 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
         memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
         return;
     }
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    derivatives_of_leg(model, inputs, mode, state, &leg, derivatives);
+    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    tdmf_rates_of_state(&at, derivatives);
 }
 
-double tdmf_leg_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                  const double state[TDMF_STATE_COUNT], const tdmf_leg *leg) {
+double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     double derivatives[TDMF_STATE_COUNT];
-    derivatives_of_leg(model, inputs, mode, state, leg, derivatives);
-    const double torque = tdmf_leg_hip_torque(model, inputs, mode, state, leg);
-    return tdmf_leg_sticking_force_rate(model, torque, 0.0, derivatives[TDMF_LEG_LENGTH_RATE], leg).fy;
+    tdmf_rates_of_state(at, derivatives);
+    const tdmf_direction along = tdmf_direction_of_motion(derivatives);
+    const tdmf_evaluation d = tdmf_vary_evaluation(at, &along);
+    return d.force.fy;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    return tdmf_leg_ground_force_rate(model, inputs, mode, state, &leg);
+    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    return tdmf_normal_force_rate(&at);
 }

@@ -7,80 +7,127 @@
  *
  *     tau_eq = r (F_s cos(theta) + m_f g) / sin(theta).
  *
- * Let P(tau) be f_y of (10). A resting foot is pressed on the ground by a law if P > 0, and rises under it
- * with ay = -P/m_f if P < 0; tau_eq is the zero of P. So with s: "P(stance law) > 0" and a: "P(flight law) <
- * 0",
+ * Let N(tau) be f_y of (10). A resting foot is held on the ground by a law if N > 0, and rises under it with
+ * ay = -N/m_f if N < 0; tau_eq is the zero of N. So with s: "N(stance law) > 0" and a: "N(flight law) < 0",
  *
  *     s: contact;     a and not s: flight;     neither: graze.
  *
- * The exits of graze are watched by P of either law, never by tau_eq, which is 0/0 at theta = 0. There the
- * hip has no lever on the foot, and no torque that could hold it: contact if P > 0, or if P = 0 and does not
+ * The exits of graze are watched by N of either law, never by tau_eq, which is 0/0 at theta = 0. There the
+ * hip has no lever on the foot, and no torque that could hold it: contact if N > 0, or if N = 0 and does not
  * fall; else flight. */
-#include "tdmf_slip/graze.h"
+#include "graze.h"
 
-#include "leg.h"
+#include "dynamics.h"
+#include "ground_force.h"
+#include "hip_law.h"
+#include "input_rates.h"
 #include "margins.h"
-#include "tdmf_slip/contact.h"
-#include "tdmf_slip/dynamics.h"
-#include "tdmf_slip/hip.h"
 
-double tdmf_leg_graze_sine(const tdmf_leg *leg) {
+/* ---- the torque that unloads the foot ----------------------------------------------------------------- */
+
+/* sin(theta) with its zero kept out of the denominator. */
+static double bounded_sine(const tdmf_leg *leg) {
     return copysign(fmax(fabs(leg->sine), TDMF_SMALLEST_SINE), leg->sine);
 }
 
-double tdmf_leg_graze_torque(const tdmf_model *model, const tdmf_leg *leg) {
-    const double press =
-        leg->axial_force * leg->cosine + model->parameters.foot.mass * model->parameters.gravity;
-    return press / (tdmf_leg_graze_sine(leg) * leg->inverse_length);
+double tdmf_graze_torque(const tdmf_evaluation *at) {
+    const tdmf_leg *leg = &at->leg;
+    const double load = leg->axial_force * leg->cosine + tdmf_foot_weight(at->model);
+    return load / (bounded_sine(leg) * leg->inverse_length);
 }
 
-double tdmf_graze_torque(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    return tdmf_leg_graze_torque(model, &leg);
+double tdmf_vary_graze_torque(const tdmf_evaluation *at, const tdmf_leg *d_leg, const tdmf_direction *d) {
+    const tdmf_leg *leg = &at->leg;
+    const double d_load = d_leg->axial_force * leg->cosine + leg->axial_force * d_leg->cosine +
+                          tdmf_vary_foot_weight(at->model, &d->model);
+    const double sine = bounded_sine(leg);
+    const double d_sine = sine == leg->sine ? d_leg->sine : 0.0;
+    const double lever = sine * leg->inverse_length;
+    const double d_lever = d_sine * leg->inverse_length + sine * d_leg->inverse_length;
+    return (d_load - at->torque * d_lever) / lever;
 }
 
-static double press_of(const tdmf_model *model, const tdmf_inputs *inputs, double law,
-                       const double state[TDMF_STATE_COUNT]) {
-    return tdmf_sticking_force(model, law + inputs->hip.external_torque, state).fy;
+/* ---- the ground force under either law ---------------------------------------------------------------- */
+
+static double stance_torque(const tdmf_evaluation *at) {
+    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+    return tdmf_law_torque(&law, at->state);
 }
 
-double tdmf_stance_press(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                         const double state[TDMF_STATE_COUNT]) {
-    return press_of(model, inputs, tdmf_hip_stance_law(model, mode), state);
+/* Nobody locates the clamp of a foot on the ground: it is where the servo has it now. */
+static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
+    tdmf_mode mode = *at->mode;
+    mode.clamp_closed = tdmf_law_torque(&servo, at->state) < 0.0;
+    return mode;
 }
 
-double tdmf_flight_press(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                         const double state[TDMF_STATE_COUNT]) {
-    return press_of(model, inputs, tdmf_hip_flight_law(model, mode, state), state);
+static double flight_torque(const tdmf_evaluation *at) {
+    const tdmf_mode mode = mode_by_servo(at);
+    const tdmf_hip_law law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode);
+    return tdmf_law_torque(&law, at->state);
 }
 
-/* Of an upright leg, on whose foot no torque has a lever: where it presses with nothing, what it is about to
- * press with decides. */
-static tdmf_foot_fate fate_under_upright_leg(const tdmf_model *model, const tdmf_inputs *inputs,
-                                             const tdmf_mode *off_ground, double press,
-                                             const double state[TDMF_STATE_COUNT]) {
-    if (fabs(press) <= TDMF_GUARD_MARGIN * model->scales.force) {
-        tdmf_mode stands = *off_ground;
+tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) {
+    return tdmf_force_under(at, stance_torque(at));
+}
+
+tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) {
+    return tdmf_force_under(at, flight_torque(at));
+}
+
+tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdmf_direction *d,
+                                            const tdmf_evaluation *d_at) {
+    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+    const tdmf_hip_law d_law = tdmf_vary_stance_law(at->mode, d);
+    const double d_torque = tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+    return tdmf_vary_force_under(at, d_at, tdmf_law_torque(&law, at->state), d_torque);
+}
+
+/* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
+static bool is_at_kink(const tdmf_evaluation *at, const tdmf_direction *d) {
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
+    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, d);
+    return at->mode->phase != TDMF_PHASE_PLACE && tdmf_law_torque(&servo, at->state) == 0.0 &&
+           tdmf_vary_law_torque(&servo, &d_servo, at->state, d->state) != 0.0;
+}
+
+tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
+                                            const tdmf_evaluation *d_at) {
+    const tdmf_mode mode = mode_by_servo(at);
+    const tdmf_hip_law law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode);
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(at->model, &mode, d);
+    const double d_torque = is_at_kink(at, d) ? NAN : tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+    return tdmf_vary_force_under(at, d_at, tdmf_law_torque(&law, at->state), d_torque);
+}
+
+/* ---- what becomes of the foot ------------------------------------------------------------------------- */
+
+/* Of an upright leg, on whose foot no torque has a lever: where it carries nothing, what it is about to carry
+ * decides. */
+static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_ground, double normal_force) {
+    if (fabs(normal_force) <= TDMF_GUARD_MARGIN * off_ground->model->scales.force) {
+        tdmf_mode stands = *off_ground->mode;
         stands.contact = TDMF_CONTACT_STICK;
-        press = tdmf_ground_force_rate(model, inputs, &stands, state);
+        const tdmf_evaluation at = tdmf_evaluate_leg(off_ground->model, off_ground->inputs, &stands,
+                                                     off_ground->state, &off_ground->leg);
+        normal_force = tdmf_normal_force_rate(&at);
     }
-    return press < 0.0 ? TDMF_FOOT_LEAVES : TDMF_FOOT_LOADED;
+    return normal_force < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_STICK;
 }
 
-tdmf_foot_fate tdmf_fate_at_rest(const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
-    const double press = tdmf_stance_press(model, inputs, off_ground, state);
-    if (fabs(sin(state[TDMF_LEG_ANGLE])) <= TDMF_SMALLEST_SINE) {
-        return fate_under_upright_leg(model, inputs, off_ground, press, state);
+tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground) {
+    const double normal_force = tdmf_force_in_stance(off_ground).fy;
+    if (fabs(off_ground->leg.sine) <= TDMF_SMALLEST_SINE) {
+        return contact_under_upright_leg(off_ground, normal_force);
     }
-    if (press > 0.0) {
-        return TDMF_FOOT_LOADED;
+    if (normal_force > 0.0) {
+        return TDMF_CONTACT_STICK;
     }
-    return tdmf_flight_press(model, inputs, off_ground, state) < 0.0 ? TDMF_FOOT_LEAVES : TDMF_FOOT_GRAZES;
+    return tdmf_force_in_flight(off_ground).fy < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_GRAZE;
 }
 
-tdmf_foot_fate tdmf_fate_at_lift_off(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_mode *off_ground, const double state[TDMF_STATE_COUNT]) {
-    const double press = tdmf_flight_press(model, inputs, off_ground, state);
-    return press > TDMF_NARROWEST_GRAZE * model->scales.force ? TDMF_FOOT_GRAZES : TDMF_FOOT_LEAVES;
+tdmf_contact_mode tdmf_contact_after_lift_off(const tdmf_evaluation *off_ground) {
+    const double least = TDMF_NARROWEST_GRAZE * off_ground->model->scales.force;
+    return tdmf_force_in_flight(off_ground).fy > least ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
 }

@@ -12,55 +12,101 @@
  * The clamp's kink is located like an event: in flight the law is smooth while mode->clamp_closed stands. */
 #include "tdmf_slip/hip.h"
 
-#include "leg.h"
+#include "evaluation.h"
+#include "hip_law.h"
+#include "input_rates.h"
 
-#include <math.h>
-
-double tdmf_hip_stance_law(const tdmf_model *model, const tdmf_mode *mode) {
-    return mode->mid_stance_pending ? -model->parameters.hip.stance_torque : 0.0;
+tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates) {
+    const tdmf_hip_law law = {.torque = inputs->hip.external_torque,
+                              .torque_rate = rates->hip.external_torque};
+    return law;
 }
 
-static double towards(const tdmf_model *model, double target, const double state[TDMF_STATE_COUNT]) {
-    return -model->parameters.hip.kp * (state[TDMF_LEG_ANGLE] - target) -
-           model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
+/* ---- stance (11) -------------------------------------------------------------------------------------- */
+
+tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                             const tdmf_mode *mode) {
+    tdmf_hip_law law = tdmf_external_law(inputs, rates);
+    law.torque -= mode->mid_stance_pending ? model->parameters.hip.stance_torque : 0.0;
+    return law;
 }
 
-double tdmf_hip_retract_argument(const tdmf_model *model, const tdmf_mode *mode,
-                                 const double state[TDMF_STATE_COUNT]) {
-    return towards(model, model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle, state);
+/* The law is linear in what it is made of. */
+tdmf_hip_law tdmf_vary_stance_law(const tdmf_mode *mode, const tdmf_direction *d) {
+    return tdmf_stance_law(&d->model, &d->inputs, &tdmf_held_inputs, mode);
 }
 
-double tdmf_hip_flight_law(const tdmf_model *model, const tdmf_mode *mode,
-                           const double state[TDMF_STATE_COUNT]) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        return towards(model, model->parameters.hip.touchdown_angle, state);
-    }
-    return fmax(tdmf_hip_retract_argument(model, mode, state), 0.0);
+/* ---- flight (12) -------------------------------------------------------------------------------------- */
+
+tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_mode *mode) {
+    const tdmf_parameters *p = &model->parameters;
+    const bool places = mode->phase == TDMF_PHASE_PLACE;
+    const tdmf_hip_law law = {
+        .gain = p->hip.kp,
+        .rate_gain = p->hip.kd,
+        .target = places ? p->hip.touchdown_angle : p->hip.liftoff_angle_factor * mode->liftoff_angle,
+    };
+    return law;
 }
 
-/* The flight law with the clamp as last located. */
-static double hip_in_flight(const tdmf_model *model, const tdmf_mode *mode,
-                            const double state[TDMF_STATE_COUNT]) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        return towards(model, model->parameters.hip.touchdown_angle, state);
-    }
-    return mode->clamp_closed ? 0.0 : tdmf_hip_retract_argument(model, mode, state);
+tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
+    const tdmf_parameters *p = &model->parameters;
+    const tdmf_parameters *d_p = &d->model.parameters;
+    const bool places = mode->phase == TDMF_PHASE_PLACE;
+    const tdmf_hip_law d_law = {
+        .gain = d_p->hip.kp,
+        .rate_gain = d_p->hip.kd,
+        .target = places ? d_p->hip.touchdown_angle
+                         : d_p->hip.liftoff_angle_factor * mode->liftoff_angle +
+                               p->hip.liftoff_angle_factor * d->mode.liftoff_angle,
+    };
+    return d_law;
 }
 
-double tdmf_leg_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                           const double state[TDMF_STATE_COUNT], const tdmf_leg *leg) {
-    switch (mode->contact) {
-    case TDMF_CONTACT_FLIGHT:
-        return hip_in_flight(model, mode, state) + inputs->hip.external_torque;
-    case TDMF_CONTACT_GRAZE:
-        return tdmf_leg_graze_torque(model, leg);
-    default:
-        return tdmf_hip_stance_law(model, mode) + inputs->hip.external_torque;
-    }
+static bool is_clamped(const tdmf_mode *mode) {
+    return mode->phase != TDMF_PHASE_PLACE && mode->clamp_closed;
+}
+
+static tdmf_hip_law sum(tdmf_hip_law a, tdmf_hip_law b) {
+    a.torque += b.torque;
+    a.torque_rate += b.torque_rate;
+    return a;
+}
+
+tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                             const tdmf_mode *mode) {
+    const tdmf_hip_law alone = tdmf_external_law(inputs, rates);
+    return is_clamped(mode) ? alone : sum(tdmf_servo(model, mode), alone);
+}
+
+tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
+    const tdmf_hip_law alone = tdmf_external_law(&d->inputs, &tdmf_held_inputs);
+    return is_clamped(mode) ? alone : sum(tdmf_vary_servo(model, mode, d), alone);
+}
+
+bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
+    const tdmf_parameters *p = &model->parameters;
+    const tdmf_parameters *d_p = &d->model.parameters;
+    return mode->phase == TDMF_PHASE_RETRACT && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
+           (d_p->hip.kp != 0.0 || d_p->hip.kd != 0.0);
+}
+
+/* ---- torque ------------------------------------------------------------------------------------------- */
+
+double tdmf_law_torque(const tdmf_hip_law *law, const double state[TDMF_STATE_COUNT]) {
+    return law->gain * (law->target - state[TDMF_LEG_ANGLE]) - law->rate_gain * state[TDMF_LEG_ANGLE_RATE] +
+           law->torque;
+}
+
+double tdmf_vary_law_torque(const tdmf_hip_law *law, const tdmf_hip_law *d_law,
+                            const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT]) {
+    return d_law->gain * (law->target - state[TDMF_LEG_ANGLE]) +
+           law->gain * (d_law->target - d_state[TDMF_LEG_ANGLE]) -
+           d_law->rate_gain * state[TDMF_LEG_ANGLE_RATE] - law->rate_gain * d_state[TDMF_LEG_ANGLE_RATE] +
+           d_law->torque;
 }
 
 double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                        const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
-    return tdmf_leg_hip_torque(model, inputs, mode, state, &leg);
+    return tdmf_evaluate(model, inputs, mode, state).torque;
 }

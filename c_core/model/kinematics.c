@@ -3,36 +3,43 @@
  *     x_m = x - r sin(theta),   y_m = y + r cos(theta)
  *
  * With the unit vectors u = (-sin, cos) along the leg and t = (-cos, -sin) across it, the body's velocity is
- * the foot's plus rdot u + r thetadot t. */
-#include "tdmf_slip/kinematics.h"
+ * the foot's plus rdot u + r thetadot t. In a variation d_ stands for the change of what follows. */
+#include "kinematics.h"
 
 #include <math.h>
 
-tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
+tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT]) {
     const double r = state[TDMF_LEG_LENGTH];
     const double sine = sin(state[TDMF_LEG_ANGLE]);
     const double cosine = cos(state[TDMF_LEG_ANGLE]);
     const double along = state[TDMF_LEG_LENGTH_RATE];
     const double across = r * state[TDMF_LEG_ANGLE_RATE];
-    const tdmf_point body = {
-        .x = state[TDMF_FOOT_X] - r * sine,
-        .y = state[TDMF_FOOT_Y] + r * cosine,
-        .vx = state[TDMF_FOOT_VX] - along * sine - across * cosine,
-        .vy = state[TDMF_FOOT_VY] + along * cosine - across * sine,
+    const tdmf_point from_foot = {
+        .x = -r * sine,
+        .y = r * cosine,
+        .vx = -along * sine - across * cosine,
+        .vy = along * cosine - across * sine,
     };
-    return body;
+    return from_foot;
+}
+
+/* The foot, and so much of the way from it to the body. */
+static tdmf_point on_leg(const double state[TDMF_STATE_COUNT], double share, tdmf_point from_foot) {
+    const tdmf_point point = {
+        .x = state[TDMF_FOOT_X] + share * from_foot.x,
+        .y = state[TDMF_FOOT_Y] + share * from_foot.y,
+        .vx = state[TDMF_FOOT_VX] + share * from_foot.vx,
+        .vy = state[TDMF_FOOT_VY] + share * from_foot.vy,
+    };
+    return point;
+}
+
+tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
+    return on_leg(state, 1.0, tdmf_body_from_foot(state));
 }
 
 tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_point body = tdmf_body(state);
-    const double share = model->parameters.body.mass / model->total_mass;
-    const tdmf_point center = {
-        .x = state[TDMF_FOOT_X] + share * (body.x - state[TDMF_FOOT_X]),
-        .y = state[TDMF_FOOT_Y] + share * (body.y - state[TDMF_FOOT_Y]),
-        .vx = state[TDMF_FOOT_VX] + share * (body.vx - state[TDMF_FOOT_VX]),
-        .vy = state[TDMF_FOOT_VY] + share * (body.vy - state[TDMF_FOOT_VY]),
-    };
-    return center;
+    return on_leg(state, model->body_share, tdmf_body_from_foot(state));
 }
 
 void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
@@ -44,4 +51,53 @@ void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]
     state[TDMF_LEG_ANGLE_RATE] += (-cosine * lost_x - sine * lost_y) / state[TDMF_LEG_LENGTH];
     state[TDMF_FOOT_VX] = vx;
     state[TDMF_FOOT_VY] = vy;
+}
+
+/* ---- variations --------------------------------------------------------------------------------------- */
+
+tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
+                                    const double d_state[TDMF_STATE_COUNT]) {
+    const double r = state[TDMF_LEG_LENGTH], d_r = d_state[TDMF_LEG_LENGTH];
+    const double sine = sin(state[TDMF_LEG_ANGLE]);
+    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double d_angle = d_state[TDMF_LEG_ANGLE];
+    const double along = state[TDMF_LEG_LENGTH_RATE], d_along = d_state[TDMF_LEG_LENGTH_RATE];
+    const double across = r * state[TDMF_LEG_ANGLE_RATE];
+    const double d_across = d_r * state[TDMF_LEG_ANGLE_RATE] + r * d_state[TDMF_LEG_ANGLE_RATE];
+    const tdmf_point d_from_foot = {
+        .x = -d_r * sine - r * cosine * d_angle,
+        .y = d_r * cosine - r * sine * d_angle,
+        .vx = -d_along * sine - d_across * cosine - (along * cosine - across * sine) * d_angle,
+        .vy = d_along * cosine - d_across * sine - (along * sine + across * cosine) * d_angle,
+    };
+    return d_from_foot;
+}
+
+tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT]) {
+    return on_leg(d_state, 1.0, tdmf_vary_body_from_foot(state, d_state));
+}
+
+tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                    const tdmf_model *d, const double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_point from_foot = tdmf_body_from_foot(state);
+    tdmf_point d_center = on_leg(d_state, model->body_share, tdmf_vary_body_from_foot(state, d_state));
+    d_center.x += d->body_share * from_foot.x;
+    d_center.y += d->body_share * from_foot.y;
+    d_center.vx += d->body_share * from_foot.vx;
+    d_center.vy += d->body_share * from_foot.vy;
+    return d_center;
+}
+
+void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d, double d_state[TDMF_STATE_COUNT]) {
+    const double r = state[TDMF_LEG_LENGTH];
+    const double sine = sin(state[TDMF_LEG_ANGLE]);
+    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double along = state[TDMF_LEG_LENGTH_RATE];
+    const double angle_rate = state[TDMF_LEG_ANGLE_RATE];
+    const double d_r = -d.x * sine + d.y * cosine;
+    const double d_angle = (-d.x * cosine - d.y * sine) / r;
+    d_state[TDMF_LEG_LENGTH] = d_r;
+    d_state[TDMF_LEG_ANGLE] = d_angle;
+    d_state[TDMF_LEG_LENGTH_RATE] = -d.vx * sine + d.vy * cosine + r * angle_rate * d_angle;
+    d_state[TDMF_LEG_ANGLE_RATE] = (-d.vx * cosine - d.vy * sine - along * d_angle - angle_rate * d_r) / r;
 }

@@ -3,6 +3,7 @@
  * Scales of the paper's normalisation (section 5): length l0, time sqrt(m/k), and what follows from them. */
 #include "tdmf_slip/parameters.h"
 
+#include "direction.h"
 #include "input_rates.h"
 #include "ranges.h"
 
@@ -76,8 +77,24 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     model->scales = scales_of(parameters);
     model->inverse_body_mass = 1.0 / parameters->body.mass;
     model->inverse_foot_mass = 1.0 / parameters->foot.mass;
+    model->mobility = model->inverse_body_mass + model->inverse_foot_mass;
     model->total_mass = parameters->body.mass + parameters->foot.mass;
+    model->body_share = parameters->body.mass / model->total_mass;
     return accepted;
+}
+
+tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change) {
+    const double body = model->parameters.body.mass;
+    const double foot = model->parameters.foot.mass;
+    const double d_body = change->body.mass;
+    const double d_foot = change->foot.mass;
+    tdmf_model varied = {.parameters = *change};
+    varied.inverse_body_mass = -d_body * model->inverse_body_mass * model->inverse_body_mass;
+    varied.inverse_foot_mass = -d_foot * model->inverse_foot_mass * model->inverse_foot_mass;
+    varied.mobility = varied.inverse_body_mass + varied.inverse_foot_mass;
+    varied.total_mass = d_body + d_foot;
+    varied.body_share = (d_body * foot - body * d_foot) / (model->total_mass * model->total_mass);
+    return varied;
 }
 
 tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {

@@ -1,20 +1,13 @@
 /* From state to coordinates and back. */
 #include "chart.h"
 
-#include "tdmf_slip/automaton.h"
-#include "tdmf_slip/hip.h"
-#include "tdmf_slip/kinematics.h"
+#include "friction.h"
+#include "kinematics.h"
 
 #include <math.h>
 
-static void open_flight(tdmf_chart *chart, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_parameters *p = &chart->model->parameters;
+static void open_flight(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(chart->model, state);
-    const bool retracts = mode->phase == TDMF_PHASE_RETRACT;
-    const double servo = retracts && mode->clamp_closed ? 0.0 : 1.0;
-    chart->target = retracts ? p->hip.liftoff_angle_factor * mode->liftoff_angle : p->hip.touchdown_angle;
-    chart->gain = servo * p->hip.kp;
-    chart->rate_gain = servo * p->hip.kd;
     chart->com_x = com.x;
     chart->com_y = com.y;
     chart->com_vx = com.vx;
@@ -34,30 +27,42 @@ static double turns_of(double angle, const tdmf_coordinates *at) {
 
 static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
     tdmf_coordinates *at = &chart->start;
-    const double sine = sin(state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(state[TDMF_LEG_ANGLE]);
-    const double along = state[TDMF_LEG_LENGTH_RATE];
-    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    at->x = -state[TDMF_LEG_LENGTH] * sine;
-    at->y = state[TDMF_LEG_LENGTH] * cosine;
+    const tdmf_point body = tdmf_body_from_foot(state);
+    at->x = body.x;
+    at->y = body.y;
     at->foot_x = state[TDMF_FOOT_X];
     at->foot_vx = state[TDMF_FOOT_VX];
-    at->vx = at->foot_vx - along * sine - across * cosine;
-    at->vy = along * cosine - across * sine;
+    at->vx = at->foot_vx + body.vx;
+    at->vy = body.vy;
     chart->turn = turns_of(state[TDMF_LEG_ANGLE], at);
+}
+
+static void open_laws(tdmf_chart *chart, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                      const tdmf_mode *mode) {
+    const tdmf_model *model = chart->model;
+    switch (mode->contact) {
+    case TDMF_CONTACT_FLIGHT:
+        chart->law = tdmf_flight_law(model, inputs, rates, mode);
+        break;
+    case TDMF_CONTACT_GRAZE:
+        chart->law = tdmf_external_law(inputs, rates);
+        chart->stance_law = tdmf_stance_law(model, inputs, rates, mode);
+        break;
+    default:
+        chart->law = tdmf_stance_law(model, inputs, rates, mode);
+    }
+    chart->servo = tdmf_servo(model, mode);
+    chart->friction = tdmf_signed_friction(inputs, mode);
+    chart->friction_rate = tdmf_signed_friction(rates, mode);
+    chart->static_friction = tdmf_static_friction(inputs);
+    chart->static_friction_rate = tdmf_static_friction(rates);
 }
 
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
                      const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     const tdmf_chart blank = {.model = model, .contact = mode->contact};
     *chart = blank;
-    chart->torque = inputs->hip.external_torque;
-    chart->torque_rate = rates->hip.external_torque;
-    if (tdmf_in_contact(mode)) {
-        chart->torque += tdmf_hip_stance_law(model, mode);
-    }
-    chart->friction = tdmf_slip_sign(mode) * inputs->ground.friction;
-    chart->friction_rate = tdmf_slip_sign(mode) * rates->ground.friction;
+    open_laws(chart, inputs, rates, mode);
     chart->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     chart->start.length = state[TDMF_LEG_LENGTH];
     chart->start.angle = state[TDMF_LEG_ANGLE];
@@ -67,7 +72,7 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
     chart->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     chart->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        open_flight(chart, mode, state);
+        open_flight(chart, state);
     } else {
         open_ground(chart, state);
     }
@@ -76,34 +81,37 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached) {
     const double g = chart->model->parameters.gravity;
     chart->start = *reached;
-    chart->torque += elapsed * chart->torque_rate;
+    chart->law.torque += elapsed * chart->law.torque_rate;
+    chart->stance_law.torque += elapsed * chart->stance_law.torque_rate;
     chart->friction += elapsed * chart->friction_rate;
+    chart->static_friction += elapsed * chart->static_friction_rate;
     chart->com_x += elapsed * chart->com_vx;
     chart->com_y += elapsed * (chart->com_vy - 0.5 * g * elapsed);
     chart->com_vy -= g * elapsed;
 }
 
+void tdmf_chart_end_friction(tdmf_chart *chart) {
+    chart->friction = chart->friction_rate = 0.0;
+    chart->static_friction = chart->static_friction_rate = 0.0;
+}
+
 /* The foot hangs below the ballistic centre of mass, at the body's share of the leg. */
-static void place_flying_foot(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *at,
-                              double state[TDMF_STATE_COUNT]) {
+static void write_flight(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *at,
+                         double state[TDMF_STATE_COUNT]) {
     const double g = chart->model->parameters.gravity;
-    const double share = chart->model->parameters.body.mass / chart->model->total_mass;
-    const double sine = sin(at->angle);
-    const double cosine = cos(at->angle);
-    const double along = share * at->length_rate;
-    const double across = share * at->length * at->angle_rate;
-    state[TDMF_FOOT_X] = chart->com_x + elapsed * chart->com_vx + share * at->length * sine;
-    state[TDMF_FOOT_Y] =
-        chart->com_y + elapsed * (chart->com_vy - 0.5 * g * elapsed) - share * at->length * cosine;
-    state[TDMF_FOOT_VX] = chart->com_vx + along * sine + across * cosine;
-    state[TDMF_FOOT_VY] = chart->com_vy - g * elapsed - along * cosine + across * sine;
+    const double share = chart->model->body_share;
     state[TDMF_LEG_LENGTH] = at->length;
     state[TDMF_LEG_ANGLE] = at->angle;
     state[TDMF_LEG_LENGTH_RATE] = at->length_rate;
     state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
+    const tdmf_point body = tdmf_body_from_foot(state);
+    state[TDMF_FOOT_X] = chart->com_x + elapsed * chart->com_vx - share * body.x;
+    state[TDMF_FOOT_Y] = chart->com_y + elapsed * (chart->com_vy - 0.5 * g * elapsed) - share * body.y;
+    state[TDMF_FOOT_VX] = chart->com_vx - share * body.vx;
+    state[TDMF_FOOT_VY] = chart->com_vy - g * elapsed - share * body.vy;
 }
 
-static void place_standing_leg(const tdmf_chart *chart, const tdmf_coordinates *at,
+static void write_standing_leg(const tdmf_chart *chart, const tdmf_coordinates *at,
                                double state[TDMF_STATE_COUNT]) {
     const double vx = at->vx - at->foot_vx;
     const double length = sqrt(at->x * at->x + at->y * at->y);
@@ -124,8 +132,8 @@ void tdmf_chart_state(const tdmf_chart *chart, double elapsed, const tdmf_coordi
     state[TDMF_ENERGY_FRICTION_LOSS] = coordinates->friction_loss;
     state[TDMF_HIP_POSITIVE_WORK] = chart->positive_work;
     if (chart->contact == TDMF_CONTACT_FLIGHT) {
-        place_flying_foot(chart, elapsed, coordinates, state);
+        write_flight(chart, elapsed, coordinates, state);
     } else {
-        place_standing_leg(chart, coordinates, state);
+        write_standing_leg(chart, coordinates, state);
     }
 }

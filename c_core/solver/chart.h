@@ -2,6 +2,7 @@
 #ifndef TDMF_SOLVER_CHART_H
 #define TDMF_SOLVER_CHART_H
 
+#include "hip_law.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -19,9 +20,12 @@ typedef struct {
     const tdmf_model *model;
     tdmf_contact_mode contact;
     tdmf_coordinates start;
-    double target, gain, rate_gain; /* flight: torque = gain (target - theta) - rate_gain thetadot + ... */
-    double torque, torque_rate;     /* the rest of the torque, linear in time */
+    tdmf_hip_law law; /* of flight or stance; in graze the torque from outside alone */
+    /* Laws that guards are made of: off the ground the servo that the clamp is decided by; in graze also the
+     * stance law. */
+    tdmf_hip_law servo, stance_law;
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
+    double static_friction, static_friction_rate;
     double com_x, com_y, com_vx, com_vy; /* flight, at the start */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
     double positive_work;
@@ -33,6 +37,9 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
 
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached);
+
+/* Friction has fallen to zero and stays there. */
+void tdmf_chart_end_friction(tdmf_chart *chart);
 
 /* The state that coordinates after `elapsed` stand for; the positive work is the chart's. */
 void tdmf_chart_state(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *coordinates,

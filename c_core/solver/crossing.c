@@ -4,10 +4,10 @@
  * A polynomial is zero a little after its guard: what it finds due is due to the model beyond rounding. */
 #include "crossing.h"
 
-#include "cone.h"
 #include "first_root.h"
+#include "friction.h"
+#include "ground_force.h"
 #include "margins.h"
-#include "tdmf_slip/hip.h"
 
 typedef struct {
     const tdmf_step *step;
@@ -37,6 +37,7 @@ static bool stays_above(const search *search, double above, const double *c, int
 static tdmf_polynomial scaled(const double *c, double factor, int order) {
     tdmf_polynomial p;
     p.order = order;
+    p.c[0] = p.c[1] = p.c[2] = 0.0;
     for (int k = 0; k <= order; ++k) {
         p.c[k] = factor * c[k];
     }
@@ -53,6 +54,11 @@ static void add_parabola(tdmf_polynomial *p, double value, double rate, double c
     p->c[0] += value;
     p->c[1] += rate;
     p->c[2] += curvature;
+}
+
+static void add_line(tdmf_polynomial *p, double value, double rate) {
+    p->c[0] += value;
+    p->c[1] += rate;
 }
 
 /* Adds the product of two series. */
@@ -134,7 +140,7 @@ static void watch_heights(search *search, double longest) {
     const tdmf_step *step = search->step;
     const tdmf_chart *chart = step->chart;
     const flight_series *f = &step->series.flight;
-    const double share = chart->model->parameters.body.mass / chart->model->total_mass;
+    const double share = chart->model->body_share;
     const double length = chart->model->scales.length;
     const double sine = sin(f->angle[0]), cosine = cos(f->angle[0]);
     double drop[SERIES_TERMS];
@@ -170,10 +176,9 @@ static void watch_flight(search *search, const tdmf_mode *mode) {
     const tdmf_polynomial rise = {{chart->com_vy, -model->parameters.gravity, 0.0}, 2};
     watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, search->beyond_margin);
     const double sign = mode->clamp_closed ? -1.0 : 1.0;
-    tdmf_polynomial clamp = scaled(f->angle, -sign * model->parameters.hip.kp, step->order - 1);
-    add(&clamp, f->angle_rate, -sign * model->parameters.hip.kd);
-    clamp.c[0] +=
-        sign * model->parameters.hip.kp * model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+    tdmf_polynomial clamp = scaled(f->angle, -sign * chart->servo.gain, step->order - 1);
+    add(&clamp, f->angle_rate, -sign * chart->servo.rate_gain);
+    clamp.c[0] += sign * chart->servo.gain * chart->servo.target;
     watch(search, TDMF_GUARD_CLAMP, &clamp, model->scales.energy, TDMF_BEYOND_DEAD_BAND);
 }
 
@@ -203,23 +208,24 @@ static void watch_mid_stance(search *search) {
 }
 
 /* mu f_y + sign f_x, by the weights of the largest friction in the step. */
-static void watch_cone(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates, double sign) {
+static void watch_cone(search *search, double sign) {
+    const tdmf_chart *chart = search->step->chart;
     const ground_series *g = &search->step->series.ground;
-    const double friction = inputs->ground.friction;
-    const double weight =
-        tdmf_cone_of(fmax(friction, friction + rates->ground.friction * search->step->size)).tangential;
+    const double friction = chart->static_friction;
+    const double rate = chart->static_friction_rate;
+    const double weight = tdmf_cone_of(fmax(friction, friction + rate * search->step->size)).tangential;
     tdmf_polynomial room = scaled(g->normal_force, weight * friction, search->step->order - 1);
     add(&room, g->leg_force_x, -sign * weight);
-    if (rates->ground.friction != 0.0) {
+    if (rate != 0.0) {
         for (int k = 1; k <= room.order; ++k) {
-            room.c[k] += weight * rates->ground.friction * g->normal_force[k - 1];
+            room.c[k] += weight * rate * g->normal_force[k - 1];
         }
     }
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, &room,
           search->step->chart->model->scales.force, search->beyond_margin);
 }
 
-static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates, bool sticks) {
+static void watch_forces(search *search, bool sticks) {
     const tdmf_step *step = search->step;
     const ground_series *g = &step->series.ground;
     const int order = step->order - 1;
@@ -232,20 +238,19 @@ static void watch_forces(search *search, const tdmf_inputs *inputs, const tdmf_i
         return;
     }
     const double room =
-        inputs->ground.friction * (g->normal_force[0] - press_spread) - fabs(g->leg_force_x[0]);
-    if (rates->ground.friction != 0.0 || !stays_above(search, room, g->leg_force_x, order)) {
-        watch_cone(search, inputs, rates, 1.0);
-        watch_cone(search, inputs, rates, -1.0);
+        step->chart->static_friction * (g->normal_force[0] - press_spread) - fabs(g->leg_force_x[0]);
+    if (step->chart->static_friction_rate != 0.0 || !stays_above(search, room, g->leg_force_x, order)) {
+        watch_cone(search, 1.0);
+        watch_cone(search, -1.0);
     }
 }
 
-static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_inputs *rates,
-                          const tdmf_mode *mode) {
+static void watch_contact(search *search, const tdmf_mode *mode) {
     const tdmf_step *step = search->step;
     const ground_series *g = &step->series.ground;
     const double sign = tdmf_slip_sign(mode);
     watch_standing_leg(search);
-    watch_forces(search, inputs, rates, mode->contact == TDMF_CONTACT_STICK);
+    watch_forces(search, mode->contact == TDMF_CONTACT_STICK);
     if (mode->phase == TDMF_PHASE_DRIVE && step->chart->turn == 0.0) {
         watch_mid_stance(search);
     }
@@ -258,19 +263,17 @@ static void watch_contact(search *search, const tdmf_inputs *inputs, const tdmf_
 
 /* ---- graze -------------------------------------------------------------------------------------------- */
 
-/* Argument of the flight law, without the external torque: -kp (theta - target) - kd thetadot. */
-static tdmf_polynomial flight_law(const tdmf_step *step, const tdmf_mode *mode, double angle) {
-    const tdmf_parameters *p = &step->chart->model->parameters;
+/* The servo's torque along the motion. */
+static tdmf_polynomial servo_torque(const tdmf_step *step, double angle) {
+    const tdmf_hip_law *servo = &step->chart->servo;
     const double *rate = step->series.ground.angle_rate;
-    const double target = mode->phase == TDMF_PHASE_RETRACT
-                              ? p->hip.liftoff_angle_factor * mode->liftoff_angle
-                              : p->hip.touchdown_angle;
-    tdmf_polynomial law = scaled(rate, -p->hip.kd, step->order - 1);
-    law.c[0] -= p->hip.kp * (angle - target);
-    for (int k = 1; k <= law.order; ++k) {
-        law.c[k] -= p->hip.kp * rate[k - 1] * series_reciprocal[k];
+    tdmf_polynomial torque = scaled(rate, -servo->rate_gain, step->order - 1);
+    torque.c[0] += servo->gain * (servo->target - angle) + servo->torque;
+    torque.c[1] += servo->torque_rate;
+    for (int k = 1; k <= torque.order; ++k) {
+        torque.c[k] -= servo->gain * rate[k - 1] * series_reciprocal[k];
     }
-    return law;
+    return torque;
 }
 
 /* X/r^2: what a torque presses the foot down with. */
@@ -284,24 +287,22 @@ static void expand_lever(const ground_series *g, int order, double lever[SERIES_
     }
 }
 
-/* Ground force, times `sign`, under a law that graze excludes. */
-static void watch_press(search *search, const tdmf_inputs *rates, const double lever[SERIES_TERMS],
-                        double sign, tdmf_polynomial law) {
+/* Ground force, times `sign`, under the torque of a law that graze excludes. */
+static void watch_normal_force(search *search, const double lever[SERIES_TERMS], double sign,
+                               tdmf_polynomial torque) {
     const tdmf_chart *chart = search->step->chart;
     const ground_series *g = &search->step->series.ground;
-    law.c[0] += chart->torque;
-    law.c[1] += rates->hip.external_torque;
-    tdmf_polynomial press = scaled(g->axial_y, sign, law.order);
-    press.c[0] += sign * chart->model->parameters.foot.mass * chart->model->parameters.gravity;
-    for (int k = 0; k <= law.order; ++k) {
-        law.c[k] *= sign;
+    tdmf_polynomial force = scaled(g->axial_y, sign, torque.order);
+    force.c[0] += sign * tdmf_foot_weight(chart->model);
+    for (int k = 0; k <= torque.order; ++k) {
+        torque.c[k] *= sign;
     }
-    add_product(&press, law.c, lever);
-    watch(search, sign > 0.0 ? TDMF_GUARD_GRAZE_TO_FLIGHT : TDMF_GUARD_GRAZE_TO_CONTACT, &press,
+    add_product(&force, torque.c, lever);
+    watch(search, sign > 0.0 ? TDMF_GUARD_GRAZE_TO_FLIGHT : TDMF_GUARD_GRAZE_TO_CONTACT, &force,
           chart->model->scales.force, search->beyond_margin);
 }
 
-static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mode *mode) {
+static void watch_graze(search *search, const tdmf_mode *mode) {
     const tdmf_step *step = search->step;
     const tdmf_chart *chart = step->chart;
     const tdmf_model *model = chart->model;
@@ -309,15 +310,14 @@ static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mod
     const int order = step->order - 1;
     const double zero = TDMF_ZERO_CLAMP_ARGUMENT * model->scales.energy;
     double lever[SERIES_TERMS];
-    tdmf_polynomial flight = flight_law(step, mode, atan2(-chart->start.x, chart->start.y) + chart->turn);
+    tdmf_polynomial flight = servo_torque(step, atan2(-chart->start.x, chart->start.y) + chart->turn);
     const double closed[SERIES_TERMS] = {0.0};
     tdmf_polynomial stance = scaled(closed, 0.0, order);
-    stance.c[0] = tdmf_hip_stance_law(model, mode);
+    add_line(&stance, chart->stance_law.torque, chart->stance_law.torque_rate);
     expand_lever(g, order, lever);
     watch_standing_leg(search);
     if (mode->phase == TDMF_PHASE_RETRACT) {
-        const tdmf_polynomial rise =
-            scaled(g->vy, model->parameters.body.mass / model->total_mass, step->order);
+        const tdmf_polynomial rise = scaled(g->vy, model->body_share, step->order);
         watch(search, TDMF_GUARD_APEX, &rise, model->scales.speed, search->beyond_margin);
         tdmf_root kink = tdmf_first_sign_change(&flight, &step->reach, zero, 0.0, step->size);
         kink.is_root = false;
@@ -327,22 +327,22 @@ static void watch_graze(search *search, const tdmf_inputs *rates, const tdmf_mod
             flight = scaled(closed, 0.0, order);
         }
     }
-    watch_press(search, rates, lever, -1.0, stance);
-    watch_press(search, rates, lever, 1.0, flight);
+    add_line(&flight, chart->law.torque, chart->law.torque_rate);
+    watch_normal_force(search, lever, -1.0, stance);
+    watch_normal_force(search, lever, 1.0, flight);
 }
 
 /* ---- all ---------------------------------------------------------------------------------------------- */
 
-tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_inputs *rates,
-                                  const tdmf_mode *mode, double margin_factor) {
+tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_mode *mode, double margin_factor) {
     search search = {
         step, margin_factor, tdmf_beyond_margin(step->tolerance), {{INFINITY, false}, TDMF_GUARD_COUNT}};
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         watch_flight(&search, mode);
     } else if (mode->contact == TDMF_CONTACT_GRAZE) {
-        watch_graze(&search, rates, mode);
+        watch_graze(&search, mode);
     } else {
-        watch_contact(&search, inputs, rates, mode);
+        watch_contact(&search, mode);
     }
     return search.first;
 }

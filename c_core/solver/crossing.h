@@ -14,8 +14,7 @@ typedef struct {
 /* The first time within the step at which the mode, the phase or the clamp has to change, guards being due
  * `margin_factor` times as far below zero as at first. Without one, the time up to which the step may be
  * used: a law has a kink there, a guard is known no further, or the search took too long; else infinity. */
-tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_inputs *inputs, const tdmf_inputs *rates,
-                                  const tdmf_mode *mode, double margin_factor);
+tdmf_crossing tdmf_first_crossing(const tdmf_step *step, const tdmf_mode *mode, double margin_factor);
 
 /* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back. In
  * contact only. */

@@ -148,8 +148,7 @@ static void move_inputs(march *march, double elapsed) {
     if (friction_ends) {
         march->inputs.ground.friction = 0.0;
         march->rates.ground.friction = 0.0;
-        march->chart.friction = 0.0;
-        march->chart.friction_rate = 0.0;
+        tdmf_chart_end_friction(&march->chart);
     }
 }
 
@@ -282,8 +281,8 @@ static tdmf_outcome advance_once(march *march) {
     }
     step->size = fmin(step->size, fmin(time_left(march), time_to_no_friction(march)));
     tdmf_reach_to(&step->reach, step->size, step->order);
-    const tdmf_crossing crossing = tdmf_first_crossing(step, &march->inputs, &march->rates, &motion->mode,
-                                                       tdmf_margin_factor(march->false_crossings));
+    const tdmf_crossing crossing =
+        tdmf_first_crossing(step, &motion->mode, tdmf_margin_factor(march->false_crossings));
     const double end = fmin(step->size, crossing.at.time);
     const tdmf_coordinates reached = tdmf_step_at(step, end);
     if (!is_finite(&reached)) {

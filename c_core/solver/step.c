@@ -5,48 +5,13 @@
  * ground that is asked of the forces themselves, because events are located on them. */
 #include "step.h"
 
+#include "coefficients.h"
+
 #include <float.h>
 
 int tdmf_step_order(double tolerance) {
     const int order = (int)ceil(-2.0 * log10(tolerance));
     return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
-}
-
-flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart) {
-    const tdmf_model *model = chart->model;
-    const tdmf_parameters *p = &model->parameters;
-    const double mobility = model->inverse_body_mass + model->inverse_foot_mass;
-    const flight_coefficients coefficients = {
-        .mobility = mobility,
-        .stiffness = mobility * p->leg.stiffness,
-        .damping = mobility * p->leg.damping,
-        .free_length = p->leg.free_length,
-        .gain = mobility * chart->gain,
-        .rate_gain = mobility * chart->rate_gain,
-        .target = chart->target,
-        .torque = mobility * chart->torque,
-        .torque_rate = mobility * chart->torque_rate,
-    };
-    return coefficients;
-}
-
-ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart) {
-    const tdmf_model *model = chart->model;
-    const tdmf_parameters *p = &model->parameters;
-    const ground_coefficients coefficients = {
-        .stiffness = p->leg.stiffness,
-        .damping = p->leg.damping,
-        .free_length = p->leg.free_length,
-        .inverse_body_mass = model->inverse_body_mass,
-        .inverse_foot_mass = model->inverse_foot_mass,
-        .foot_weight = p->foot.mass * p->gravity,
-        .gravity = p->gravity,
-        .torque = chart->torque,
-        .torque_rate = chart->torque_rate,
-        .friction = chart->friction,
-        .friction_rate = chart->friction_rate,
-    };
-    return coefficients;
 }
 
 ground_case tdmf_step_ground_case(const tdmf_step *step) {
@@ -55,7 +20,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
     const ground_case is = {
         .slips = chart->contact != TDMF_CONTACT_STICK && !grazes,
         .grazes = grazes,
-        .turns = grazes || chart->torque != 0.0 || chart->torque_rate != 0.0,
+        .turns = grazes || chart->law.torque != 0.0 || chart->law.torque_rate != 0.0,
     };
     return is;
 }
@@ -63,7 +28,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
 /* These two expand, and return how far the series may be trusted, whatever their coefficients. */
 static double expand_leg_in_flight(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
-    const flight_coefficients coefficients = tdmf_step_flight_coefficients(step->chart);
+    const flight_coefficients coefficients = tdmf_flight_coefficients(step->chart);
     const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
     expand_flight(&coefficients, start, step->order, &step->series.flight);
     return longest_flight_step(&coefficients, at->length, step->order);
@@ -71,7 +36,7 @@ static double expand_leg_in_flight(tdmf_step *step) {
 
 static double expand_standing_leg(tdmf_step *step) {
     const tdmf_coordinates *at = &step->chart->start;
-    const ground_coefficients coefficients = tdmf_step_ground_coefficients(step->chart);
+    const ground_coefficients coefficients = tdmf_ground_coefficients(step->chart);
     const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
     expand_ground_by_case(&coefficients, start, step->order, tdmf_step_ground_case(step),
                           &step->series.ground);
@@ -213,12 +178,13 @@ static double flight_work(const tdmf_step *step, double t) {
     const flight_series *f = &step->series.flight;
     const int order = step->order;
     const double turned = series_integral(f->angle_rate, order - 1, t);
-    double work = chart->gain * turned * (chart->target - chart->start.angle - 0.5 * turned) -
-                  chart->rate_gain * series_integral(f->rate_square, order - 1, t) + chart->torque * turned;
-    if (chart->torque_rate != 0.0) {
+    double work = chart->law.gain * turned * (chart->law.target - chart->start.angle - 0.5 * turned) -
+                  chart->law.rate_gain * series_integral(f->rate_square, order - 1, t) +
+                  chart->law.torque * turned;
+    if (chart->law.torque_rate != 0.0) {
         /* By parts: the integral of t w. */
         const double angle_integral = series_integral(f->angle, order, t) - t * chart->start.angle;
-        work += chart->torque_rate * (t * turned - angle_integral);
+        work += chart->law.torque_rate * (t * turned - angle_integral);
     }
     return work;
 }

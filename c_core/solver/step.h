@@ -22,10 +22,6 @@ typedef struct {
 /* The order at which steps of a relative tolerance cost least. */
 int tdmf_step_order(double tolerance);
 
-/* What the series of a chart depend on. */
-flight_coefficients tdmf_step_flight_coefficients(const tdmf_chart *chart);
-ground_coefficients tdmf_step_ground_coefficients(const tdmf_chart *chart);
-
 /* Which terms the series of a step on the ground have. */
 ground_case tdmf_step_ground_case(const tdmf_step *step);
 

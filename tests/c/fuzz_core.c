@@ -22,7 +22,6 @@ typedef struct {
 
 static void expect_numbers_of_motion(const subject *on) {
     const tdmf_motion *motion = &on->motion;
-    tdmf_inputs held = {{0.0}, {0.0}};
     double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
     tdmf_derivatives(&on->model, &on->inputs, &motion->mode, motion->state, derivatives);
     tdmf_guards(&on->model, &on->inputs, &motion->mode, motion->state, guards);
@@ -36,11 +35,6 @@ static void expect_numbers_of_motion(const subject *on) {
                            outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
                            outputs.apex.time,    outputs.apex.com_speed, outputs.apex.com_height};
     expect_numbers(0, told, sizeof told / sizeof told[0]);
-    if (!motion->mode.fallen) {
-        const tdmf_watch watch =
-            tdmf_watch_guards(&on->model, &on->inputs, &held, &motion->mode, motion->state, derivatives);
-        expect_numbers(0, watch.rate, TDMF_GUARD_COUNT);
-    }
 }
 
 static double random_time(const subject *on) {

@@ -60,6 +60,17 @@ void scene_set_vertical_force(runner *runner, double vertical_force) {
     runner->state[TDMF_LEG_LENGTH] = length;
 }
 
+double scene_stance_law(const runner *runner) {
+    return runner->mode.mid_stance_pending ? -runner->model.parameters.hip.stance_torque : 0.0;
+}
+
+double scene_retract_law(const runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double target = p->hip.liftoff_angle_factor * runner->mode.liftoff_angle;
+    return -p->hip.kp * (runner->state[TDMF_LEG_ANGLE] - target) -
+           p->hip.kd * runner->state[TDMF_LEG_ANGLE_RATE];
+}
+
 void scene_set_com_vy(runner *runner, double com_vy) {
     const double *state = runner->state;
     const double share = runner->model.parameters.body.mass / runner->model.total_mass;
@@ -183,8 +194,7 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
         runner.mode.mid_stance_pending = first;
     } else {
         runner.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        runner.mode.clamp_closed =
-            first && tdmf_hip_retract_argument(&runner.model, &runner.mode, runner.state) < 0.0;
+        runner.mode.clamp_closed = first && scene_retract_law(&runner) < 0.0;
     }
     constrain(&runner);
     return runner;

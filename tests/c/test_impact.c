@@ -16,7 +16,9 @@ static runner falling_foot(double vx, double vy) {
 }
 
 static double impact(runner *runner, double friction) {
-    return tdmf_impact(&runner->model, friction, runner->state);
+    tdmf_inputs inputs = runner->inputs;
+    inputs.ground.friction = friction;
+    return tdmf_impact(&runner->model, &inputs, runner->state);
 }
 
 static double total_energy(const runner *runner) {

@@ -53,23 +53,6 @@ static void without_rates_inputs_are_held(void **unused) {
     assert_true(later.hip.external_torque == runner.inputs.hip.external_torque);
 }
 
-static void without_rates_guards_have_those_of_held_inputs(void **unused) {
-    (void)unused;
-    const runner runner = started();
-    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
-        tdmf_mode mode = runner.mode;
-        double derivatives[TDMF_STATE_COUNT];
-        mode.contact = (tdmf_contact_mode)contact;
-        tdmf_derivatives(&runner.model, &runner.inputs, &mode, runner.state, derivatives);
-        const tdmf_watch given =
-            tdmf_watch_guards(&runner.model, &runner.inputs, &held, &mode, runner.state, derivatives);
-        const tdmf_watch none =
-            tdmf_watch_guards(&runner.model, &runner.inputs, NULL, &mode, runner.state, derivatives);
-        assert_same_numbers(none.value, given.value, TDMF_GUARD_COUNT);
-        assert_same_numbers(none.rate, given.rate, TDMF_GUARD_COUNT);
-    }
-}
-
 static void without_a_direction_nothing_changes(void **unused) {
     (void)unused;
     const runner runner = started();
@@ -179,7 +162,6 @@ static void an_ensemble_needs_no_more_than_its_runners(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_rates_inputs_are_held),
-        cmocka_unit_test(without_rates_guards_have_those_of_held_inputs),
         cmocka_unit_test(without_a_direction_nothing_changes),
         cmocka_unit_test(arrays_of_no_elements_may_be_absent),
         cmocka_unit_test(a_number_below_zero_is_refused),

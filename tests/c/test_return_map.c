@@ -1,6 +1,7 @@
 /* The return map's exact derivatives against differences, and gaits by Newton's method against the reference.
  */
 #include "compare.h"
+#include "linear_equations.h"
 #include "reference_gaits.h"
 #include "scene.h"
 #include "tdmf_slip/orbit.h"

@@ -36,15 +36,24 @@ static runner moved_along(const line *line, double t) {
         moved.state[i] += t * line->state[i];
     }
     moved.model.total_mass = moved.model.parameters.body.mass + moved.model.parameters.foot.mass;
+    moved.model.body_share = moved.model.parameters.body.mass / moved.model.total_mass;
     moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
     moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
     moved.mode.liftoff_angle += t * line->liftoff_angle;
     return moved;
 }
 
+static double flight_law(const runner *at) {
+    const tdmf_parameters *p = &at->model.parameters;
+    const double to_target = p->hip.touchdown_angle - at->state[TDMF_LEG_ANGLE];
+    return at->mode.phase == TDMF_PHASE_PLACE
+               ? p->hip.kp * to_target - p->hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
+               : fmax(scene_retract_law(at), 0.0);
+}
+
 /* What a guard watches, in its own unit. */
 static double watched(const runner *at, tdmf_guard guard) {
-    const double torque = tdmf_hip_stance_law(&at->model, &at->mode) + at->inputs.hip.external_torque;
+    const double torque = scene_stance_law(at) + at->inputs.hip.external_torque;
     const tdmf_ground_force force = tdmf_sticking_force(&at->model, torque, at->state);
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
@@ -52,7 +61,7 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_APEX:
         return tdmf_center_of_mass(&at->model, at->state).vy;
     case TDMF_GUARD_CLAMP:
-        return tdmf_hip_retract_argument(&at->model, &at->mode, at->state);
+        return scene_retract_law(at);
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
         return at->inputs.ground.friction * force.fy + force.fx;
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
@@ -62,7 +71,7 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_MID_STANCE:
         return at->state[TDMF_LEG_ANGLE];
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
-        return tdmf_flight_press(&at->model, &at->inputs, &at->mode, at->state);
+        return tdmf_sticking_force(&at->model, flight_law(at) + at->inputs.hip.external_torque, at->state).fy;
     default:
         return force.fy; /* lift-off, and from graze to contact */
     }
@@ -152,7 +161,7 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
     if (guard == TDMF_GUARD_TOUCHDOWN) {
         event.before.state[TDMF_FOOT_VY] = -fabs(runner->state[TDMF_FOOT_VY]);
         memcpy(event.after.state, event.before.state, sizeof event.after.state);
-        tdmf_impact(&runner->model, runner->inputs.ground.friction, event.after.state);
+        tdmf_impact(&runner->model, &runner->inputs, event.after.state);
     }
     choose_direction(source, event.before.derivatives);
     choose_direction(source, event.variation.state);
@@ -171,7 +180,7 @@ static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event 
 /* The law of retract has a kink, which a difference may not span. */
 static bool is_smooth_around(const runner *runner, tdmf_guard guard) {
     return guard != TDMF_GUARD_GRAZE_TO_FLIGHT || runner->mode.phase == TDMF_PHASE_PLACE ||
-           fabs(tdmf_hip_retract_argument(&runner->model, &runner->mode, runner->state)) > 0.1;
+           fabs(scene_retract_law(runner)) > 0.1;
 }
 
 static const tdmf_guard guards[] = {TDMF_GUARD_TOUCHDOWN,
@@ -292,7 +301,7 @@ typedef struct {
 static long double after_impact(long double t, const void *context) {
     const impact_line *impact = context;
     runner moved = moved_along(&impact->line, (double)t);
-    tdmf_impact(&moved.model, moved.inputs.ground.friction, moved.state);
+    tdmf_impact(&moved.model, &moved.inputs, moved.state);
     return moved.state[impact->coordinate];
 }
 

@@ -53,23 +53,9 @@ typedef struct {
 tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                         double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
-/* Values of all guards in the present mode. */
+/* Values of all guards in the present mode; of a fallen run all are 1. */
 void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                  const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
-
-/* Guards and their time derivatives along the motion. */
-typedef struct {
-    double value[TDMF_GUARD_COUNT];
-    double rate[TDMF_GUARD_COUNT]; /* 1/s; 0 for what the mode does not watch, and for the force peak */
-} tdmf_watch;
-
-/* For a solver, which tells from values and rates at both ends of a step whether a guard may have dipped
- * below zero in between. `derivatives` are those of the state, `input_rates` those of the inputs, NULL
- * where they are held. Not of a fallen run. */
-tdmf_watch tdmf_watch_guards(const tdmf_model *model, const tdmf_inputs *inputs,
-                             const tdmf_inputs *input_rates, const tdmf_mode *mode,
-                             const double state[TDMF_STATE_COUNT],
-                             const double derivatives[TDMF_STATE_COUNT]);
 
 /* Takes every transition that is due at `time`, in order, until no guard is at or below zero. Goes by the
  * guards' values alone, so it may be called at any time: at an event, after an input jumped, or with nothing

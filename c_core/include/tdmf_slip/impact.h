@@ -12,7 +12,7 @@ extern "C" {
 /* Applies the impact map (4)-(6) to a state whose foot moves down: the foot is put to y = 0 and stops
  * vertically; horizontally it sticks inside the friction cone and is slowed outside; the body's velocity is
  * unchanged. Returns the energy lost, J, never negative. */
-double tdmf_impact(const tdmf_model *model, double friction, double state[TDMF_STATE_COUNT]);
+double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -41,10 +41,6 @@ tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const t
 int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
                 double section[TDMF_SECTION_COUNT]);
 
-/* Solves a x = b for n unknowns, n up to TDMF_SECTION_COUNT + 1, by elimination with row exchanges; both are
- * overwritten. False where a is singular. */
-bool tdmf_solve_linear(int n, double a[][TDMF_SECTION_COUNT + 1], double *b);
-
 #ifdef __cplusplus
 }
 #endif

@@ -57,9 +57,11 @@ typedef struct {
 typedef struct {
     tdmf_parameters parameters;
     tdmf_scales scales;
-    double inverse_body_mass;
-    double inverse_foot_mass;
-    double total_mass;
+    double inverse_body_mass; /* 1/m */
+    double inverse_foot_mass; /* 1/m_f */
+    double mobility;          /* 1/m + 1/m_f */
+    double total_mass;        /* m + m_f */
+    double body_share;        /* m/(m + m_f) */
 } tdmf_model;
 
 /* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */

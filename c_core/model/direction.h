@@ -1,0 +1,27 @@
+/* A direction in all that a runner's motion depends on: changes per unit of it, in the shapes of what
+ * changes. */
+#ifndef TDMF_MODEL_DIRECTION_H
+#define TDMF_MODEL_DIRECTION_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+#include "tdmf_slip/variation.h"
+
+typedef struct {
+    tdmf_model model; /* parameters and what is derived from them; the scales do not change */
+    tdmf_inputs inputs;
+    tdmf_mode mode; /* of its members only the lift-off angle changes */
+    const double *state;
+} tdmf_direction;
+
+/* Changes of the parameters and of all constants that are derived from them. */
+tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change);
+
+/* Either may be NULL: it does not change. The variation's state is not copied. */
+tdmf_direction tdmf_direction_of(const tdmf_model *model, const tdmf_change *change,
+                                 const tdmf_variation *variation);
+
+/* Along the motion, while the inputs are held. The derivatives are not copied. */
+tdmf_direction tdmf_direction_of_motion(const double derivatives[TDMF_STATE_COUNT]);
+
+#endif

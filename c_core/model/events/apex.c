@@ -1,0 +1,38 @@
+/* Apex: the centre of mass rises no more, and the hip goes from retract to place. In flight it closes a
+ * stride. */
+#include "apex.h"
+
+#include "kinematics.h"
+#include "record.h"
+
+/* Vertical velocity of the centre of mass, by the sine and cosine at hand. */
+static double vertical_velocity(const tdmf_evaluation *at) {
+    const tdmf_leg *leg = &at->leg;
+    const double from_foot = leg->length_rate * leg->cosine - leg->length * leg->angle_rate * leg->sine;
+    const double vy = at->state[TDMF_FOOT_VY] + at->model->body_share * from_foot;
+    return tdmf_armed(vy, at->model->scales.speed);
+}
+
+static double vary_vertical_velocity(const tdmf_evaluation *at, const tdmf_direction *d,
+                                     const tdmf_evaluation *d_at) {
+    (void)d_at;
+    return tdmf_vary_center_of_mass(at->model, at->state, &d->model, d->state).vy;
+}
+
+void tdmf_pass_apex(tdmf_run *run) {
+    run->mode->phase = TDMF_PHASE_PLACE;
+    run->mode->clamp_closed = false;
+    tdmf_record_apex(run->record, run->model, run->time, run->state);
+}
+
+static void reset(tdmf_run *run) {
+    if (run->mode->contact == TDMF_CONTACT_GRAZE) {
+        run->mode->phase = TDMF_PHASE_PLACE; /* a stride closes in flight only */
+        tdmf_record_event(run->record, run->time);
+    } else {
+        tdmf_record_event(run->record, run->time);
+        tdmf_pass_apex(run);
+    }
+}
+
+const tdmf_event_kind tdmf_apex_event = {vertical_velocity, vary_vertical_velocity, reset, NULL};

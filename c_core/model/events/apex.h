@@ -1,0 +1,11 @@
+/* The apex of a flight. */
+#ifndef TDMF_MODEL_APEX_H
+#define TDMF_MODEL_APEX_H
+
+#include "events.h"
+
+/* Goes on from retract to place, latches the section and closes the stride; a start at an apex does so too.
+ */
+void tdmf_pass_apex(tdmf_run *run);
+
+#endif

@@ -1,0 +1,24 @@
+/* Clamp: the servo of retract changes its sign, and the clamp of (12) opens or closes. */
+#include "events.h"
+#include "hip_law.h"
+
+static double servo_torque(const tdmf_evaluation *at) {
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
+    return tdmf_armed_against_turning(tdmf_law_torque(&servo, at->state), at->model->scales.energy,
+                                      at->mode->clamp_closed);
+}
+
+static double vary_servo_torque(const tdmf_evaluation *at, const tdmf_direction *d,
+                                const tdmf_evaluation *d_at) {
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
+    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, d);
+    (void)d_at;
+    return tdmf_vary_law_torque(&servo, &d_servo, at->state, d->state);
+}
+
+/* Neither a contact nor a phase changes, so that it is not counted. */
+static void reset(tdmf_run *run) {
+    run->mode->clamp_closed = !run->mode->clamp_closed;
+}
+
+const tdmf_event_kind tdmf_clamp = {servo_torque, vary_servo_torque, reset, NULL};

@@ -1,0 +1,143 @@
+/* Changes between flight, graze and contact. */
+#include "contact_change.h"
+
+#include "dynamics.h"
+#include "friction.h"
+#include "graze.h"
+#include "hip_law.h"
+#include "record.h"
+#include "tdmf_slip/kinematics.h"
+
+void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
+    tdmf_record_contact_change(run->record, run->time, run->mode, entered, run->state);
+    run->mode->contact = entered;
+}
+
+/* ---- off the ground ----------------------------------------------------------------------------------- */
+
+/* Once begun, place lasts until the foot is loaded; else the centre of mass decides. */
+static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
+    if (run->mode->phase == TDMF_PHASE_PLACE) {
+        return TDMF_PHASE_PLACE;
+    }
+    return tdmf_center_of_mass(run->model, run->state).vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+}
+
+static bool servo_is_negative(const tdmf_run *run) {
+    const tdmf_hip_law servo = tdmf_servo(run->model, run->mode);
+    return tdmf_law_torque(&servo, run->state) < 0.0;
+}
+
+/* Enters flight or graze, theta_LO unchanged. */
+static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phase phase) {
+    tdmf_enter_contact_mode(run, entered);
+    run->mode->phase = phase;
+    run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT && servo_is_negative(run);
+}
+
+void tdmf_fly(tdmf_run *run) {
+    leave_ground(run, TDMF_CONTACT_FLIGHT, phase_off_ground(run));
+}
+
+void tdmf_fly_on(tdmf_run *run) {
+    leave_ground(run, TDMF_CONTACT_FLIGHT, run->mode->phase);
+}
+
+/* The mode that the foot would be in if it left now, with theta_LO latched. */
+static tdmf_mode mode_off_ground(const tdmf_run *run) {
+    tdmf_mode off_ground = *run->mode;
+    off_ground.contact = TDMF_CONTACT_FLIGHT;
+    off_ground.phase = phase_off_ground(run);
+    off_ground.liftoff_angle = run->state[TDMF_LEG_ANGLE];
+    return off_ground;
+}
+
+/* ---- on the ground ------------------------------------------------------------------------------------ */
+
+tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
+    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, run->mode, run->state);
+    const tdmf_ground_force force = tdmf_force_in_stance(&at);
+    if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->inputs))) {
+        return TDMF_CONTACT_STICK;
+    }
+    return force.fx < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
+}
+
+static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run) {
+    const double vx = run->state[TDMF_FOOT_VX];
+    if (vx == 0.0) {
+        return tdmf_mode_of_resting_foot(run);
+    }
+    return vx > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
+}
+
+void tdmf_load_foot(tdmf_run *run) {
+    run->mode->phase = run->mode->mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
+    run->mode->clamp_closed = false;
+    tdmf_enter_contact_mode(run, mode_of_loaded_foot(run));
+}
+
+/* ---- one or the other --------------------------------------------------------------------------------- */
+
+/* Enters flight or graze in a mode off the ground, or any loaded contact, for which stick stands. */
+static void enter(tdmf_run *run, tdmf_contact_mode entered, const tdmf_mode *off_ground) {
+    if (entered == TDMF_CONTACT_STICK) {
+        tdmf_load_foot(run);
+        return;
+    }
+    run->mode->liftoff_angle = off_ground->liftoff_angle;
+    leave_ground(run, entered, off_ground->phase);
+}
+
+/* Under the stance law of a drive. */
+static double angle_acceleration_in_drive(const tdmf_run *run) {
+    tdmf_mode driven = *run->mode;
+    tdmf_run trial = *run;
+    trial.mode = &driven;
+    driven.mid_stance_pending = true;
+    driven.phase = TDMF_PHASE_DRIVE;
+    driven.contact = mode_of_loaded_foot(&trial);
+    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &driven, run->state);
+    return tdmf_accelerate(&at).angle;
+}
+
+/* A stance that begins with the foot ahead is driven until the leg is upright. One that begins upright is
+ * past that if the leg falls, by itself or driven: else the margin of mid-stance would give it a pulse. */
+static bool begins_with_drive(const tdmf_run *run) {
+    const double angle = run->state[TDMF_LEG_ANGLE];
+    const double rate = run->state[TDMF_LEG_ANGLE_RATE] * run->model->scales.time;
+    if (angle < 0.0 || angle > TDMF_GUARD_MARGIN) {
+        return angle > 0.0;
+    }
+    return fabs(rate) > TDMF_GUARD_MARGIN ? rate > 0.0 : angle_acceleration_in_drive(run) >= 0.0;
+}
+
+void tdmf_come_to_ground(tdmf_run *run) {
+    run->mode->mid_stance_pending = begins_with_drive(run);
+    const tdmf_mode off_ground = mode_off_ground(run);
+    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &off_ground, run->state);
+    enter(run, tdmf_contact_of_resting_foot(&at), &off_ground);
+}
+
+void tdmf_unload_foot(tdmf_run *run) {
+    const tdmf_mode off_ground = mode_off_ground(run);
+    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &off_ground, run->state);
+    enter(run, tdmf_contact_after_lift_off(&at), &off_ground);
+}
+
+/* ---- variations --------------------------------------------------------------------------------------- */
+
+bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact) {
+    return (impact || tdmf_in_contact(before)) && !tdmf_in_contact(after);
+}
+
+void tdmf_keep_on_ground(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]) {
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        return;
+    }
+    d_state[TDMF_FOOT_Y] = 0.0;
+    d_state[TDMF_FOOT_VY] = 0.0;
+    if (mode->contact == TDMF_CONTACT_STICK) {
+        d_state[TDMF_FOOT_VX] = 0.0;
+    }
+}

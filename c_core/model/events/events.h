@@ -1,0 +1,61 @@
+/* Events of the automaton. Each is a pair of a guard and a reset, with their variations, in a file of its
+ * own; events.c says which mode watches which. */
+#ifndef TDMF_MODEL_EVENTS_H
+#define TDMF_MODEL_EVENTS_H
+
+#include "evaluation.h"
+#include "margins.h"
+#include "tdmf_slip/automaton.h"
+
+/* A run as its resets see it: what is given, the instant, and what they may change. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    double time;
+    double *state;
+    tdmf_mode *mode;
+    tdmf_record *record;
+} tdmf_run;
+
+typedef struct {
+    /* Positive while the event is to come, a pure number. */
+    double (*guard)(const tdmf_evaluation *at);
+    /* Its change along a direction, up to the guard's scale. NULL: no variation outlives the event. */
+    double (*vary_guard)(const tdmf_evaluation *at, const tdmf_direction *d, const tdmf_evaluation *d_at);
+    /* What the event makes of the run, its record included. NULL: nothing that the motion depends on. */
+    void (*reset)(tdmf_run *run);
+    /* What the reset makes of a change of the state; NULL where the state does not jump. */
+    void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs,
+                       const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
+                       const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
+} tdmf_event_kind;
+
+extern const tdmf_event_kind tdmf_touchdown, tdmf_apex_event, tdmf_clamp, tdmf_mid_stance, tdmf_lift_off,
+    tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak, tdmf_graze_to_contact,
+    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short;
+
+/* The event that a guard announces. */
+const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
+
+/* Takes all that are due, as tdmf_resolve does, but does not see to the peaks of the ground force. False
+ * where the chain did not come to rest. */
+bool tdmf_take_transitions(tdmf_run *run);
+
+/* A guard of a quantity with a scale. */
+static inline double tdmf_armed(double value, double scale) {
+    return value / scale + TDMF_GUARD_MARGIN;
+}
+
+/* The same for a sign that is remembered: `value` reaches the far edge of the dead band. */
+static inline double tdmf_armed_against_turning(double value, double scale, bool negative) {
+    return (negative ? -value : value) / scale + TDMF_DEAD_BAND;
+}
+
+/* The right-hand side is the same: contact, phase, clamp and fall. */
+static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {
+    return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
+           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
+           a->fallen == b->fallen;
+}
+
+#endif

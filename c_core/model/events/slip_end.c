@@ -1,0 +1,26 @@
+/* End of a slip: the foot's velocity vanishes; the foot sticks, or slips the other way. */
+#include "contact_change.h"
+#include "record.h"
+#include "tdmf_slip/kinematics.h"
+
+static double slip_speed(const tdmf_evaluation *at) {
+    return tdmf_armed(tdmf_slip_sign(at->mode) * at->state[TDMF_FOOT_VX], at->model->scales.speed);
+}
+
+static double vary_slip_speed(const tdmf_evaluation *at, const tdmf_direction *d,
+                              const tdmf_evaluation *d_at) {
+    (void)d_at;
+    return tdmf_slip_sign(at->mode) * d->state[TDMF_FOOT_VX];
+}
+
+/* A slip that only touches zero velocity and goes on is not counted. */
+static void reset(tdmf_run *run) {
+    tdmf_set_foot_velocity(0.0, 0.0, run->state);
+    const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run);
+    if (entered != run->mode->contact) {
+        tdmf_enter_contact_mode(run, entered);
+        tdmf_record_event(run->record, run->time);
+    }
+}
+
+const tdmf_event_kind tdmf_slip_end = {slip_speed, vary_slip_speed, reset, NULL};

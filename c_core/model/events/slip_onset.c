@@ -1,0 +1,53 @@
+/* Slip onset: the force on a sticking foot leaves the friction cone, mu f_y + f_x = 0 where the foot then
+ * slips forwards, mu f_y - f_x = 0 where it slips backwards. */
+#include "contact_change.h"
+#include "friction.h"
+#include "record.h"
+
+static double distance_to_edge(const tdmf_evaluation *at, double sign) {
+    const tdmf_cone cone = tdmf_cone_of(tdmf_static_friction(at->inputs));
+    return tdmf_armed(cone.normal * at->force.fy + sign * cone.tangential * at->force.fx,
+                      at->model->scales.force);
+}
+
+static double vary_distance_to_edge(const tdmf_evaluation *at, const tdmf_evaluation *d_at, double sign) {
+    return tdmf_static_friction(d_at->inputs) * at->force.fy +
+           tdmf_static_friction(at->inputs) * d_at->force.fy + sign * d_at->force.fx;
+}
+
+static void slip(tdmf_run *run, tdmf_contact_mode entered) {
+    tdmf_enter_contact_mode(run, entered);
+    tdmf_record_event(run->record, run->time);
+}
+
+static double guard_forwards(const tdmf_evaluation *at) {
+    return distance_to_edge(at, 1.0);
+}
+
+static double guard_backwards(const tdmf_evaluation *at) {
+    return distance_to_edge(at, -1.0);
+}
+
+static double vary_guard_forwards(const tdmf_evaluation *at, const tdmf_direction *d,
+                                  const tdmf_evaluation *d_at) {
+    (void)d;
+    return vary_distance_to_edge(at, d_at, 1.0);
+}
+
+static double vary_guard_backwards(const tdmf_evaluation *at, const tdmf_direction *d,
+                                   const tdmf_evaluation *d_at) {
+    (void)d;
+    return vary_distance_to_edge(at, d_at, -1.0);
+}
+
+static void slip_forwards(tdmf_run *run) {
+    slip(run, TDMF_CONTACT_SLIP_POSITIVE);
+}
+
+static void slip_backwards(tdmf_run *run) {
+    slip(run, TDMF_CONTACT_SLIP_NEGATIVE);
+}
+
+const tdmf_event_kind tdmf_slip_onset_positive = {guard_forwards, vary_guard_forwards, slip_forwards, NULL};
+const tdmf_event_kind tdmf_slip_onset_negative = {guard_backwards, vary_guard_backwards, slip_backwards,
+                                                  NULL};

@@ -1,0 +1,25 @@
+/* Graze: the foot rests on the ground without force, between the stance law that lifts it and the flight law
+ * that holds it down. See graze.c. */
+#ifndef TDMF_MODEL_GRAZE_H
+#define TDMF_MODEL_GRAZE_H
+
+#include "evaluation.h"
+
+/* The force of the ground on a foot at y = vy = 0 that would stay there under either law, external torque
+ * included; its f_y is negative where the law lifts the foot. And their changes, `d_at` being that of `at`.
+ */
+tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at);
+tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at);
+tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdmf_direction *d,
+                                            const tdmf_evaluation *d_at);
+tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
+                                            const tdmf_evaluation *d_at);
+
+/* The contact mode of a foot at y = vy = 0 after an impact or at a start: flight, graze, or stick, which
+ * stands for any loaded contact. The mode of `off_ground` has the phase and theta_LO of the flight law. */
+tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground);
+
+/* The contact mode, flight or graze, of a foot whose contact force has just vanished. */
+tdmf_contact_mode tdmf_contact_after_lift_off(const tdmf_evaluation *off_ground);
+
+#endif

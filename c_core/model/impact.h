@@ -1,0 +1,14 @@
+/* The impact map, varied. */
+#ifndef TDMF_MODEL_IMPACT_H
+#define TDMF_MODEL_IMPACT_H
+
+#include "direction.h"
+#include "tdmf_slip/impact.h"
+
+/* What the impact map makes of a change. `d_state` is that of the state before on call, of the state after on
+ * return. Returns the change of the energy lost. */
+double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
+                        const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
+
+#endif

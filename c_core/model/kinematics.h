@@ -1,0 +1,23 @@
+/* The body as seen from the foot, and variations of positions and velocities. */
+#ifndef TDMF_MODEL_KINEMATICS_H
+#define TDMF_MODEL_KINEMATICS_H
+
+#include "tdmf_slip/kinematics.h"
+
+/* Position and velocity of the body less those of the foot, and their change. */
+tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT]);
+tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
+                                    const double d_state[TDMF_STATE_COUNT]);
+
+tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT]);
+
+/* `d` has the changes of the model's constants. */
+tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                    const tdmf_model *d, const double d_state[TDMF_STATE_COUNT]);
+
+/* The inverse of tdmf_vary_body_from_foot: the changes of the leg that make this change of the body's place
+ * and velocity. */
+void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d_from_foot,
+                      double d_state[TDMF_STATE_COUNT]);
+
+#endif

@@ -1,0 +1,88 @@
+/* The coefficients of the two motions, made of the model's constants and laws. */
+#include "coefficients.h"
+
+#include "friction.h"
+#include "ground_force.h"
+#include "input_rates.h"
+
+#include <math.h>
+
+/* The leg's and the hip's law by the mobility M: linear in either, so that the variation is made of the same
+ * products. */
+static flight_coefficients times_mobility(double mobility, const tdmf_parameters *p,
+                                          const tdmf_hip_law *law) {
+    const flight_coefficients coefficients = {
+        .mobility = mobility,
+        .stiffness = mobility * p->leg.stiffness,
+        .damping = mobility * p->leg.damping,
+        .free_length = p->leg.free_length,
+        .gain = mobility * law->gain,
+        .rate_gain = mobility * law->rate_gain,
+        .target = law->target,
+        .torque = mobility * law->torque,
+        .torque_rate = mobility * law->torque_rate,
+    };
+    return coefficients;
+}
+
+flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart) {
+    return times_mobility(chart->model->mobility, &chart->model->parameters, &chart->law);
+}
+
+flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+                                                  const tdmf_direction *d) {
+    const tdmf_model *model = chart->model;
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, d);
+    const flight_coefficients by_mobility =
+        times_mobility(d->model.mobility, &model->parameters, &chart->law);
+    flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters, &d_law);
+    varied.mobility = d->model.mobility;
+    varied.stiffness += by_mobility.stiffness;
+    varied.damping += by_mobility.damping;
+    varied.gain += by_mobility.gain;
+    varied.rate_gain += by_mobility.rate_gain;
+    varied.torque += by_mobility.torque;
+    varied.torque_rate += by_mobility.torque_rate;
+    if (tdmf_clamp_has_no_derivative(model, mode, d)) {
+        varied.gain = NAN;
+    }
+    return varied;
+}
+
+ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart) {
+    const tdmf_model *model = chart->model;
+    const tdmf_parameters *p = &model->parameters;
+    const ground_coefficients coefficients = {
+        .stiffness = p->leg.stiffness,
+        .damping = p->leg.damping,
+        .free_length = p->leg.free_length,
+        .inverse_body_mass = model->inverse_body_mass,
+        .inverse_foot_mass = model->inverse_foot_mass,
+        .foot_weight = tdmf_foot_weight(model),
+        .gravity = p->gravity,
+        .torque = chart->law.torque,
+        .torque_rate = chart->law.torque_rate,
+        .friction = chart->friction,
+        .friction_rate = chart->friction_rate,
+    };
+    return coefficients;
+}
+
+ground_coefficients tdmf_vary_ground_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+                                                  const tdmf_direction *d) {
+    const tdmf_parameters *d_p = &d->model.parameters;
+    const tdmf_hip_law d_law = tdmf_in_contact(mode) ? tdmf_vary_stance_law(mode, d)
+                                                     : tdmf_external_law(&d->inputs, &tdmf_held_inputs);
+    const ground_coefficients varied = {
+        .stiffness = d_p->leg.stiffness,
+        .damping = d_p->leg.damping,
+        .free_length = d_p->leg.free_length,
+        .inverse_body_mass = d->model.inverse_body_mass,
+        .inverse_foot_mass = d->model.inverse_foot_mass,
+        .foot_weight = tdmf_vary_foot_weight(chart->model, &d->model),
+        .gravity = d_p->gravity,
+        .torque = d_law.torque,
+        .friction = tdmf_signed_friction(&d->inputs, mode),
+    };
+    return varied;
+}

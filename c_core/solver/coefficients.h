@@ -1,0 +1,18 @@
+/* What the series of a mode depend on, besides the coordinates that they begin at; and how it changes. */
+#ifndef TDMF_SOLVER_COEFFICIENTS_H
+#define TDMF_SOLVER_COEFFICIENTS_H
+
+#include "chart.h"
+#include "direction.h"
+#include "scalar_series.h"
+
+flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart);
+ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart);
+
+/* Changes along a direction. Not a number where the clamp has no derivative. */
+flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+                                                  const tdmf_direction *d);
+ground_coefficients tdmf_vary_ground_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+                                                  const tdmf_direction *d);
+
+#endif
