@@ -33,7 +33,7 @@ typedef struct {
     real length_length, rate_rate, speed_speed, square_rate, length_rate_square;
 } flight_sums;
 
-static inline flight_sums sum_flight(const flight_series *f, int k, bool even) {
+KERNEL flight_sums sum_flight(const flight_series *f, int k, bool even) {
     const real *r = f->length, *v = f->length_rate, *w = f->angle_rate;
     const real *square = f->square, *rate_square = f->rate_square;
     const int middle = k / 2;
@@ -58,8 +58,8 @@ static inline flight_sums sum_flight(const flight_series *f, int k, bool even) {
 }
 
 /* From coefficient k of length, length rate, angle and momentum to the next ones, k > 0. */
-static inline void expand_flight_on(const flight_coefficients *a, real inverse_square, int k, bool even,
-                                    flight_series *f) {
+KERNEL void expand_flight_on(const flight_coefficients *a, real inverse_square, int k, bool even,
+                             flight_series *f) {
     const double divide = series_reciprocal[k + 1];
     const real r0 = f->length[0], v0 = f->length_rate[0], w0 = f->angle_rate[0];
     const real r = f->length[k], v = f->length_rate[k], theta = f->angle[k];
@@ -79,8 +79,8 @@ static inline void expand_flight_on(const flight_coefficients *a, real inverse_s
 }
 
 /* From length, angle, length rate and angle rate. An odd order gets one coefficient more. */
-static inline void expand_flight(const flight_coefficients *coefficients, const real start[4], int order,
-                                 flight_series *f) {
+KERNEL void expand_flight(const flight_coefficients *coefficients, const real start[4], int order,
+                          flight_series *f) {
     const flight_coefficients a = *coefficients;
     const real r = start[0], theta = start[1], v = start[2], w = start[3];
     const real square = r * r;

@@ -56,7 +56,7 @@ typedef struct {
 } ground_inverses;
 
 /* Position and length of coefficient k + 1, and the length's rate of coefficient k. */
-static inline void expand_position(const ground_inverses *inverse, int k, bool even, ground_series *g) {
+KERNEL void expand_position(const ground_inverses *inverse, int k, bool even, ground_series *g) {
     const real *x = g->x, *y = g->y, *r = g->length;
     const int next = k + 1, middle = next / 2;
     real squares = real_of(0.0), lengths = real_of(0.0);
@@ -85,7 +85,7 @@ typedef struct {
 } ground_sums;
 
 /* The terms i of one factor and j of the other, without squares. */
-static inline void add_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
+KERNEL void add_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
     sum->length_axial += g->length[i] * g->axial[j];
     sum->x_axial += g->x[i] * g->axial[j];
     sum->y_axial += g->y[i] * g->axial[j];
@@ -106,7 +106,7 @@ static inline void add_terms(const ground_series *g, ground_case is, int i, int 
     }
 }
 
-static inline ground_sums sum_ground(const ground_series *g, ground_case is, int k, bool even) {
+KERNEL ground_sums sum_ground(const ground_series *g, ground_case is, int k, bool even) {
     const int middle = k / 2;
     const real zero = real_of(0.0);
     ground_sums sum = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
@@ -126,13 +126,13 @@ static inline ground_sums sum_ground(const ground_series *g, ground_case is, int
 }
 
 /* Coefficient k of a product, from its inner terms. */
-static inline real with_outer_terms(real inner, const real *a, const real *b, int k) {
+KERNEL real with_outer_terms(real inner, const real *a, const real *b, int k) {
     return k == 0 ? a[0] * b[0] : inner + a[k] * b[0] + a[0] * b[k];
 }
 
 /* Coefficient k of what the leg pushes the body and the foot with. Returns P. */
-static inline real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse,
-                                    ground_case is, int k, const ground_sums *sum, ground_series *g) {
+KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
+                             int k, const ground_sums *sum, ground_series *g) {
     const real force = -c->stiffness * g->length[k] - c->damping * g->length_rate[k];
     const real axial = k == 0 ? force + c->stiffness * c->free_length
                               : force - sum->length_axial - g->axial[0] * g->length[k];
@@ -157,8 +157,7 @@ static inline real expand_leg_force(const ground_coefficients *c, const ground_i
 }
 
 /* Coefficient k of the ground's force on the foot, and of the foot's acceleration. */
-static inline void expand_contact(const ground_coefficients *c, ground_case is, int k, real lift,
-                                  ground_series *g) {
+KERNEL void expand_contact(const ground_coefficients *c, ground_case is, int k, real lift, ground_series *g) {
     real force = g->leg_force_x[k];
     g->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
     if (is.slips) {
@@ -172,8 +171,8 @@ static inline void expand_contact(const ground_coefficients *c, ground_case is, 
 }
 
 /* Coefficient k of what changes the energy. */
-static inline void expand_powers(const ground_inverses *inverse, ground_case is, int k,
-                                 const ground_sums *sum, ground_series *g) {
+KERNEL void expand_powers(const ground_inverses *inverse, ground_case is, int k, const ground_sums *sum,
+                          ground_series *g) {
     const real v0 = g->length_rate[0];
     g->speed_square[k] = k == 0 ? v0 * v0 : 2.0 * (sum->speed_speed + v0 * g->length_rate[k]);
     g->power[k] = is.turns ? with_outer_terms(sum->turning_moment, g->moment, g->turning, k) : real_of(0.0);
@@ -186,8 +185,8 @@ static inline void expand_powers(const ground_inverses *inverse, ground_case is,
 }
 
 /* From coefficient k of positions, velocities and moment to the next ones. */
-static inline void expand_ground_on(const ground_coefficients *c, const ground_inverses *inverse,
-                                    ground_case is, int k, bool even, ground_series *g) {
+KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
+                             int k, bool even, ground_series *g) {
     const double divide = series_reciprocal[k + 1];
     expand_position(inverse, k, even, g);
     const ground_sums sum = sum_ground(g, is, k, even);
@@ -208,9 +207,8 @@ static inline void expand_ground_on(const ground_coefficients *c, const ground_i
 }
 
 /* An odd order gets one coefficient more. The case is a constant wherever this is inlined. */
-static inline void expand_ground(const ground_coefficients *coefficients,
-                                 const real start[GROUND_START_COUNT], int order, ground_case is,
-                                 ground_series *g) {
+KERNEL void expand_ground(const ground_coefficients *coefficients, const real start[GROUND_START_COUNT],
+                          int order, ground_case is, ground_series *g) {
     const ground_coefficients c = *coefficients;
     const real x = start[GROUND_X], y = start[GROUND_Y];
     g->x[0] = x;

@@ -2,6 +2,16 @@
 #ifndef TDMF_KERNEL_SERIES_H
 #define TDMF_KERNEL_SERIES_H
 
+/* A function of a kernel becomes part of its callers, so that for each case that they call it with, constants
+ * all, there is a kernel without switches. C99 cannot ask for that; compilers that are not asked decide. */
+#if defined(__GNUC__)
+#define KERNEL static inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define KERNEL static __forceinline
+#else
+#define KERNEL static inline
+#endif
+
 /* Highest order, and the number of coefficients that a series has room for. */
 enum { SERIES_ORDER_LIMIT = 28, SERIES_TERMS = SERIES_ORDER_LIMIT + 2 };
 
