@@ -284,8 +284,7 @@ static bool take_pending_event(unit *unit) {
         return false;
     }
     unit->event_is_pending = false;
-    if (unit->inputs.ground.friction != unit->event_inputs.ground.friction ||
-        unit->inputs.hip.external_torque != unit->event_inputs.hip.external_torque) {
+    if (memcmp(&unit->inputs, &unit->event_inputs, sizeof unit->inputs) != 0) {
         return take_event_anew(unit);
     }
     unit->motion = unit->after_event;
@@ -294,26 +293,9 @@ static bool take_pending_event(unit *unit) {
 
 /* The guard by which the automaton takes its next transition now, or NO_GUARD. */
 static int first_due(const unit *unit) {
-    static const tdmf_guard in_order[] = {TDMF_GUARD_BODY_DOWN,
-                                          TDMF_GUARD_LEG_TOO_SHORT,
-                                          TDMF_GUARD_APEX,
-                                          TDMF_GUARD_TOUCHDOWN,
-                                          TDMF_GUARD_CLAMP,
-                                          TDMF_GUARD_GRAZE_TO_CONTACT,
-                                          TDMF_GUARD_GRAZE_TO_FLIGHT,
-                                          TDMF_GUARD_MID_STANCE,
-                                          TDMF_GUARD_LIFT_OFF,
-                                          TDMF_GUARD_SLIP_ONSET_POSITIVE,
-                                          TDMF_GUARD_SLIP_ONSET_NEGATIVE,
-                                          TDMF_GUARD_SLIP_VELOCITY_ZERO};
-    double guards[TDMF_GUARD_COUNT];
-    unit_event_indicators(unit, guards);
-    for (size_t i = 0; i < sizeof in_order / sizeof in_order[0]; ++i) {
-        if (guards[in_order[i]] <= 0.0) {
-            return (int)in_order[i];
-        }
-    }
-    return NO_GUARD;
+    const tdmf_guard guard =
+        tdmf_first_due(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state);
+    return guard == TDMF_GUARD_COUNT ? NO_GUARD : (int)guard;
 }
 
 static tdmf_resolution resolve(unit *unit) {

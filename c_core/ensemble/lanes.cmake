@@ -15,7 +15,7 @@ function(add_lanes name function count)
         return()
     endif()
     add_library(lanes_${name} OBJECT ensemble/lane_march.c)
-    target_include_directories(lanes_${name} PRIVATE include model solver kernel)
+    target_include_directories(lanes_${name} PRIVATE include model model/events solver kernel)
     target_compile_definitions(lanes_${name} PRIVATE TDMF_LANE_MARCH=${function} TDMF_LANES=${count})
     tdmf_slip_compile(lanes_${name})
     target_compile_options(lanes_${name} PRIVATE ${ARGN})
@@ -39,7 +39,8 @@ get_property(lane_macros DIRECTORY PROPERTY lane_macros)
 # use_ensemble(<target>): puts the engine into a library of the core's sources, or beside one.
 function(use_ensemble target)
     target_sources(${target} PRIVATE ${ensemble_sources} ${lanes})
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/model ${PROJECT_SOURCE_DIR}/c_core/solver
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/model
+                               ${PROJECT_SOURCE_DIR}/c_core/model/events ${PROJECT_SOURCE_DIR}/c_core/solver
                                ${PROJECT_SOURCE_DIR}/c_core/kernel)
     target_compile_definitions(${target} PRIVATE ${lane_macros})
     target_link_libraries(${target} PRIVATE ${CMAKE_THREAD_LIBS_INIT})

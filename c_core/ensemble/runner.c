@@ -2,7 +2,7 @@
 #include "runner.h"
 
 #include "coefficients.h"
-#include "events/events.h"
+#include "events.h"
 #include "friction.h"
 #include "input_rates.h"
 #include "margins.h"

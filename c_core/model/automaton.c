@@ -2,7 +2,7 @@
 #include "tdmf_slip/automaton.h"
 
 #include "dynamics.h"
-#include "events/events.h"
+#include "events.h"
 #include "record.h"
 
 #include <string.h>

@@ -1,14 +1,14 @@
 /* Start of a run. */
 #include "tdmf_slip/automaton.h"
 
-#include "events/apex.h"
-#include "events/contact_change.h"
-#include "events/touchdown.h"
+#include "apex.h"
+#include "contact_change.h"
 #include "impact.h"
 #include "margins.h"
 #include "ranges.h"
 #include "record.h"
 #include "tdmf_slip/kinematics.h"
+#include "touchdown.h"
 
 #include <float.h>
 #include <math.h>

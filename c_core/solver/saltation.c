@@ -7,7 +7,7 @@
  * them, only the first moves the state. */
 #include "saltation.h"
 
-#include "events/contact_change.h"
+#include "contact_change.h"
 
 #include <math.h>
 

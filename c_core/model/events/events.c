@@ -58,18 +58,33 @@ void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_
     }
 }
 
+/* The row of the transition that is taken first, if any is due. */
+static const row *first_due(const tdmf_evaluation *at) {
+    for (int i = 0; i < ROWS; ++i) {
+        if (table[i].kind->reset != NULL && is_watched(&table[i], at->mode) &&
+            table[i].kind->guard(at) <= 0.0) {
+            return &table[i];
+        }
+    }
+    return NULL;
+}
+
+tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                          const double state[TDMF_STATE_COUNT]) {
+    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    const row *due = first_due(&at);
+    return due != NULL ? due->guard : TDMF_GUARD_COUNT;
+}
+
 /* Takes the one transition that is due first, if any is. */
 static bool take_transition(tdmf_run *run, double sine, double cosine) {
     const tdmf_leg leg = tdmf_leg_at(run->model, run->state, sine, cosine);
     const tdmf_evaluation at = tdmf_evaluate_leg(run->model, run->inputs, run->mode, run->state, &leg);
-    for (int i = 0; i < ROWS; ++i) {
-        const tdmf_event_kind *kind = table[i].kind;
-        if (kind->reset != NULL && is_watched(&table[i], run->mode) && kind->guard(&at) <= 0.0) {
-            kind->reset(run);
-            return true;
-        }
+    const row *due = first_due(&at);
+    if (due != NULL) {
+        due->kind->reset(run);
     }
-    return false;
+    return due != NULL;
 }
 
 bool tdmf_take_transitions(tdmf_run *run) {
