@@ -153,6 +153,9 @@ KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses
         g->turning[k] = (g->torque[k] - rest) * inverse->square;
     }
     g->leg_force_x[k] = with_outer_terms(sum->y_turning, g->y, g->turning, k) - axial_x;
+    if (is.grazes) {
+        return k == 0 ? -c->foot_weight : real_of(0.0);
+    }
     return g->axial_y[k] + with_outer_terms(sum->x_turning, g->x, g->turning, k);
 }
 
@@ -287,21 +290,21 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
     real d_force = -c->stiffness * t->length[k] - d->stiffness * g->length[k] -
                    c->damping * t->length_rate[k] - d->damping * g->length_rate[k];
     const real d_torque = k == 0 ? d->torque : k == 1 ? d->torque_rate : real_of(0.0);
+    const real d_lift_in_graze = k == 0 ? -d->foot_weight : real_of(0.0);
     if (k == 0) {
         d_force += c->stiffness * d->free_length + d->stiffness * c->free_length;
     }
     t->axial[k] = vary_quotient(g->axial, t->axial, g->length, t->length, d_force, k);
     t->axial_y[k] = vary_product(g->axial, t->axial, g->y, t->y, k);
     if (grazes) {
-        const real d_lift = k == 0 ? -t->axial_y[k] - d->foot_weight : -t->axial_y[k];
-        t->turning[k] = vary_quotient(g->turning, t->turning, g->x, t->x, d_lift, k);
+        t->turning[k] = vary_quotient(g->turning, t->turning, g->x, t->x, d_lift_in_graze - t->axial_y[k], k);
     } else {
         t->turning[k] = vary_quotient(g->turning, t->turning, g->square, t->square, d_torque, k);
     }
     t->leg_force_x[k] =
         vary_product(g->turning, t->turning, g->y, t->y, k) - vary_product(g->axial, t->axial, g->x, t->x, k);
     t->power[k] = vary_product(g->turning, t->turning, g->moment, t->moment, k);
-    return t->axial_y[k] + vary_product(g->turning, t->turning, g->x, t->x, k);
+    return grazes ? d_lift_in_graze : t->axial_y[k] + vary_product(g->turning, t->turning, g->x, t->x, k);
 }
 
 /* The foot's acceleration and the normal force, differentiated. */

@@ -1,0 +1,337 @@
+/* The series of the kernel against the equations that they solve, coefficient by coefficient, and their
+ * variations against differences. */
+#include "compare.h"
+#include "random.h"
+#include "scalar_series.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LEAST_ORDER = 8, RUNS = 20 };
+
+/* ---- equations ---------------------------------------------------------------------------------------- */
+
+/* What an equation's terms add up to, which is nothing. */
+typedef struct {
+    double sum, size;
+} balance;
+
+static void add(balance *balance, double term) {
+    balance->sum += term;
+    balance->size += fabs(term);
+}
+
+/* Coefficient k of a product. */
+static void add_product(balance *balance, double factor, const double *a, const double *b, int k) {
+    for (int i = 0; i <= k; ++i) {
+        add(balance, factor * a[i] * b[k - i]);
+    }
+}
+
+static int balanced;
+
+/* Up to the rounding of all these terms, and of those that the coefficients in them have been made of. */
+static void assert_balance(const balance *balance) {
+    assert_close(balance->sum, 0.0, 2e-13 * balance->size);
+    ++balanced;
+}
+
+/* That c a = b, or b = c a, in coefficient k. */
+static void assert_product(const double *c, const double *a, const double *b, int k) {
+    balance balance = {0.0, 0.0};
+    add(&balance, c[k]);
+    add_product(&balance, -1.0, a, b, k);
+    assert_balance(&balance);
+}
+
+/* That a' = rate, in coefficient k. */
+static void assert_rate(const double *a, const double *rate, int k) {
+    balance balance = {0.0, 0.0};
+    add(&balance, (k + 1) * a[k + 1]);
+    add(&balance, -rate[k]);
+    assert_balance(&balance);
+}
+
+/* ---- flight ------------------------------------------------------------------------------------------- */
+
+enum { FLIGHT_COEFFICIENTS = sizeof(flight_coefficients) / sizeof(double), FLIGHT_START = 4 };
+
+static void draw(random_source *source, double *numbers, int count) {
+    for (int i = 0; i < count; ++i) {
+        numbers[i] = random_uniform(source, 0.2, 1.2);
+    }
+}
+
+static void assert_flight(const flight_coefficients *a, const flight_series *f, int order) {
+    for (int k = 0; k < order; ++k) {
+        balance force = {0.0, 0.0}, torque = {0.0, 0.0};
+        assert_rate(f->length, f->length_rate, k);
+        assert_rate(f->angle, f->angle_rate, k);
+        assert_product(f->square, f->length, f->length, k);
+        assert_product(f->momentum, f->square, f->angle_rate, k);
+        assert_product(f->rate_square, f->angle_rate, f->angle_rate, k);
+        assert_product(f->speed_square, f->length_rate, f->length_rate, k);
+        add(&force, -(k + 1) * f->length_rate[k + 1]);
+        add_product(&force, 1.0, f->length, f->rate_square, k);
+        add(&force, k == 0 ? a->stiffness * a->free_length : 0.0);
+        add(&force, -a->stiffness * f->length[k]);
+        add(&force, -a->damping * f->length_rate[k]);
+        assert_balance(&force);
+        add(&torque, -(k + 1) * f->momentum[k + 1]);
+        add(&torque, k == 0 ? a->gain * a->target : 0.0);
+        add(&torque, -a->gain * f->angle[k]);
+        add(&torque, -a->rate_gain * f->angle_rate[k]);
+        add(&torque, k == 0 ? a->torque : k == 1 ? a->torque_rate : 0.0);
+        assert_balance(&torque);
+    }
+}
+
+static void flight_solves_its_equations_at_any_order(void **state) {
+    random_source source = {2611};
+    (void)state;
+    balanced = 0;
+    for (int order = LEAST_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
+        for (int run = 0; run < RUNS; ++run) {
+            flight_coefficients coefficients;
+            double start[FLIGHT_START];
+            flight_series f;
+            draw(&source, &coefficients.mobility, FLIGHT_COEFFICIENTS);
+            draw(&source, start, FLIGHT_START);
+            expand_flight(&coefficients, start, order, &f);
+            assert_flight(&coefficients, &f, order);
+        }
+    }
+    assert_int_equal(balanced, 21 * RUNS * 8 * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2);
+}
+
+/* ---- on the ground ------------------------------------------------------------------------------------ */
+
+enum { GROUND_COEFFICIENTS = sizeof(ground_coefficients) / sizeof(double) };
+
+static const ground_case cases[] = {
+    {.slips = false, .grazes = false, .turns = false}, {.slips = false, .grazes = false, .turns = true},
+    {.slips = true, .grazes = false, .turns = false},  {.slips = true, .grazes = false, .turns = true},
+    {.slips = false, .grazes = true, .turns = true},
+};
+enum { CASES = sizeof cases / sizeof cases[0] };
+
+static void draw_ground(random_source *source, ground_case is, ground_coefficients *c,
+                        double start[GROUND_START_COUNT]) {
+    draw(source, &c->stiffness, GROUND_COEFFICIENTS);
+    draw(source, start, GROUND_START_COUNT);
+    if (!is.turns) {
+        c->torque = c->torque_rate = 0.0;
+    }
+}
+
+/* The forces of leg and ground, from those that the series hold. */
+static void assert_forces(const ground_coefficients *c, const ground_series *g, ground_case is, int k) {
+    balance leg = {0.0, 0.0}, along = {0.0, 0.0}, up = {0.0, 0.0}, friction = {0.0, 0.0};
+    add_product(&leg, -1.0, g->length, g->axial, k);
+    add(&leg, k == 0 ? c->stiffness * c->free_length : 0.0);
+    add(&leg, -c->stiffness * g->length[k]);
+    add(&leg, -c->damping * g->length_rate[k]);
+    assert_balance(&leg);
+    assert_product(g->axial_y, g->axial, g->y, k);
+    assert_product(g->torque, g->square, g->turning, k);
+    add(&along, -g->leg_force_x[k]);
+    add_product(&along, 1.0, g->turning, g->y, k);
+    add_product(&along, -1.0, g->axial, g->x, k);
+    assert_balance(&along);
+    add(&up, -g->normal_force[k]);
+    add_product(&up, 1.0, g->turning, g->x, k);
+    add_product(&up, 1.0, g->axial, g->y, k);
+    add(&up, k == 0 ? c->foot_weight : 0.0);
+    assert_balance(&up);
+    if (is.slips) {
+        add(&friction, -g->friction[k]);
+        add(&friction, c->friction * g->normal_force[k]);
+        add(&friction, k > 0 ? c->friction_rate * g->normal_force[k - 1] : 0.0);
+        assert_balance(&friction);
+    }
+    if (is.grazes) {
+        assert_true(g->normal_force[k] == 0.0);
+    } else {
+        assert_true(g->torque[k] == (k == 0 ? c->torque : k == 1 ? c->torque_rate : 0.0));
+    }
+}
+
+static void assert_motion(const ground_coefficients *c, const ground_series *g, ground_case is, int k) {
+    balance along = {0.0, 0.0}, up = {0.0, 0.0}, moment = {0.0, 0.0}, foot = {0.0, 0.0};
+    assert_rate(g->x, g->vx, k);
+    assert_rate(g->y, g->vy, k);
+    assert_rate(g->length, g->length_rate, k);
+    assert_rate(g->foot_vx, g->foot_acceleration, k);
+    assert_product(g->square, g->length, g->length, k);
+    add(&foot, -g->foot_acceleration[k]);
+    if (is.slips || is.grazes) {
+        add(&foot, c->inverse_foot_mass * g->leg_force_x[k]);
+        add(&foot, is.slips ? -c->inverse_foot_mass * g->friction[k] : 0.0);
+    }
+    assert_balance(&foot);
+    add(&along, -(k + 1) * g->vx[k + 1]);
+    add(&along, -c->inverse_body_mass * g->leg_force_x[k]);
+    add(&along, -g->foot_acceleration[k]);
+    assert_balance(&along);
+    add(&up, -(k + 1) * g->vy[k + 1]);
+    add(&up, c->inverse_body_mass * g->normal_force[k]);
+    add(&up, k == 0 ? -c->inverse_body_mass * c->foot_weight - c->gravity : 0.0);
+    assert_balance(&up);
+    add(&moment, -g->moment[k]);
+    add_product(&moment, 1.0, g->x, g->vy, k);
+    add_product(&moment, -1.0, g->y, g->vx, k);
+    assert_balance(&moment);
+}
+
+static void assert_powers(const ground_series *g, ground_case is, int k) {
+    balance power = {0.0, 0.0};
+    assert_product(g->speed_square, g->length_rate, g->length_rate, k);
+    /* tau w = b L. */
+    add(&power, -g->power[k]);
+    add_product(&power, 1.0, g->turning, g->moment, k);
+    assert_balance(&power);
+    if (is.slips) {
+        assert_product(g->friction_power, g->friction, g->foot_vx, k);
+    } else {
+        assert_true(g->friction_power[k] == 0.0);
+    }
+    if (is.grazes) {
+        assert_product(g->moment, g->square, g->angle_rate, k);
+        assert_product(g->power, g->torque, g->angle_rate, k);
+    }
+}
+
+static void the_ground_solves_its_equations_at_any_order(void **state) {
+    random_source source = {2612};
+    int coefficients_seen = 0;
+    (void)state;
+    for (int order = LEAST_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
+        for (int run = 0; run < CASES * RUNS; ++run) {
+            const ground_case is = cases[run % CASES];
+            ground_coefficients c;
+            double start[GROUND_START_COUNT];
+            ground_series g;
+            draw_ground(&source, is, &c, start);
+            expand_ground_by_case(&c, start, order, is, &g);
+            for (int k = 0; k < order; ++k) {
+                assert_forces(&c, &g, is, k);
+                assert_motion(&c, &g, is, k);
+                assert_powers(&g, is, k);
+                ++coefficients_seen;
+            }
+        }
+    }
+    assert_int_equal(coefficients_seen, 21 * CASES * RUNS * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2);
+}
+
+/* A leg that coasts is one that turns with no torque. */
+static void no_torque_is_a_torque_of_zero(void **state) {
+    enum { ORDER = 18 };
+    random_source source = {2613};
+    (void)state;
+    for (int run = 0; run < 2 * RUNS; ++run) {
+        const bool slips = run % 2 == 1;
+        const ground_case coasts = {.slips = slips}, turns = {.slips = slips, .turns = true};
+        ground_coefficients c;
+        double start[GROUND_START_COUNT];
+        static ground_series a, b;
+        draw_ground(&source, coasts, &c, start);
+        expand_ground_by_case(&c, start, ORDER, coasts, &a);
+        expand_ground_by_case(&c, start, ORDER, turns, &b);
+        for (int k = 0; k <= ORDER; ++k) {
+            assert_true(a.x[k] == b.x[k] && a.y[k] == b.y[k] && a.vx[k] == b.vx[k] && a.vy[k] == b.vy[k]);
+            assert_true(a.foot_vx[k] == b.foot_vx[k] && a.moment[k] == b.moment[k]);
+        }
+    }
+}
+
+/* ---- variations --------------------------------------------------------------------------------------- */
+
+enum { VARIED_ORDER = 18 };
+static const double little = 1e-6;
+
+/* A derivative against the difference of what is `little` to either side. */
+static void assert_derivative(const double *d, const double *more, const double *less) {
+    for (int k = 0; k < VARIED_ORDER; ++k) {
+        const double difference = (more[k] - less[k]) / (2.0 * little);
+        assert_close(d[k], difference, 1e-7 * (1.0 + fabs(difference)));
+        ++balanced;
+    }
+}
+
+/* numbers + share * change. */
+static void move(const double *numbers, const double *change, double share, int count, double *moved) {
+    for (int i = 0; i < count; ++i) {
+        moved[i] = numbers[i] + share * change[i];
+    }
+}
+
+static void flight_varies_as_it_changes(void **state) {
+    random_source source = {2614};
+    (void)state;
+    balanced = 0;
+    for (int run = 0; run < RUNS; ++run) {
+        flight_coefficients a, d, moved;
+        double start[FLIGHT_START], d_start[FLIGHT_START], moved_start[FLIGHT_START];
+        flight_series f, side[2];
+        flight_variation t;
+        draw(&source, &a.mobility, FLIGHT_COEFFICIENTS);
+        draw(&source, &d.mobility, FLIGHT_COEFFICIENTS);
+        draw(&source, start, FLIGHT_START);
+        draw(&source, d_start, FLIGHT_START);
+        expand_flight(&a, start, VARIED_ORDER, &f);
+        vary_flight(&a, &f, &d, d_start, VARIED_ORDER, &t);
+        for (int i = 0; i < 2; ++i) {
+            const double share = i == 0 ? little : -little;
+            move(&a.mobility, &d.mobility, share, FLIGHT_COEFFICIENTS, &moved.mobility);
+            move(start, d_start, share, FLIGHT_START, moved_start);
+            expand_flight(&moved, moved_start, VARIED_ORDER, &side[i]);
+        }
+        assert_derivative(t.length, side[0].length, side[1].length);
+        assert_derivative(t.length_rate, side[0].length_rate, side[1].length_rate);
+        assert_derivative(t.angle, side[0].angle, side[1].angle);
+        assert_derivative(t.momentum, side[0].momentum, side[1].momentum);
+    }
+    assert_int_equal(balanced, RUNS * 4 * VARIED_ORDER);
+}
+
+static void the_ground_varies_as_it_changes(void **state) {
+    random_source source = {2615};
+    (void)state;
+    balanced = 0;
+    for (int run = 0; run < CASES * RUNS; ++run) {
+        const ground_case is = cases[run % CASES], turns = {is.slips, is.grazes, true};
+        ground_coefficients c, d, moved;
+        double start[GROUND_START_COUNT], d_start[GROUND_START_COUNT], moved_start[GROUND_START_COUNT];
+        ground_series g, side[2];
+        ground_variation t;
+        draw_ground(&source, is, &c, start);
+        draw_ground(&source, turns, &d, d_start);
+        expand_ground_by_case(&c, start, VARIED_ORDER, is, &g);
+        vary_ground(&c, &g, &d, d_start, VARIED_ORDER, is, &t);
+        for (int i = 0; i < 2; ++i) {
+            const double share = i == 0 ? little : -little;
+            move(&c.stiffness, &d.stiffness, share, GROUND_COEFFICIENTS, &moved.stiffness);
+            move(start, d_start, share, GROUND_START_COUNT, moved_start);
+            expand_ground_by_case(&moved, moved_start, VARIED_ORDER, turns, &side[i]);
+        }
+        assert_derivative(t.x, side[0].x, side[1].x);
+        assert_derivative(t.vx, side[0].vx, side[1].vx);
+        assert_derivative(t.vy, side[0].vy, side[1].vy);
+        assert_derivative(t.foot_vx, side[0].foot_vx, side[1].foot_vx);
+        assert_derivative(t.power, side[0].power, side[1].power);
+        assert_derivative(t.normal_force, side[0].normal_force, side[1].normal_force);
+    }
+    assert_int_equal(balanced, CASES * RUNS * 6 * VARIED_ORDER);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(flight_solves_its_equations_at_any_order),
+        cmocka_unit_test(the_ground_solves_its_equations_at_any_order),
+        cmocka_unit_test(no_torque_is_a_torque_of_zero),
+        cmocka_unit_test(flight_varies_as_it_changes),
+        cmocka_unit_test(the_ground_varies_as_it_changes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
