@@ -107,6 +107,8 @@ static lane_outcome step_crew(march *march, crew_kind kind) {
     crew *crew = &march->crews[kind];
     const int order = march->order;
     const double tolerance = march->tolerance;
+    const ground_case sticks = {false, false, true}, slips = {true, false, true},
+                      grazes = {false, true, true};
     flight_series *flight = &march->series.flight;
     ground_series *ground = &march->series.ground;
     switch (kind) {
@@ -115,11 +117,11 @@ static lane_outcome step_crew(march *march, crew_kind kind) {
     case CREW_RETRACT:
         return step_flying(&crew->members.flying, crew->live, true, order, tolerance, flight);
     case CREW_STICK:
-        return step_standing(&crew->members.standing, crew->live, false, false, order, tolerance, ground);
+        return step_standing(&crew->members.standing, crew->live, sticks, order, tolerance, ground);
     case CREW_SLIP:
-        return step_standing(&crew->members.standing, crew->live, true, false, order, tolerance, ground);
+        return step_standing(&crew->members.standing, crew->live, slips, order, tolerance, ground);
     default:
-        return step_standing(&crew->members.standing, crew->live, false, true, order, tolerance, ground);
+        return step_standing(&crew->members.standing, crew->live, grazes, order, tolerance, ground);
     }
 }
 

@@ -1,13 +1,10 @@
 /* A runner between lanes: what it takes along, and the events it meets. */
 #include "runner.h"
 
-#include "coefficients.h"
 #include "events.h"
-#include "friction.h"
 #include "input_rates.h"
 #include "margins.h"
-#include "scalar_series.h"
-#include "step.h"
+#include "step_constants.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/orbit.h"
 
@@ -25,10 +22,8 @@ static const double longest_stride = 1e4;
 
 static void open_stride(tdmf_runner *runner) {
     runner->stride_began = runner->motion.time;
-    runner->steps_left = step_limit;
+    runner->steps = opened_steps((double)step_limit);
     runner->events_left = event_limit;
-    runner->span = 0.0;
-    runner->steps_in_span = 0.0;
     runner->false_crossings = 0;
 }
 
@@ -66,88 +61,32 @@ crew_kind tdmf_runner_crew(const tdmf_runner *runner) {
     }
 }
 
-static member_progress progress_of(const tdmf_runner *runner) {
-    const tdmf_coordinates *at = &runner->chart.start;
-    const member_progress now = {
-        .elapsed = 0.0,
-        .steps_left = (double)runner->steps_left,
-        .span = runner->span,
-        .steps_in_span = runner->steps_in_span,
-        .work = at->work,
-        .damper_loss = at->damper_loss,
-        .friction_loss = at->friction_loss,
-    };
-    return now;
-}
-
-static member_frame frame_of(const tdmf_runner *runner) {
-    const tdmf_model *model = runner->its_case->model;
-    const member_frame frame = {
-        .time_left = longest_stride * model->scales.time - (runner->motion.time - runner->stride_began),
-        .margin_factor = tdmf_margin_factor(runner->false_crossings),
-        .min_length = model->parameters.leg.min_length,
-        .damping = model->parameters.leg.damping,
-        .gravity = model->parameters.gravity,
-        .length_scale = model->scales.length,
-        .time_scale = model->scales.time,
-        .speed_scale = model->scales.speed,
-        .force_scale = model->scales.force,
-        .energy_scale = model->scales.energy,
-    };
-    return frame;
+static double time_left_of(const tdmf_runner *runner) {
+    return longest_stride * runner->its_case->model->scales.time -
+           (runner->motion.time - runner->stride_began);
 }
 
 static flying_member flying_fields(const tdmf_runner *runner) {
     const tdmf_chart *chart = &runner->chart;
-    const tdmf_model *model = runner->its_case->model;
-    const tdmf_mode *mode = &runner->motion.mode;
-    const double watched = mode->clamp_closed ? -1.0 : 1.0;
     const flying_member m = {
-        .now = progress_of(runner),
-        .frame = frame_of(runner),
-        .law = tdmf_flight_coefficients(chart),
-        .inverse_mobility = 1.0 / model->mobility,
-        .length = chart->start.length,
-        .angle = chart->start.angle,
-        .length_rate = chart->start.length_rate,
-        .angle_rate = chart->start.angle_rate,
-        .com_y = chart->com_y,
-        .com_vy = chart->com_vy,
-        .share = model->body_share,
-        .kp = watched * chart->servo.gain,
-        .kd = watched * chart->servo.rate_gain,
-        .target = chart->servo.target,
+        .now = {0.0, runner->steps},
+        .at = tdmf_step_flight_coordinates(&chart->start),
+        .time_left = time_left_of(runner),
+        .com = {chart->com_y, chart->com_vy},
+        .constants = tdmf_step_flight_constants(chart, &runner->motion.mode,
+                                                tdmf_margin_factor(runner->false_crossings)),
     };
     return m;
 }
 
 static standing_member standing_fields(const tdmf_runner *runner) {
     const tdmf_chart *chart = &runner->chart;
-    const tdmf_model *model = runner->its_case->model;
-    const tdmf_mode *mode = &runner->motion.mode;
-    const bool retracts = mode->phase == TDMF_PHASE_RETRACT;
-    const tdmf_cone cone = tdmf_cone_of(chart->static_friction);
     const standing_member m = {
-        .now = progress_of(runner),
-        .frame = frame_of(runner),
-        .law = tdmf_ground_coefficients(chart),
-        .x = chart->start.x,
-        .y = chart->start.y,
-        .vx = chart->start.vx,
-        .vy = chart->start.vy,
-        .foot_x = chart->start.foot_x,
-        .foot_vx = chart->start.foot_vx,
-        .cone_normal = cone.normal,
-        .cone_tangential = cone.tangential,
-        .slip_sign = tdmf_slip_sign(mode),
-        /* A leg that has wound past a half turn passes upright no more. */
-        .drives = mode->phase == TDMF_PHASE_DRIVE && chart->turn == 0.0 ? 1.0 : 0.0,
-        .angle = chart->start.angle,
-        .kp = chart->servo.gain,
-        .kd = chart->servo.rate_gain,
-        .target = chart->servo.target,
-        .stance_law = chart->stance_law.torque,
-        .rise_share = retracts ? model->body_share : 0.0,
+        .now = {0.0, runner->steps},
+        .at = tdmf_step_ground_coordinates(&chart->start),
+        .time_left = time_left_of(runner),
+        .constants = tdmf_step_ground_constants(chart, &runner->motion.mode,
+                                                tdmf_margin_factor(runner->false_crossings)),
     };
     return m;
 }
@@ -166,46 +105,30 @@ int tdmf_runner_board(tdmf_runner *runner, double *fields) {
     return STANDING_FIELDS;
 }
 
-static void read_flying(const double *fields, tdmf_coordinates *at) {
+static member_progress read_flying(const double *fields, tdmf_coordinates *at) {
     flying_member m;
-    memcpy(&m, fields, offsetof(flying_member, frame));
-    at->length = m.length;
-    at->angle = m.angle;
-    at->length_rate = m.length_rate;
-    at->angle_rate = m.angle_rate;
+    memcpy(&m, fields, offsetof(flying_member, time_left));
+    tdmf_step_set_flight(at, &m.at);
+    return m.now;
 }
 
-static void read_standing(const double *fields, tdmf_coordinates *at) {
+static member_progress read_standing(const double *fields, tdmf_coordinates *at) {
     standing_member m;
-    memcpy(&m, fields, offsetof(standing_member, frame));
-    at->x = m.x;
-    at->y = m.y;
-    at->vx = m.vx;
-    at->vy = m.vy;
-    at->foot_x = m.foot_x;
-    at->foot_vx = m.foot_vx;
+    memcpy(&m, fields, offsetof(standing_member, time_left));
+    tdmf_step_set_ground(at, &m.at);
+    return m.now;
 }
 
 /* Writes the state that the lane has come to. */
 static void disembark(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     tdmf_coordinates at;
-    member_progress now;
-    memcpy(&now, fields, sizeof now);
-    at.work = now.work;
-    at.damper_loss = now.damper_loss;
-    at.friction_loss = now.friction_loss;
-    if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
-        read_flying(fields, &at);
-    } else {
-        read_standing(fields, &at);
-    }
+    const member_progress now =
+        motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
     tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
     motion->record.now = tdmf_instant_after(motion->record.now, now.elapsed);
     motion->time = motion->record.now.time;
-    runner->steps_left = (long)now.steps_left;
-    runner->span = now.span;
-    runner->steps_in_span = now.steps_in_span;
+    runner->steps = now.steps;
 }
 
 static void note_apex(tdmf_runner *runner) {

@@ -3,6 +3,7 @@
 #define TDMF_ENSEMBLE_RUNNER_H
 
 #include "chart.h"
+#include "step_limits.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/solver.h"
 
@@ -15,9 +16,9 @@ typedef struct {
     tdmf_motion motion;
     tdmf_chart chart;
     double stride_began;
-    long steps_left, events_left; /* in the stride */
-    double span, steps_in_span;   /* counted against TDMF_STIFFNESS_LIMIT */
-    int false_crossings;          /* since the mode changed */
+    step_count steps; /* in the stride */
+    long events_left;
+    int false_crossings; /* since the mode changed */
 } tdmf_runner;
 
 /* Begins at an apex. False where there is nothing to run: `end` says why. */

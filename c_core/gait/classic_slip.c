@@ -8,6 +8,7 @@
 #include "tdmf_slip/classic_slip.h"
 
 #include "first_root.h"
+#include "powers.h"
 #include "series_sums.h"
 
 #include <float.h>
@@ -114,28 +115,34 @@ static double trusted_size(const tdmf_classic *slip, const stance_series *s) {
 /* What ends a stance. */
 typedef enum { GOES_ON, TAKES_OFF, LEAVES_CONE, SLIDES_OUT, HITS_GROUND } stance_end;
 
-static double first_time(const tdmf_polynomial *p, const tdmf_reach *reach, double scale, double size) {
-    const tdmf_root root = tdmf_first_root(p, reach, 1.0, beyond * scale, 0.0, size);
-    return root.is_root ? root.time : INFINITY;
+/* A polynomial in the share of a step, by the size of which a series is scaled. */
+typedef struct {
+    double c[SERIES_TERMS];
+} polynomial;
+
+static double first_time(const polynomial *p, double scale, double size) {
+    const root found = first_root(p->c, ORDER, beyond * scale, 0.0, 1.0, true);
+    return found.is_root ? found.time * size : INFINITY;
 }
 
 static stance_end find_end(const tdmf_classic *slip, const stance_series *s, double *size) {
     const double length = slip->free_length;
-    tdmf_polynomial compressed = {{0}, ORDER}, above_ground = {{0}, ORDER};
-    tdmf_polynomial inside_cone[2] = {{{0}, ORDER}, {{0}, ORDER}}; /* the mass before the foot, and behind */
-    tdmf_reach reach;
+    polynomial compressed, above_ground;
+    polynomial inside_cone[2]; /* the mass before the foot, and behind */
+    double power[SERIES_TERMS];
     stance_end end = GOES_ON;
-    tdmf_reach_to(&reach, *size, ORDER);
+    set_powers(power, *size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
-        compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k];
-        inside_cone[0].c[k] = isinf(slip->friction) ? s->y[k] : slip->friction * s->y[k] - s->x[k];
-        inside_cone[1].c[k] = isinf(slip->friction) ? s->y[k] : slip->friction * s->y[k] + s->x[k];
-        above_ground.c[k] = s->y[k];
+        const double x = s->x[k] * power[k], y = s->y[k] * power[k];
+        compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k] * power[k];
+        inside_cone[0].c[k] = isinf(slip->friction) ? y : slip->friction * y - x;
+        inside_cone[1].c[k] = isinf(slip->friction) ? y : slip->friction * y + x;
+        above_ground.c[k] = y;
     }
-    const double take_off = first_time(&compressed, &reach, length * length, *size);
-    const double cone = first_time(&inside_cone[0], &reach, length, *size);
-    const double slide = first_time(&inside_cone[1], &reach, length, *size);
-    const double ground = first_time(&above_ground, &reach, length, *size);
+    const double take_off = first_time(&compressed, length * length, *size);
+    const double cone = first_time(&inside_cone[0], length, *size);
+    const double slide = first_time(&inside_cone[1], length, *size);
+    const double ground = first_time(&above_ground, length, *size);
     if (take_off <= *size) {
         *size = take_off;
         end = TAKES_OFF;
@@ -169,17 +176,18 @@ static double steepness(tdmf_classic_point at) {
 /* The largest |tan| of the leg's angle in a step: at its end, or where the leg turns back. */
 static double steepest_in(const tdmf_classic *slip, const stance_series *s, double size) {
     const double moment = slip->free_length * slip->free_length * sqrt(slip->stiffness / slip->mass);
-    tdmf_polynomial turning = {{0}, ORDER};
-    tdmf_reach reach;
+    double turning[SERIES_TERMS], power[SERIES_TERMS];
+    set_powers(power, size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
+        turning[k] = 0.0;
         for (int i = 0; i <= k; ++i) {
-            turning.c[k] += s->x[i] * s->vy[k - i] - s->y[i] * s->vx[k - i];
+            turning[k] += s->x[i] * s->vy[k - i] - s->y[i] * s->vx[k - i];
         }
+        turning[k] *= power[k];
     }
-    tdmf_reach_to(&reach, size, ORDER);
-    const tdmf_root turn = tdmf_first_sign_change(&turning, &reach, 1e-14 * moment, 0.0, size);
+    const root turn = first_sign_change(turning, ORDER, 1e-14 * moment, 0.0, 1.0, true);
     const double at_end = steepness(point_at(s, size));
-    return turn.is_root ? fmax(at_end, steepness(point_at(s, turn.time))) : at_end;
+    return turn.is_root ? fmax(at_end, steepness(point_at(s, turn.time * size))) : at_end;
 }
 
 /* Runs a stance to its end or up to a time; steps that do not end, or are not finite, count as a fall. */

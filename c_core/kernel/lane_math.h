@@ -1,17 +1,8 @@
-/* Functions of lanes: a rough root, sine and cosine. */
+/* Sine and cosine of lanes. */
 #ifndef TDMF_KERNEL_LANE_MATH_H
 #define TDMF_KERNEL_LANE_MATH_H
 
 #include "lanes.h"
-
-#include <float.h>
-
-/* x^(1/n) within four per cent, for x >= 0. A number's bits, read as an integer, are nearly its logarithm. */
-static inline real rough_root(real x, int n) {
-    const double zero = 1072693248.0; /* the high half of 1.0 */
-    const real logarithm = whole_of_bits((bits)smaller(x, real_of(DBL_MAX)) >> 32) - zero;
-    return 0.97 * (real)((pattern)bits_of_whole(zero + logarithm * (1.0 / n)) << 32);
-}
 
 /* On [-pi/4, pi/4], by the coefficients of fdlibm's __kernel_sin and __kernel_cos. */
 static inline real sine_near_zero(real x) {

@@ -21,6 +21,12 @@ typedef uint64_t pattern __attribute__((vector_size(8 * LANES))); /* for shifts 
 /* All bits set in the lanes chosen, none in the others: what comparing yields. */
 typedef bits choice;
 
+/* A small whole number. */
+typedef bits whole;
+
+/* Inputs are held. */
+enum { INPUTS_RAMP = 0 };
+
 static inline real real_of(double x) {
     return x - (real){0.0};
 }
@@ -29,9 +35,25 @@ static inline bits bits_of(int64_t x) {
     return x - (bits){0};
 }
 
+static inline whole whole_of(int x) {
+    return bits_of(x);
+}
+
+static inline choice choice_of(bool chosen) {
+    return bits_of(chosen ? -1 : 0);
+}
+
+static inline choice not(choice chosen) {
+    return ~chosen;
+}
+
 /* a in the lanes chosen, b in the others. */
 static inline real pick(choice chosen, real a, real b) {
     return (real)(((bits)a & chosen) | ((bits)b & ~chosen));
+}
+
+static inline whole pick_whole(choice chosen, whole a, whole b) {
+    return (a & chosen) | (b & ~chosen);
 }
 
 static inline real real_abs(real x) {
@@ -93,6 +115,15 @@ static inline bits bits_of_whole(real x) {
 
 static inline real whole_of_bits(bits x) {
     return (real)(x + (bits)real_of(whole_bias)) - whole_bias;
+}
+
+/* The high half of the bits of a number, and the number that has such a one. */
+static inline real high_half(real x) {
+    return whole_of_bits((bits)x >> 32);
+}
+
+static inline real with_high_half(real half) {
+    return (real)((pattern)bits_of_whole(half) << 32);
 }
 
 #endif

@@ -4,23 +4,7 @@
 
 #include "series.h"
 #include "series_sums.h"
-
-#include <math.h>
-#include <stdbool.h>
-
-typedef double real;
-
-static inline real real_of(double x) {
-    return x;
-}
-
-static inline real larger(real a, real b) {
-    return a > b ? a : b;
-}
-
-static inline real real_sqrt(real x) {
-    return sqrt(x);
-}
+#include "width_one.h"
 
 #include "series_products.h"
 

@@ -15,9 +15,6 @@
 /* Highest order, and the number of coefficients that a series has room for. */
 enum { SERIES_ORDER_LIMIT = 28, SERIES_TERMS = SERIES_ORDER_LIMIT + 2 };
 
-/* Share of its length by which a leg may change in a step, in either direction. */
-#define SERIES_MOST_CHANGE 0.75
-
 /* 1/k: integrating a series divides by its index, and a product is cheaper than a division. */
 static const double series_reciprocal[SERIES_TERMS + 1] = {
     0.0,      1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,

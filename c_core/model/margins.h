@@ -14,9 +14,12 @@
 #define TDMF_BEYOND_DEAD_BAND (-2.0 * TDMF_DEAD_BAND)
 
 /* Where a solver takes a guard to be due: beyond its margin, and so far that the model, which gets
- * coordinates as exact as the solver's relative tolerance, finds it due as well. */
+ * coordinates as exact as the solver's relative tolerance, finds it due as well. At a large tolerance that
+ * would let a foot sink in visibly; false crossings, see below, are the lesser evil. */
 static inline double tdmf_beyond_margin(double tolerance) {
-    return -2.0 * TDMF_GUARD_MARGIN - 1e-3 * tolerance;
+    const double deepest = 1e-8;
+    const double error = 1e-3 * tolerance;
+    return -2.0 * TDMF_GUARD_MARGIN - (error < deepest ? error : deepest);
 }
 
 /* How much further below zero a guard has to be after false crossings: those that a series has found and the

@@ -2,7 +2,7 @@
 #ifndef TDMF_SOLVER_CARRIED_H
 #define TDMF_SOLVER_CARRIED_H
 
-#include "crossing.h"
+#include "step.h"
 #include "tangent_series.h"
 #include "tdmf_slip/variation.h"
 

@@ -3,15 +3,17 @@
 #include "tdmf_slip/solver.h"
 
 #include "carried.h"
-#include "crossing.h"
 #include "event_log.h"
 #include "input_rates.h"
 #include "margins.h"
 #include "record.h"
 #include "request.h"
 #include "saltation.h"
+#include "step.h"
+#include "step_limits.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
+#include "turns.h"
 
 #include <math.h>
 #include <string.h>
@@ -27,10 +29,9 @@ typedef struct {
     int order; /* of the series */
     tdmf_chart chart;
     tdmf_step step;
-    long steps_left, events_left;
-    /* Counted against TDMF_STIFFNESS_LIMIT. */
-    double span;
-    int steps_in_span, events_in_span;
+    step_count steps;
+    long events_left;
+    int events_in_span;
     int false_crossings; /* since the mode changed or a step was whole */
     /* First variations, if any: as of the last event, and where the chart is. */
     int count;
@@ -84,41 +85,19 @@ static void write_state(march *march, double elapsed, const tdmf_coordinates *co
     }
 }
 
-/* Turns that are looked for in a step: as many as a series can have. */
-enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
-
-/* Adds what of the hip's work in the step was done at positive power. */
-static void sum_positive_work(march *march, double end, double total) {
-    double from = 0.0;
-    double work = 0.0;
-    if (tdmf_power_keeps_sign(&march->step)) {
-        march->chart.positive_work += fmax(0.0, total);
-        return;
-    }
-    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
-        const tdmf_root turn = tdmf_power_turn(&march->step, from, end);
-        const double to = turn.is_root ? turn.time : end;
-        const double work_so_far = to < end ? tdmf_step_work(&march->step, to) : total;
-        march->chart.positive_work += fmax(0.0, work_so_far - work);
-        work = work_so_far;
-        from = to;
-    }
-}
-
 /* Notes the peaks of the ground force. They change nothing but the record, so the step goes on. */
 static void observe_ground_force(march *march, double end) {
     tdmf_mode *mode = &march->motion->mode;
     double *peak = &march->motion->record.open.peak_force;
     double from = 0.0;
-    for (int i = 0; tdmf_in_contact(mode) && i < TURN_LIMIT; ++i) {
-        const tdmf_root turn = tdmf_force_turn(&march->step, mode->ground_force_rising, from, end);
-        if (!turn.is_root) {
+    for (int i = 0; tdmf_in_contact(mode) && i < TDMF_TURN_LIMIT; ++i) {
+        from = tdmf_force_turn(&march->step, mode->ground_force_rising, from, end);
+        if (!(from <= end)) {
             return;
         }
-        from = turn.time;
         if (mode->ground_force_rising) {
             *peak =
-                fmax(*peak, series_at(march->step.series.ground.normal_force, march->step.order - 1, from));
+                larger(*peak, series_at(march->step.series.ground.normal_force, march->step.order - 1, from));
         }
         mode->ground_force_rising = !mode->ground_force_rising;
     }
@@ -218,37 +197,36 @@ static void go_on(march *march, double elapsed, const tdmf_coordinates *reached)
     move_inputs(march, elapsed);
 }
 
-static bool is_finite(const tdmf_coordinates *c) {
-    return isfinite(c->length + c->angle + c->length_rate + c->angle_rate + c->x + c->y + c->vx + c->vy +
-                    c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss);
+static bool are_finite(const tdmf_coordinates *c) {
+    return is_finite(c->length + c->angle + c->length_rate + c->angle_rate + c->x + c->y + c->vx + c->vy +
+                     c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss);
 }
 
-/* By the coefficients of a mode that is opened. Slip and graze may be over before it matters. */
-static bool opens_too_stiff(const march *march) {
+/* By the law of a mode that is opened. Slip and graze may be over before it matters. */
+static bool mode_is_too_stiff(const march *march) {
     const tdmf_contact_mode contact = march->chart.contact;
-    const double ahead = fmin(march->model->scales.time, time_left(march));
-    return !march->chart_is_ahead && (contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK) &&
-           TDMF_STIFFNESS_LIMIT * march->step.longest < ahead;
-}
-
-static void open_span(march *march) {
-    march->span = 0.0;
-    march->steps_in_span = 0;
-    march->events_in_span = 0;
+    const bool lasts = contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK;
+    return lasts && !march->chart_is_ahead &&
+           opens_too_stiff(march->step.longest, smaller(march->model->scales.time, time_left(march)));
 }
 
 /* Whether one more step may be made, by the limits of a call and of stiffness. */
-static tdmf_outcome count_step(march *march) {
-    if (march->steps_left-- <= 0) {
+static tdmf_outcome may_step(const march *march) {
+    if (no_steps_left(&march->steps)) {
         return TDMF_TOO_MANY_STEPS;
     }
-    if (march->span >= march->model->scales.time) {
-        open_span(march);
-    }
-    if (march->steps_in_span++ < TDMF_STIFFNESS_LIMIT) {
+    if (!takes_too_many_steps(&march->steps, march->model->scales.time)) {
         return TDMF_ARRIVED;
     }
     return 2 * march->events_in_span > TDMF_STIFFNESS_LIMIT ? TDMF_TOO_MANY_EVENTS : TDMF_TOO_STIFF;
+}
+
+static void note_step(march *march, double time) {
+    const double scale = march->model->scales.time;
+    if (span_is_over(&march->steps, scale)) {
+        march->events_in_span = 0;
+    }
+    count_step(&march->steps, time, scale);
 }
 
 /* Expands the variations, and shortens the step to what all of them can be trusted for. */
@@ -265,39 +243,37 @@ static void expand_variations(march *march) {
 static tdmf_outcome advance_once(march *march) {
     tdmf_motion *motion = march->motion;
     tdmf_step *step = &march->step;
-    const tdmf_outcome allowed = count_step(march);
+    const tdmf_outcome allowed = may_step(march);
     if (allowed != TDMF_ARRIVED) {
         return allowed;
     }
     ++march->solver->steps;
-    tdmf_step_expand(step, &march->chart, march->order, march->solver->relative_tolerance);
+    tdmf_step_expand(step, &march->chart, &motion->mode, tdmf_margin_factor(march->false_crossings),
+                     march->order, march->solver->relative_tolerance);
     march->solver->evaluations += step->order;
-    if (opens_too_stiff(march)) {
+    if (mode_is_too_stiff(march)) {
         return TDMF_TOO_STIFF;
     }
     expand_variations(march);
     if (!(step->size > 0.0)) {
         return TDMF_NO_PROGRESS;
     }
-    step->size = fmin(step->size, fmin(time_left(march), time_to_no_friction(march)));
-    tdmf_reach_to(&step->reach, step->size, step->order);
-    const tdmf_crossing crossing =
-        tdmf_first_crossing(step, &motion->mode, tdmf_margin_factor(march->false_crossings));
-    const double end = fmin(step->size, crossing.at.time);
-    const tdmf_coordinates reached = tdmf_step_at(step, end);
-    if (!is_finite(&reached)) {
+    tdmf_step_shorten(step, smaller(time_left(march), time_to_no_friction(march)));
+    const tdmf_step_end end = tdmf_step_find_end(step, &motion->mode);
+    const tdmf_coordinates reached = tdmf_step_at(step, end.time);
+    if (!are_finite(&reached)) {
         return TDMF_NO_PROGRESS;
     }
-    march->span += end;
-    observe_ground_force(march, end);
-    sum_positive_work(march, end, reached.work - march->chart.start.work);
+    note_step(march, end.time);
+    observe_ground_force(march, end.time);
+    march->chart.positive_work += tdmf_positive_work(step, end.time, reached.work - march->chart.start.work);
     for (int i = 0; i < march->count; ++i) {
-        tdmf_carry_on(step, end, &march->changes[i], &march->tangents[i], &march->carried[i]);
+        tdmf_carry_on(step, end.time, &march->changes[i], &march->tangents[i], &march->carried[i]);
     }
-    if (crossing.at.is_root) {
-        stop_at_event(march, crossing.guard, end, &reached);
+    if (end.is_event) {
+        stop_at_event(march, end.guard, end.time, &reached);
     } else {
-        go_on(march, end, &reached);
+        go_on(march, end.time, &reached);
     }
     return TDMF_ARRIVED;
 }
@@ -315,11 +291,11 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->until = until;
     motion->record.now = tdmf_record_instant(&motion->record, motion->time);
     march->order = tdmf_step_order(solver->relative_tolerance);
-    march->steps_left = solver->step_limit;
+    march->steps = opened_steps((double)solver->step_limit);
     march->events_left = solver->event_limit;
     march->false_crossings = 0;
     march->count = 0;
-    open_span(march);
+    march->events_in_span = 0;
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
     open_mode(march);

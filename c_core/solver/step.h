@@ -2,22 +2,33 @@
 #ifndef TDMF_SOLVER_STEP_H
 #define TDMF_SOLVER_STEP_H
 
-#include "chart.h"
-#include "first_root.h"
-#include "scalar_series.h"
+#include "step_constants.h"
+#include "tdmf_slip/automaton.h"
 
 typedef struct {
     const tdmf_chart *chart;
     int order;
     double tolerance;
-    double longest; /* that the coefficients of the mode allow */
+    double longest; /* that the law of the mode allows */
     double size;
-    tdmf_reach reach;
+    double length_change;       /* in the step, of the leg */
+    double power[SERIES_TERMS]; /* of the size */
+    union {
+        flight_constants flight;
+        ground_constants ground;
+    } constants;
     union {
         flight_series flight;
         ground_series ground;
     } series;
 } tdmf_step;
+
+/* What ends a step: an event if it is due within it. */
+typedef struct {
+    double time;
+    bool is_event;
+    tdmf_guard guard;
+} tdmf_step_end;
 
 /* The order at which steps of a relative tolerance cost least. */
 int tdmf_step_order(double tolerance);
@@ -25,15 +36,22 @@ int tdmf_step_order(double tolerance);
 /* Which terms the series of a step on the ground have. */
 ground_case tdmf_step_ground_case(const tdmf_step *step);
 
-/* Expands the motion of a chart and finds how long the series may be trusted: step->size, not a number
- * where the series is not finite. */
-void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, int order, double tolerance);
+/* Expands the motion of a chart and finds how long its series may be trusted: step->size, not a number where
+ * they are not finite. */
+void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, const tdmf_mode *mode, double margin_factor,
+                      int order, double tolerance);
 
-/* How far another series of the step's order may be trusted, which is near `unit` in size. */
-double tdmf_step_trusts(const tdmf_step *step, const double *c, double unit);
+/* Shortens the step to `longest` and so that the leg keeps its length nearly enough. Before this a step is
+ * only expanded. */
+void tdmf_step_shorten(tdmf_step *step, double longest);
 
-/* The same of series none of which has a unit, so that the largest of their terms has to serve: no further
- * than the step itself. `sizes` are those of their coefficients, up to the step's order; infinity where they
+/* The first time within the step at which the mode, the phase or the clamp has to change. Without one, the
+ * time up to which the step may be used: its size, or less where a law has a kink, a guard is known no
+ * further, or the search took too long. */
+tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode);
+
+/* How far a series may be trusted that has no unit, so that the largest of its terms has to serve: no further
+ * than the step itself. `sizes` are those of its coefficients, up to the step's order; infinity where they
  * are not finite. */
 double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_TERMS]);
 

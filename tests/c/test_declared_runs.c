@@ -74,10 +74,15 @@ static const char *not_a_number(const run *run) {
     return NULL;
 }
 
+/* Of heights: a leg may have become ever so long, and have turned ever so often. */
+static double rounding_of(const run *run) {
+    const double *state = run->motion.state;
+    return 1e-12 * (run->model.scales.length + fabs(state[TDMF_FOOT_Y]) + state[TDMF_LEG_LENGTH]);
+}
+
 static const char *false_fall(const run *run, tdmf_outcome outcome) {
     const double *state = run->motion.state;
-    const double rounding =
-        1e-12 * (run->model.scales.length + fabs(state[TDMF_FOOT_Y]) + state[TDMF_LEG_LENGTH]);
+    const double rounding = rounding_of(run);
     if (run->motion.mode.fallen != (outcome == TDMF_FELL)) {
         return "the outcome and the mode disagree about a fall";
     }
@@ -99,7 +104,8 @@ static const char *open_ledger(const run *run) {
 static const char *foot_in_the_ground(const run *run) {
     const double depth = -run->motion.state[TDMF_FOOT_Y];
     const bool flies = run->motion.mode.contact == TDMF_CONTACT_FLIGHT;
-    return depth > (flies ? 1e-6 * run->model.scales.length : 0.0) ? "the foot is in the ground" : NULL;
+    const double allowed = flies ? 1e-6 * run->model.scales.length + rounding_of(run) : 0.0;
+    return depth > allowed ? "the foot is in the ground" : NULL;
 }
 
 static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {

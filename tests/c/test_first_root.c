@@ -1,4 +1,4 @@
-/* The first root of a polynomial: found where it is known, missed nowhere, and every march ends. */
+/* The first root of a polynomial: found where it is known, missed nowhere, and every search ends. */
 #include "compare.h"
 #include "first_root.h"
 #include "random.h"
@@ -7,19 +7,23 @@
 
 static const double level = -2e-13;
 
-static double first_root(const tdmf_polynomial *p, double to) {
-    tdmf_reach reach;
-    tdmf_root root = {0.0, false};
-    tdmf_reach_to(&reach, to, p->order);
-    for (int i = 0; i < 1000 && !root.is_root && root.time < to; ++i) {
-        root = tdmf_first_root(p, &reach, 1.0, level, root.time, to);
+typedef struct {
+    double c[SERIES_TERMS];
+    int order;
+} polynomial;
+
+/* On [0, 1], going on where a search takes too long. */
+static double root_of(const polynomial *p) {
+    root found = {0.0, 0};
+    for (int i = 0; i < 1000 && !found.is_root && found.time < 1.0; ++i) {
+        found = first_root(p->c, p->order, level, found.time, 1.0, 1);
     }
-    return root.time;
+    return found.time;
 }
 
 /* c times the product of (t - root). */
-static tdmf_polynomial with_roots(double c, const double *roots, int count) {
-    tdmf_polynomial p = {{c}, 0};
+static polynomial with_roots(double c, const double *roots, int count) {
+    polynomial p = {{c}, 0};
     for (int i = 0; i < count; ++i) {
         p.c[p.order + 1] = 0.0;
         for (int k = p.order + 1; k > 0; --k) {
@@ -69,8 +73,8 @@ static void the_first_of_many_roots(void **state) {
             }
             sign = roots[i] > 0.0 ? -sign : sign;
         }
-        const tdmf_polynomial p = with_roots(sign, roots, count);
-        const double found = first_root(&p, 1.0);
+        const polynomial p = with_roots(sign, roots, count);
+        const double found = root_of(&p);
         const double rounding = -level + rounding_of(roots, count);
         if (found <= 1.0) {
             assert_close(product(sign, roots, count, found), 0.0, rounding);
@@ -87,47 +91,45 @@ static void the_first_of_many_roots(void **state) {
 static void a_touch_is_judged_by_its_depth(void **state) {
     (void)state;
     for (double depth = 1e-4; depth > 1e-12; depth *= 0.1) {
-        tdmf_polynomial p = {{0.25 + depth, -1.0, 1.0, 0.0}, 3};
-        assert_true(first_root(&p, 1.0) == INFINITY);
+        polynomial p = {{0.25 + depth, -1.0, 1.0, 0.0}, 3};
+        assert_true(root_of(&p) == INFINITY);
         p.c[0] = 0.25 - depth;
-        assert_close(first_root(&p, 1.0), 0.5 - sqrt(depth), 1e-6);
+        assert_close(root_of(&p), 0.5 - sqrt(depth), 1e-6);
     }
 }
 
-static void a_double_root_ends_the_march(void **state) {
+static void a_double_root_ends_the_search(void **state) {
     (void)state;
-    const tdmf_polynomial p = {{0.25, -1.0, 1.0, 0.0}, 3};
-    const double found = first_root(&p, 1.0);
+    const polynomial p = {{0.25, -1.0, 1.0, 0.0}, 3};
+    const double found = root_of(&p);
     assert_true(found == INFINITY || fabs(found - 0.5) < 1e-5);
 }
 
 static void what_is_due_at_once_is_found_at_once(void **state) {
     (void)state;
-    const tdmf_polynomial p = {{-1.0, 5.0, 0.0, 0.0}, 3};
-    assert_true(first_root(&p, 1.0) == 0.0);
-    const tdmf_polynomial nothing = {{NAN, 0.0, 0.0, 0.0}, 3};
-    assert_true(first_root(&nothing, 1.0) == 0.0);
+    const polynomial p = {{-1.0, 5.0, 0.0, 0.0}, 3};
+    assert_true(root_of(&p) == 0.0);
+    const polynomial nothing = {{NAN, 0.0, 0.0, 0.0}, 3};
+    assert_true(root_of(&nothing) == 0.0);
 }
 
 static void signs_change_one_after_the_other(void **state) {
     (void)state;
     const double roots[] = {0.2, 0.5, 0.9};
-    const tdmf_polynomial p = with_roots(1.0, roots, 3);
-    tdmf_reach reach;
-    tdmf_reach_to(&reach, 1.0, p.order);
+    const polynomial p = with_roots(1.0, roots, 3);
     double t = 0.0;
     for (int i = 0; i < 3; ++i) {
-        t = tdmf_first_sign_change(&p, &reach, 1e-14, t, 1.0).time;
+        t = first_sign_change(p.c, p.order, 1e-14, t, 1.0, 1).time;
         assert_close(t, roots[i], 1e-12);
     }
-    assert_true(tdmf_first_sign_change(&p, &reach, 1e-14, t, 1.0).time == INFINITY);
+    assert_true(first_sign_change(p.c, p.order, 1e-14, t, 1.0, 1).time == INFINITY);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_of_many_roots),
         cmocka_unit_test(a_touch_is_judged_by_its_depth),
-        cmocka_unit_test(a_double_root_ends_the_march),
+        cmocka_unit_test(a_double_root_ends_the_search),
         cmocka_unit_test(what_is_due_at_once_is_found_at_once),
         cmocka_unit_test(signs_change_one_after_the_other),
     };

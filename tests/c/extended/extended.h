@@ -10,4 +10,7 @@
 #include <string.h>
 #include <tgmath.h>
 
+/* What the core calls so is double there, for bits are looked at. */
+typedef double binary64;
+
 #define double long double

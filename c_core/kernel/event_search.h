@@ -1,0 +1,162 @@
+/* The first event in a step. Guards are polynomials in time: what a guard is made of has been expanded with
+ * the motion, so that a guard is a sum of series, as exact as the step, and no event is missed, however
+ * short.
+ *
+ * A polynomial on [0, 1] is a mean, with weights that are not negative, of its partial sums:
+ *
+ *     p(t) = sum of (c_0 + ... + c_k) (t^k - t^(k + 1)), k < n, and (c_0 + ... + c_n) t^n.
+ *
+ * So most guards are seen to stay above zero by the least of their partial sums. What remains is searched, in
+ * every lane the guard that it has reason to. */
+#ifndef TDMF_KERNEL_EVENT_SEARCH_H
+#define TDMF_KERNEL_EVENT_SEARCH_H
+
+#include "first_root.h"
+#include "margins.h"
+#include "mode_constants.h"
+#include "powers.h"
+
+/* A law has a kink where this guard turns: no event, but the step ends. */
+enum { KINK = TDMF_GUARD_COUNT };
+
+/* What has been found is an event where `is_event`; else how far the step may be used. */
+typedef struct {
+    real size; /* of the step; all other times here are shares of it */
+    int order;
+    choice live;
+    real beyond_margin; /* in a guard's scale: where it is due */
+    real power[SERIES_TERMS];
+    real time;
+    choice is_event;
+    whole guard;
+    /* The guard that a lane has yet to search, as a polynomial. */
+    choice pending;
+    whole pending_guard;
+    real c[SERIES_TERMS];
+    real floor;
+} event_search;
+
+/* A guard as a sum of c[k] t^k: factor * series[k], but for coefficient 0, which is `start`. */
+typedef struct {
+    const real *series;
+    real factor, start;
+    int order;
+} guard_series;
+
+/* For a step whose size and powers are set. */
+static inline void begin_search(event_search *search, int order, choice live, real beyond_margin) {
+    search->order = order;
+    search->live = live;
+    search->beyond_margin = beyond_margin;
+    search->time = real_of(INFINITY);
+    search->is_event = choice_of(false);
+    search->guard = whole_of(KINK);
+    search->pending = choice_of(false);
+    search->pending_guard = whole_of(KINK);
+    search->floor = real_of(-1.0);
+    for (int k = 0; k <= order; ++k) {
+        search->c[k] = real_of(0.0);
+    }
+}
+
+/* Notes what lanes have found that ends their step sooner. */
+static inline void note_found(event_search *search, choice lanes, real time, choice is_event, whole guard) {
+    const choice sooner =
+        lanes & ((time < search->time) | ((time == search->time) & is_event & not(search->is_event)));
+    search->time = pick(sooner, time, search->time);
+    search->is_event = (is_event & sooner) | (search->is_event & not(sooner));
+    search->guard = pick_whole(sooner, guard, search->guard);
+}
+
+/* Finds the first root of the guards that are pending. */
+static inline void search_pending(event_search *search) {
+    const real to = smaller(real_of(1.0), search->time);
+    const root found = first_root(search->c, search->order, search->floor, real_of(0.0), to, search->pending);
+    const choice is_event = found.is_root & (search->pending_guard != whole_of(KINK));
+    note_found(search, search->pending, found.time, is_event, search->pending_guard);
+    search->pending = choice_of(false);
+}
+
+/* Least of a guard's partial sums. */
+static inline real least_sum(const event_search *search, const guard_series *g) {
+    real sum = g->start;
+    real least = sum;
+    for (int k = 1; k <= g->order; ++k) {
+        sum += g->factor * g->series[k] * search->power[k];
+        least = smaller(least, sum);
+    }
+    return least;
+}
+
+/* Within the step a series differs by no more than this from its first coefficient. */
+static inline real spread_of(const event_search *search, const real *c, int order) {
+    real sum = real_of(0.0);
+    real most = real_of(0.0);
+    for (int k = 1; k <= order; ++k) {
+        sum += c[k] * search->power[k];
+        most = larger(most, real_abs(sum));
+    }
+    return most;
+}
+
+/* Lanes in which a polynomial stays above its floor: seen from the start of the step, or over the chord from
+ * start to end, from which it sags by no more than its curvature allows. */
+static inline choice stays_above(const real *c, int order, real floor) {
+    const expansion start = expansion_at_start(c, order);
+    const real above = start.value - floor;
+    const real lowest = start.curvature - 2.0 * sum_of_tail(c, order);
+    const real highest =
+        larger(start.curvature + bound_of_derivative(c, second_derivative, order), real_of(0.0));
+    real rise = c[order];
+    for (int k = order - 1; k > 0; --k) {
+        rise += c[k];
+    }
+    return stays_positive(above, start.slope, lowest, real_of(1.0)) |
+           stays_positive(above, rise - 0.5 * highest, highest, real_of(1.0));
+}
+
+/* Has lanes search a guard, unless it is seen to stay above its floor. */
+static inline void look_closer(event_search *search, int guard, choice near, const guard_series *g,
+                               real floor) {
+    real c[SERIES_TERMS];
+    c[0] = g->start;
+    for (int k = 1; k <= g->order; ++k) {
+        c[k] = g->factor * g->series[k] * search->power[k];
+    }
+    near &= not(stays_above(c, g->order, floor));
+    if (!any(near)) {
+        return;
+    }
+    if (any(near & search->pending)) {
+        search_pending(search);
+    }
+    for (int k = 0; k <= g->order; ++k) {
+        search->c[k] = pick(near, c[k], search->c[k]);
+    }
+    for (int k = g->order + 1; k <= search->order; ++k) {
+        search->c[k] = pick(near, real_of(0.0), search->c[k]);
+    }
+    search->floor = pick(near, floor, search->floor);
+    search->pending_guard = pick_whole(near, whole_of(guard), search->pending_guard);
+    search->pending |= near;
+}
+
+/* The first root of a guard, in the lanes that watch it: where it is down to `floor`, which is below zero. */
+static inline void watch(event_search *search, int guard, choice watching, const guard_series *g,
+                         real floor) {
+    const choice near = watching & search->live & not(least_sum(search, g) > 0.0);
+    if (any(near)) {
+        look_closer(search, guard, near, g, floor);
+    }
+}
+
+/* The leg is as short as it may be; its length may change by `change` in the step. */
+static inline void watch_length(event_search *search, const mode_constants *mode, const real *length,
+                                int order, real change) {
+    const guard_series g = {length, real_of(1.0), length[0] - mode->min_length, order};
+    if (any(search->live & not(g.start > change))) {
+        watch(search, TDMF_GUARD_LEG_TOO_SHORT, search->live, &g, search->beyond_margin * mode->length_scale);
+    }
+}
+
+#endif

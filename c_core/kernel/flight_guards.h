@@ -1,0 +1,115 @@
+/* The events of flight. */
+#ifndef TDMF_KERNEL_FLIGHT_GUARDS_H
+#define TDMF_KERNEL_FLIGHT_GUARDS_H
+
+#include "event_search.h"
+#include "flight_step.h"
+
+/* r cos(theta), by (cos)' = -w sin and (sin)' = w cos. */
+static inline void expand_drop(const flight_series *f, real sine0, real cosine0, int order,
+                               real drop[SERIES_TERMS]) {
+    real sine[SERIES_TERMS], cosine[SERIES_TERMS];
+    sine[0] = sine0;
+    cosine[0] = cosine0;
+    for (int k = 0; k <= order; ++k) {
+        real rise = real_of(0.0), fall = real_of(0.0), sum = real_of(0.0);
+        for (int i = 0; i <= k; ++i) {
+            rise += f->angle_rate[i] * cosine[k - i];
+            fall += f->angle_rate[i] * sine[k - i];
+            sum += f->length[i] * cosine[k - i];
+        }
+        drop[k] = sum;
+        if (k < order) {
+            sine[k + 1] = rise * series_reciprocal[k + 1];
+            cosine[k + 1] = -fall * series_reciprocal[k + 1];
+        }
+    }
+}
+
+/* The centre of mass is lowest at an end of the step. */
+static inline real lowest_center_of_mass(const event_search *search, const flight_constants *c,
+                                         const ballistic *com) {
+    const real t = search->size;
+    return smaller(com->height, com->height + t * (com->rate - 0.5 * c->mode.gravity * t));
+}
+
+/* A leg does not drop further than its longest at the angle that brings it nearest to the vertical. */
+static inline real most_drop(const event_search *search, const flight_constants *c, const flight_series *f,
+                             real longest, real sine, real cosine) {
+    const real turn = spread_of(search, f->angle, search->order);
+    const real change = turn * (real_abs(sine) + 0.5 * turn);
+    const real down = c->body_share * longest * smaller(cosine + change, real_of(1.0));
+    const real up = (1.0 - c->body_share) * longest * smaller(change - cosine, real_of(1.0));
+    return larger(larger(down, up), real_of(0.0));
+}
+
+/* The heights of foot and body: a parabola and a share of the leg's drop. */
+static inline void watch_heights(event_search *search, const flight_constants *c, const flight_series *f,
+                                 double tolerance, real longest, const ballistic *com) {
+    const int order = search->order;
+    const real floor = search->beyond_margin * c->mode.length_scale;
+    const real lowest = lowest_center_of_mass(search, c, com);
+    choice low = search->live & not(lowest > longest * larger(c->body_share, 1.0 - c->body_share));
+    real sine, cosine, drop[SERIES_TERMS], height[SERIES_TERMS];
+    if (!any(low)) {
+        return;
+    }
+    sine_and_cosine(f->angle[0], &sine, &cosine);
+    low &= not(lowest > most_drop(search, c, f, longest, sine, cosine));
+    if (!any(low)) {
+        return;
+    }
+    expand_drop(f, sine, cosine, order, drop);
+    /* A leg that spins at a steady rate has long steps, and a drop that is not. */
+    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    note_remainder(&remainder, drop, order, c->mode.length_scale);
+    const real trusted = trusted_size(&remainder, real_of(INFINITY), order, real_of(tolerance));
+    note_found(search, low, trusted / search->size, choice_of(false), whole_of(KINK));
+    for (int end = 0; end < 2; ++end) {
+        const real share = end == 0 ? -c->body_share : 1.0 - c->body_share;
+        for (int k = 1; k <= order; ++k) {
+            height[k] = share * drop[k];
+        }
+        height[1] += com->rate;
+        height[2] -= 0.5 * c->mode.gravity;
+        const guard_series g = {height, real_of(1.0), com->height + share * drop[0], order};
+        watch(search, end == 0 ? TDMF_GUARD_TOUCHDOWN : TDMF_GUARD_BODY_DOWN, low, &g, floor);
+    }
+}
+
+/* The centre of mass rises at a rate that falls by g. */
+static inline void watch_apex_in_flight(event_search *search, const flight_constants *c,
+                                        const ballistic *com) {
+    const real floor = search->beyond_margin * c->mode.speed_scale;
+    const real time = larger(com->rate - floor, real_of(0.0)) / (c->mode.gravity * search->size);
+    note_found(search, search->live & (time <= 1.0), time, choice_of(true), whole_of(TDMF_GUARD_APEX));
+}
+
+/* What the clamp is decided by. */
+static inline void watch_clamp(event_search *search, const flight_constants *c, const flight_series *f) {
+    const hip_law *servo = &c->servo;
+    const int order = search->order - 1;
+    const real start =
+        servo->gain * (servo->target - f->angle[0]) - servo->rate_gain * f->angle_rate[0] + servo->torque;
+    real torque[SERIES_TERMS];
+    for (int k = 1; k <= order; ++k) {
+        torque[k] = (k == 1 ? servo->torque_rate : real_of(0.0)) - servo->gain * f->angle[k] -
+                    servo->rate_gain * f->angle_rate[k];
+    }
+    const guard_series g = {torque, real_of(1.0), start, order};
+    watch(search, TDMF_GUARD_CLAMP, search->live, &g,
+          TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor * c->mode.energy_scale);
+}
+
+static inline void watch_flight(event_search *search, const flight_constants *c, const flight_series *f,
+                                real length_change, const ballistic *com, bool retracts, double tolerance) {
+    watch_length(search, &c->mode, f->length, search->order, length_change);
+    watch_heights(search, c, f, tolerance, f->length[0] + length_change, com);
+    if (retracts) {
+        watch_apex_in_flight(search, c, com);
+        watch_clamp(search, c, f);
+    }
+    search_pending(search);
+}
+
+#endif

@@ -1,0 +1,70 @@
+/* A step of flight: its size, and where it leads. */
+#ifndef TDMF_KERNEL_FLIGHT_STEP_H
+#define TDMF_KERNEL_FLIGHT_STEP_H
+
+#include "mode_constants.h"
+#include "motion_series.h"
+#include "step_size.h"
+#include "step_sums.h"
+
+typedef struct {
+    real length, angle, length_rate, angle_rate;
+    energy_sums done;
+} flight_coordinates;
+
+typedef struct {
+    mode_constants mode;
+    flight_coefficients law;
+    real inverse_mobility;
+    real body_share; /* of the mass */
+    hip_law servo;   /* retract: its torque is what the clamp is decided by, with its sign now */
+} flight_constants;
+
+/* The centre of mass. */
+typedef struct {
+    real height, rate;
+} ballistic;
+
+/* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
+static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, int order,
+                                      double tolerance, flight_series *f, real *longest) {
+    const real start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
+    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    expand_flight(&c->law, start, order, f);
+    note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
+    note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
+    *longest = longest_flight_step(&c->law, at->length, order);
+    return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
+                         trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1,
+                         tolerance);
+}
+
+/* The hip's work since the start of the step, while the leg has turned by `turned`. */
+static inline real flight_work(const flight_constants *c, const flight_coordinates *start,
+                               const flight_series *f, int order, const elapsed_time *elapsed, real turned) {
+    const flight_coefficients *law = &c->law;
+    real work = turned * (law->gain * (law->target - start->angle - 0.5 * turned) + law->torque);
+    if (any(not(law->rate_gain == 0.0))) {
+        work -= law->rate_gain * integral_to(f->rate_square, elapsed, order - 1);
+    }
+    if (any(not(law->torque_rate == 0.0))) {
+        /* By parts: the integral of t w. */
+        const real t = elapsed->power[1];
+        work += law->torque_rate * (t * (start->angle + turned) - integral_to(f->angle, elapsed, order));
+    }
+    return c->inverse_mobility * work;
+}
+
+/* Goes on to a time within the step. */
+static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
+                          const elapsed_time *elapsed, flight_coordinates *at) {
+    const real turned = weighted_sum(f->angle, elapsed->power, 1, order);
+    at->done.work += flight_work(c, at, f, order, elapsed, turned);
+    at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
+    at->length = value_at(f->length, elapsed, order);
+    at->length_rate = value_at(f->length_rate, elapsed, order);
+    at->angle += turned;
+    at->angle_rate = value_at(f->momentum, elapsed, order) / (at->length * at->length);
+}
+
+#endif

@@ -1,0 +1,76 @@
+/* A step on the ground: its size, and where it leads. */
+#ifndef TDMF_KERNEL_GROUND_STEP_H
+#define TDMF_KERNEL_GROUND_STEP_H
+
+#include "mode_constants.h"
+#include "motion_series.h"
+#include "step_size.h"
+#include "step_sums.h"
+
+typedef struct {
+    real x, y, vx, vy; /* of the body, its place as seen from the foot */
+    real foot_x, foot_vx;
+    real angle; /* graze: theta */
+    energy_sums done;
+} ground_coordinates;
+
+typedef struct {
+    mode_constants mode;
+    ground_coefficients law;
+    real cone_normal, cone_normal_rate, cone_tangential; /* weights of the forces in the cone's edges */
+    real slip_sign;                                      /* of u */
+    real drives;                                         /* above 0 until mid-stance */
+    /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
+     * of the body in the mass while retracting, else 0. */
+    hip_law servo, stance;
+    real retracting_share;
+} ground_constants;
+
+static inline bool foot_is_free(ground_case is) {
+    return is.slips || is.grazes;
+}
+
+/* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
+static inline real expand_ground_step(const ground_constants *c, const ground_coordinates *at, ground_case is,
+                                      int order, double tolerance, ground_series *g, real *longest) {
+    const real start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
+    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    expand_ground_by_case(&c->law, start, order, is, g);
+    note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
+    note_remainder(&remainder, g->leg_force_x, order - 1, c->mode.force_scale);
+    note_remainder(&remainder, g->foot_vx, order - 1, c->mode.speed_scale);
+    *longest = longest_ground_step(&c->law, foot_is_free(is), order);
+    return size_for_loss(g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
+                         trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1,
+                         tolerance);
+}
+
+/* The hip's work since the start of the step. */
+static inline real ground_work(const ground_series *g, ground_case is, int order,
+                               const elapsed_time *elapsed) {
+    return is.turns ? integral_to(g->power, elapsed, order - 1) : real_of(0.0);
+}
+
+/* Goes on to a time within the step. */
+static inline void stand_on(const ground_constants *c, const ground_series *g, ground_case is, int order,
+                            const elapsed_time *elapsed, ground_coordinates *at) {
+    at->done.work += ground_work(g, is, order, elapsed);
+    at->done.damper_loss += c->mode.damping * integral_to(g->speed_square, elapsed, order - 1);
+    if (is.slips) {
+        at->done.friction_loss += integral_to(g->friction_power, elapsed, order - 1);
+    }
+    if (is.grazes) {
+        at->angle += integral_to(g->angle_rate, elapsed, order - 1);
+    }
+    at->x = value_at(g->x, elapsed, order);
+    at->y = value_at(g->y, elapsed, order);
+    at->vx = value_at(g->vx, elapsed, order);
+    at->vy = value_at(g->vy, elapsed, order);
+    if (foot_is_free(is)) {
+        at->foot_x += integral_to(g->foot_vx, elapsed, order);
+        at->foot_vx = value_at(g->foot_vx, elapsed, order);
+        at->vx += at->foot_vx;
+    }
+}
+
+#endif

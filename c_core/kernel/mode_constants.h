@@ -1,0 +1,24 @@
+/* What of a runner is constant in a mode, whatever its motion. */
+#ifndef TDMF_KERNEL_MODE_CONSTANTS_H
+#define TDMF_KERNEL_MODE_CONSTANTS_H
+
+#include "width.h"
+
+typedef struct {
+    real margin_factor; /* of guards, see margins.h */
+    real min_length, damping, gravity;
+    real length_scale, time_scale, speed_scale, force_scale, energy_scale;
+} mode_constants;
+
+/* A law of the hip, gain (target - theta) - rate_gain thetadot + torque + torque_rate t, with t counted from
+ * the start of the step. */
+typedef struct {
+    real gain, rate_gain, target, torque, torque_rate;
+} hip_law;
+
+/* What has been done and lost since the start of the run. */
+typedef struct {
+    real work, damper_loss, friction_loss;
+} energy_sums;
+
+#endif

@@ -1,0 +1,42 @@
+/* The limits of steps, and of stiffness: see TDMF_STIFFNESS_LIMIT. */
+#ifndef TDMF_KERNEL_STEP_LIMITS_H
+#define TDMF_KERNEL_STEP_LIMITS_H
+
+#include "tdmf_slip/solver.h"
+#include "width.h"
+
+typedef struct {
+    real left;
+    real span, in_span; /* time, and steps in it, since the last span of a time scale was over */
+} step_count;
+
+static inline step_count opened_steps(real limit) {
+    const step_count steps = {limit, real_of(0.0), real_of(0.0)};
+    return steps;
+}
+
+static inline choice span_is_over(const step_count *steps, real time_scale) {
+    return steps->span >= time_scale;
+}
+
+static inline void count_step(step_count *steps, real time, real time_scale) {
+    const choice next = span_is_over(steps, time_scale);
+    steps->span = pick(next, real_of(0.0), steps->span) + time;
+    steps->in_span = pick(next, real_of(0.0), steps->in_span) + 1.0;
+    steps->left -= 1.0;
+}
+
+static inline choice no_steps_left(const step_count *steps) {
+    return steps->left <= 0.0;
+}
+
+static inline choice takes_too_many_steps(const step_count *steps, real time_scale) {
+    return (steps->in_span >= (double)TDMF_STIFFNESS_LIMIT) & not(span_is_over(steps, time_scale));
+}
+
+/* By the longest step that a law allows. */
+static inline choice opens_too_stiff(real longest, real ahead) {
+    return (double)TDMF_STIFFNESS_LIMIT * longest < ahead;
+}
+
+#endif

@@ -1,0 +1,78 @@
+/* How far series may be trusted.
+ *
+ * A step is as long as the last two coefficients allow: were the series cut there, what is left out would be
+ * as small as the tolerance, and no longer than coefficients can be trusted to fall from there on. On the
+ * ground that is asked of the forces themselves, because events are located on them. */
+#ifndef TDMF_KERNEL_STEP_SIZE_H
+#define TDMF_KERNEL_STEP_SIZE_H
+
+#include "powers.h"
+
+/* Share of its length by which a leg may change in a step, in either direction. */
+static const double most_change = 0.75;
+
+/* The last two coefficients, summed over the coordinates in their units, so that one that is not a number
+ * shows.
+ */
+typedef struct {
+    real last, last_but_one;
+} series_remainder;
+
+static inline void note_remainder(series_remainder *remainder, const real *c, int order, real unit) {
+    const real allowed = 1.0 / larger(unit, real_abs(c[0]));
+    remainder->last += real_abs(c[order]) * allowed;
+    remainder->last_but_one += real_abs(c[order - 1]) * allowed;
+}
+
+/* How far series of an order may be trusted, but no further than `longest`; not a number where they are not
+ * finite. */
+static inline real trusted_size(const series_remainder *remainder, real longest, int order, real tolerance) {
+    const real by_last = rough_root(tolerance / remainder->last, order);
+    const real by_last_but_one = rough_root(tolerance / remainder->last_but_one, order - 1);
+    const choice known = is_finite(remainder->last + remainder->last_but_one);
+    return pick(known, smaller(longest, smaller(by_last, by_last_but_one)), real_of(NAN));
+}
+
+/* Where a leg does not turn, its motion is a sum of exponentials, whose coefficients fall sooner than those
+ * of their square, the damper's power. `unit` is that of the leg's speed squared. */
+static inline real size_for_loss(const real *speed_square, real unit, real size, int order,
+                                 double tolerance) {
+    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    note_remainder(&remainder, speed_square, order, unit);
+    const choice too_long = remainder.last * power_of(size, order) > tolerance;
+    return any(too_long) ? pick(too_long, trusted_size(&remainder, size, order, real_of(tolerance)), size)
+                         : size;
+}
+
+/* Sum of |c[k]| power[k] from k = 1 on: within a complex time of that size a series differs by no more from
+ * its first coefficient. */
+static inline real largest_change(const real *c, const real *power, int order) {
+    real even = real_of(0.0), odd = real_of(0.0);
+    int k = 1;
+    for (; k < order; k += 2) {
+        odd += power[k] * real_abs(c[k]);
+        even += power[k + 1] * real_abs(c[k + 1]);
+    }
+    if (k == order) {
+        odd += power[k] * real_abs(c[k]);
+    }
+    return even + odd;
+}
+
+/* Where the length's coefficients add up to less than itself it has no zero for any complex time in reach:
+ * what is divided by it has no pole there, which coefficients might not show, be it ever so weak. Shortens a
+ * step for that, sets its powers and returns how much the length may change in it. */
+static inline real shorten_without_pole(real *size, real power[SERIES_TERMS], const real *length, int order) {
+    set_powers(power, *size, order);
+    const real most = most_change * length[0];
+    const real change = largest_change(length, power, order);
+    const choice too_long = change > most;
+    if (!any(too_long)) {
+        return change;
+    }
+    *size = pick(too_long, *size * most / change, *size);
+    set_powers(power, *size, order);
+    return pick(too_long, most, change);
+}
+
+#endif

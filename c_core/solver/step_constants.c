@@ -1,0 +1,97 @@
+/* What the kernel has to know of a mode: of its laws and guards, from the model, the mode and the inputs. */
+#include "step_constants.h"
+
+#include "coefficients.h"
+#include "friction.h"
+
+static mode_constants mode_constants_of(const tdmf_model *model, double margin_factor) {
+    const mode_constants constants = {
+        .margin_factor = margin_factor,
+        .min_length = model->parameters.leg.min_length,
+        .damping = model->parameters.leg.damping,
+        .gravity = model->parameters.gravity,
+        .length_scale = model->scales.length,
+        .time_scale = model->scales.time,
+        .speed_scale = model->scales.speed,
+        .force_scale = model->scales.force,
+        .energy_scale = model->scales.energy,
+    };
+    return constants;
+}
+
+static hip_law signed_law(double sign, const tdmf_hip_law *law) {
+    const hip_law with_sign = {sign * law->gain, sign * law->rate_gain, law->target, sign * law->torque,
+                               sign * law->torque_rate};
+    return with_sign;
+}
+
+flight_constants tdmf_step_flight_constants(const tdmf_chart *chart, const tdmf_mode *mode,
+                                            double margin_factor) {
+    const flight_constants constants = {
+        .mode = mode_constants_of(chart->model, margin_factor),
+        .law = tdmf_flight_coefficients(chart),
+        .inverse_mobility = 1.0 / chart->model->mobility,
+        .body_share = chart->model->body_share,
+        .servo = signed_law(mode->clamp_closed ? -1.0 : 1.0, &chart->servo),
+    };
+    return constants;
+}
+
+ground_constants tdmf_step_ground_constants(const tdmf_chart *chart, const tdmf_mode *mode,
+                                            double margin_factor) {
+    const tdmf_cone cone = tdmf_cone_of(chart->static_friction);
+    const ground_constants constants = {
+        .mode = mode_constants_of(chart->model, margin_factor),
+        .law = tdmf_ground_coefficients(chart),
+        .cone_normal = cone.normal,
+        .cone_tangential = cone.tangential,
+        .slip_sign = tdmf_slip_sign(mode),
+        /* A leg that has wound past a half turn passes upright no more. */
+        .drives = mode->phase == TDMF_PHASE_DRIVE && chart->turn == 0.0 ? 1.0 : 0.0,
+        .servo = signed_law(1.0, &chart->servo),
+        .stance = signed_law(1.0, &chart->stance_law),
+        .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? chart->model->body_share : 0.0,
+    };
+    return constants;
+}
+
+flight_coordinates tdmf_step_flight_coordinates(const tdmf_coordinates *at) {
+    const flight_coordinates coordinates = {at->length,
+                                            at->angle,
+                                            at->length_rate,
+                                            at->angle_rate,
+                                            {at->work, at->damper_loss, at->friction_loss}};
+    return coordinates;
+}
+
+ground_coordinates tdmf_step_ground_coordinates(const tdmf_coordinates *at) {
+    const ground_coordinates coordinates = {
+        at->x,      at->y,       at->vx,    at->vy,
+        at->foot_x, at->foot_vx, at->angle, {at->work, at->damper_loss, at->friction_loss}};
+    return coordinates;
+}
+
+static void set_sums(tdmf_coordinates *at, const energy_sums *done) {
+    at->work = done->work;
+    at->damper_loss = done->damper_loss;
+    at->friction_loss = done->friction_loss;
+}
+
+void tdmf_step_set_flight(tdmf_coordinates *at, const flight_coordinates *flight) {
+    at->length = flight->length;
+    at->angle = flight->angle;
+    at->length_rate = flight->length_rate;
+    at->angle_rate = flight->angle_rate;
+    set_sums(at, &flight->done);
+}
+
+void tdmf_step_set_ground(tdmf_coordinates *at, const ground_coordinates *ground) {
+    at->x = ground->x;
+    at->y = ground->y;
+    at->vx = ground->vx;
+    at->vy = ground->vy;
+    at->foot_x = ground->foot_x;
+    at->foot_vx = ground->foot_vx;
+    at->angle = ground->angle;
+    set_sums(at, &ground->done);
+}
