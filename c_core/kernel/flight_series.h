@@ -33,55 +33,70 @@ typedef struct {
     real length_length, rate_rate, speed_speed, square_rate, length_rate_square;
 } flight_sums;
 
-KERNEL flight_sums sum_flight(const flight_series *f, int k, bool even) {
-    const real *r = f->length, *v = f->length_rate, *w = f->angle_rate;
-    const real *square = f->square, *rate_square = f->rate_square;
-    const int middle = k / 2;
-    flight_sums sum = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
-    if (even) {
-        sum.length_length = 0.5 * (r[middle] * r[middle]);
-        sum.rate_rate = 0.5 * (w[middle] * w[middle]);
-        sum.speed_speed = 0.5 * (v[middle] * v[middle]);
-        sum.square_rate = square[middle] * w[middle];
-        sum.length_rate_square = r[middle] * rate_square[middle];
-    }
-    for (int i = even ? middle - 1 : middle, j = middle + 1; i > 0; --i, ++j) {
-        sum.length_length += r[i] * r[j];
-        sum.rate_rate += w[i] * w[j];
-        sum.speed_speed += v[i] * v[j];
-        sum.square_rate += square[j] * w[i];
-        sum.square_rate += square[i] * w[j];
-        sum.length_rate_square += r[i] * rate_square[j];
-        sum.length_rate_square += r[j] * rate_square[i];
-    }
-    return sum;
+static inline flight_sums no_flight_terms(void) {
+    const real zero = real_of(0.0);
+    const flight_sums none = {zero, zero, zero, zero, zero};
+    return none;
+}
+
+/* Adds the terms with coefficient i of one factor and j of the other. */
+KERNEL void add_flight_terms(const flight_series *f, int i, int j, flight_sums *sum) {
+    sum->length_length += f->length[i] * f->length[j];
+    sum->rate_rate += f->angle_rate[i] * f->angle_rate[j];
+    sum->speed_speed += f->length_rate[i] * f->length_rate[j];
+    sum->square_rate += f->square[j] * f->angle_rate[i];
+    sum->square_rate += f->square[i] * f->angle_rate[j];
+    sum->length_rate_square += f->length[i] * f->rate_square[j];
+    sum->length_rate_square += f->length[j] * f->rate_square[i];
+}
+
+/* The same for i = j. */
+KERNEL void add_flight_square(const flight_series *f, int i, flight_sums *sum) {
+    sum->length_length += 0.5 * (f->length[i] * f->length[i]);
+    sum->rate_rate += 0.5 * (f->angle_rate[i] * f->angle_rate[i]);
+    sum->speed_speed += 0.5 * (f->length_rate[i] * f->length_rate[i]);
+    sum->square_rate += f->square[i] * f->angle_rate[i];
+    sum->length_rate_square += f->length[i] * f->rate_square[i];
 }
 
 /* From coefficient k of length, length rate, angle and momentum to the next ones, k > 0. */
-KERNEL void expand_flight_on(const flight_coefficients *a, real inverse_square, int k, bool even,
+KERNEL void expand_flight_on(const flight_coefficients *a, real inverse_square, int k, const flight_sums *sum,
                              flight_series *f) {
     const double divide = series_reciprocal[k + 1];
     const real r0 = f->length[0], v0 = f->length_rate[0], w0 = f->angle_rate[0];
     const real r = f->length[k], v = f->length_rate[k], theta = f->angle[k];
-    const flight_sums sum = sum_flight(f, k, even);
-    const real square = 2.0 * (sum.length_length + r0 * r);
-    const real w = (f->momentum[k] - sum.square_rate - w0 * square) * inverse_square;
-    const real rate_square = 2.0 * (sum.rate_rate + w0 * w);
-    const real leg = sum.length_rate_square + f->rate_square[0] * r - a->stiffness * r - a->damping * v;
+    const real square = 2.0 * (sum->length_length + r0 * r);
+    const real w = (f->momentum[k] - sum->square_rate - w0 * square) * inverse_square;
+    const real rate_square = 2.0 * (sum->rate_rate + w0 * w);
+    const real leg = sum->length_rate_square + f->rate_square[0] * r - a->stiffness * r - a->damping * v;
     f->square[k] = square;
     f->angle_rate[k] = w;
     f->rate_square[k] = rate_square;
-    f->speed_square[k] = 2.0 * (sum.speed_speed + v0 * v);
+    f->speed_square[k] = 2.0 * (sum->speed_speed + v0 * v);
     f->length[k + 1] = v * divide;
     f->length_rate[k + 1] = (leg + r0 * rate_square) * divide;
     f->angle[k + 1] = w * divide;
     f->momentum[k + 1] = -(a->gain * theta + a->rate_gain * w) * divide;
 }
 
+/* From coefficient k, even, two further: of the terms of both, most share a factor that is loaded once. */
+KERNEL void expand_flight_by_two(const flight_coefficients *a, real inverse_square, int k, flight_series *f) {
+    flight_sums sum = no_flight_terms(), next = no_flight_terms();
+    add_flight_square(f, k / 2, &sum);
+    for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+        add_flight_terms(f, i, j, &next);
+        add_flight_terms(f, i - 1, j, &sum);
+    }
+    expand_flight_on(a, inverse_square, k, &sum, f);
+    add_flight_terms(f, 1, k, &next);
+    expand_flight_on(a, inverse_square, k + 1, &next, f);
+}
+
 /* From length, angle, length rate and angle rate. An odd order gets one coefficient more. */
 KERNEL void expand_flight(const flight_coefficients *coefficients, const real start[4], int order,
                           flight_series *f) {
     const flight_coefficients a = *coefficients;
+    const flight_sums none = no_flight_terms();
     const real r = start[0], theta = start[1], v = start[2], w = start[3];
     const real square = r * r;
     const real inverse_square = 1.0 / square;
@@ -97,11 +112,10 @@ KERNEL void expand_flight(const flight_coefficients *coefficients, const real st
     f->length_rate[1] = r * f->rate_square[0] + a.stiffness * (a.free_length - r) - a.damping * v;
     f->angle[1] = w;
     f->momentum[1] = a.gain * (a.target - theta) - a.rate_gain * w + a.torque;
-    expand_flight_on(&a, inverse_square, 1, false, f);
+    expand_flight_on(&a, inverse_square, 1, &none, f);
     f->momentum[2] += 0.5 * a.torque_rate;
     for (int k = 2; k < order; k += 2) {
-        expand_flight_on(&a, inverse_square, k, true, f);
-        expand_flight_on(&a, inverse_square, k + 1, false, f);
+        expand_flight_by_two(&a, inverse_square, k, f);
     }
 }
 
