@@ -184,9 +184,8 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
     disembark(runner, fields);
-    tdmf_run run = {
-        runner->its_case->model, &runner->its_case->inputs, motion->time, motion->state, &motion->mode,
-        &motion->record};
+    tdmf_run run = tdmf_run_of(runner->its_case->model, &runner->its_case->inputs, motion->time,
+                               motion->state, &motion->mode, &motion->record);
     const bool resolved = tdmf_take_transitions(&run);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);

@@ -18,7 +18,7 @@ void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTI
     state[TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE];
     state[TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE];
     state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
-    const tdmf_point body = tdmf_body_from_foot(state);
+    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - model->body_share * body.y;
     state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] - model->body_share * body.vx;
     state[TDMF_FOOT_VY] = -model->body_share * body.vy;

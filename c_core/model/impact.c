@@ -19,13 +19,18 @@ static double slowed_by_friction(const tdmf_inputs *inputs, double vx, double vy
     return sticks(inputs, vx, vy) ? 0.0 : vx - copysign(tdmf_sliding_friction(inputs) * fabs(vy), vx);
 }
 
-double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, double state[TDMF_STATE_COUNT]) {
+double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_leg_direction direction,
+                         double state[TDMF_STATE_COUNT]) {
     const double vx = state[TDMF_FOOT_VX];
     const double vy = state[TDMF_FOOT_VY];
     const double vx_after = slowed_by_friction(inputs, vx, vy);
     state[TDMF_FOOT_Y] = 0.0;
-    tdmf_set_foot_velocity(vx_after, 0.0, state);
+    tdmf_set_foot_velocity_along(vx_after, 0.0, direction, state);
     return 0.5 * model->parameters.foot.mass * ((vx - vx_after) * (vx + vx_after) + vy * vy);
+}
+
+double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, double state[TDMF_STATE_COUNT]) {
+    return tdmf_impact_along(model, inputs, tdmf_leg_direction_of(state), state);
 }
 
 static double vary_slowed(const tdmf_inputs *inputs, double vx, double vy, const tdmf_inputs *d_inputs,

@@ -2,8 +2,12 @@
 #ifndef TDMF_MODEL_IMPACT_H
 #define TDMF_MODEL_IMPACT_H
 
-#include "direction.h"
+#include "leg.h"
 #include "tdmf_slip/impact.h"
+
+/* tdmf_impact, where the leg's direction is at hand. */
+double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_leg_direction direction,
+                         double state[TDMF_STATE_COUNT]);
 
 /* What the impact map makes of a change. `d_state` is that of the state before on call, of the state after on
  * return. Returns the change of the energy lost. */

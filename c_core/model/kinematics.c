@@ -8,10 +8,10 @@
 
 #include <math.h>
 
-tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT]) {
+tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
     const double r = state[TDMF_LEG_LENGTH];
-    const double sine = sin(state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double sine = direction.sine;
+    const double cosine = direction.cosine;
     const double along = state[TDMF_LEG_LENGTH_RATE];
     const double across = r * state[TDMF_LEG_ANGLE_RATE];
     const tdmf_point from_foot = {
@@ -35,22 +35,32 @@ static tdmf_point on_leg(const double state[TDMF_STATE_COUNT], double share, tdm
 }
 
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
-    return on_leg(state, 1.0, tdmf_body_from_foot(state));
+    return on_leg(state, 1.0, tdmf_body_from_foot(state, tdmf_leg_direction_of(state)));
+}
+
+tdmf_point tdmf_center_of_mass_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                     tdmf_leg_direction direction) {
+    return on_leg(state, model->body_share, tdmf_body_from_foot(state, direction));
 }
 
 tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    return on_leg(state, model->body_share, tdmf_body_from_foot(state));
+    return tdmf_center_of_mass_along(model, state, tdmf_leg_direction_of(state));
 }
 
-void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
-    const double sine = sin(state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,
+                                  double state[TDMF_STATE_COUNT]) {
+    const double sine = direction.sine;
+    const double cosine = direction.cosine;
     const double lost_x = state[TDMF_FOOT_VX] - vx;
     const double lost_y = state[TDMF_FOOT_VY] - vy;
     state[TDMF_LEG_LENGTH_RATE] += -sine * lost_x + cosine * lost_y;
     state[TDMF_LEG_ANGLE_RATE] += (-cosine * lost_x - sine * lost_y) / state[TDMF_LEG_LENGTH];
     state[TDMF_FOOT_VX] = vx;
     state[TDMF_FOOT_VY] = vy;
+}
+
+void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
+    tdmf_set_foot_velocity_along(vx, vy, tdmf_leg_direction_of(state), state);
 }
 
 /* ---- variations --------------------------------------------------------------------------------------- */
@@ -79,7 +89,7 @@ tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], const double d_s
 
 tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                     const tdmf_model *d, const double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_point from_foot = tdmf_body_from_foot(state);
+    const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     tdmf_point d_center = on_leg(d_state, model->body_share, tdmf_vary_body_from_foot(state, d_state));
     d_center.x += d->body_share * from_foot.x;
     d_center.y += d->body_share * from_foot.y;

@@ -15,11 +15,21 @@ typedef struct {
     double axial_force;  /* F_s = k (l0 - r) - c rdot, pushing body and foot apart */
 } tdmf_leg;
 
-/* The leg, where sine and cosine of its angle are at hand. A solver may try lengths at or below zero on its
+/* Sine and cosine of the leg's angle, which no event changes. */
+typedef struct {
+    double sine, cosine;
+} tdmf_leg_direction;
+
+static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg_direction direction = {sin(state[TDMF_LEG_ANGLE]), cos(state[TDMF_LEG_ANGLE])};
+    return direction;
+}
+
+/* The leg, where its direction is at hand. A solver may try lengths at or below zero on its
  * way past a fall; 1/r stays finite there. A running leg is never shorter than its minimum, so the floor is
  * out of reach of any accepted state. */
-static inline tdmf_leg tdmf_leg_at(const tdmf_model *model, const double state[TDMF_STATE_COUNT], double sine,
-                                   double cosine) {
+static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                      tdmf_leg_direction direction) {
     const tdmf_parameters *p = &model->parameters;
     const double length = state[TDMF_LEG_LENGTH];
     const double length_rate = state[TDMF_LEG_LENGTH_RATE];
@@ -28,15 +38,15 @@ static inline tdmf_leg tdmf_leg_at(const tdmf_model *model, const double state[T
         .inverse_length = 1.0 / fmax(length, 0.5 * p->leg.min_length),
         .length_rate = length_rate,
         .angle_rate = state[TDMF_LEG_ANGLE_RATE],
-        .sine = sine,
-        .cosine = cosine,
+        .sine = direction.sine,
+        .cosine = direction.cosine,
         .axial_force = p->leg.stiffness * (p->leg.free_length - length) - p->leg.damping * length_rate,
     };
     return leg;
 }
 
 static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_leg_at(model, state, sin(state[TDMF_LEG_ANGLE]), cos(state[TDMF_LEG_ANGLE]));
+    return tdmf_leg_along(model, state, tdmf_leg_direction_of(state));
 }
 
 tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *leg, const tdmf_direction *d);

@@ -4,10 +4,10 @@
 #include "apex.h"
 #include "contact_change.h"
 #include "impact.h"
+#include "kinematics.h"
 #include "margins.h"
 #include "ranges.h"
 #include "record.h"
-#include "tdmf_slip/kinematics.h"
 #include "touchdown.h"
 
 #include <float.h>
@@ -78,7 +78,7 @@ static void begin(tdmf_run *run) {
     } else {
         tdmf_come_to_ground(run);
     }
-    const double vertical_velocity = tdmf_center_of_mass(run->model, run->state).vy;
+    const double vertical_velocity = tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
     if (run->mode->contact == TDMF_CONTACT_FLIGHT &&
         fabs(vertical_velocity) <= TDMF_APEX_AT_START * run->model->scales.speed) {
         tdmf_pass_apex(run);
@@ -99,7 +99,7 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
         state[i] = 0.0;
     }
     tdmf_record_start(record, time, state);
-    tdmf_run run = {model, inputs, time, state, mode, record};
+    tdmf_run run = tdmf_run_of(model, inputs, time, state, mode, record);
     begin(&run);
     tdmf_resolve(model, inputs, time, state, mode, record);
     return refusal;

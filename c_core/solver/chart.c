@@ -27,7 +27,7 @@ static double turns_of(double angle, const tdmf_coordinates *at) {
 
 static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
     tdmf_coordinates *at = &chart->start;
-    const tdmf_point body = tdmf_body_from_foot(state);
+    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     at->x = body.x;
     at->y = body.y;
     at->foot_x = state[TDMF_FOOT_X];
@@ -104,7 +104,7 @@ static void write_flight(const tdmf_chart *chart, double elapsed, const tdmf_coo
     state[TDMF_LEG_ANGLE] = at->angle;
     state[TDMF_LEG_LENGTH_RATE] = at->length_rate;
     state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
-    const tdmf_point body = tdmf_body_from_foot(state);
+    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     state[TDMF_FOOT_X] = chart->com_x + elapsed * chart->com_vx - share * body.x;
     state[TDMF_FOOT_Y] = chart->com_y + elapsed * (chart->com_vy - 0.5 * g * elapsed) - share * body.y;
     state[TDMF_FOOT_VX] = chart->com_vx - share * body.vx;

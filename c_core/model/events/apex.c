@@ -5,12 +5,10 @@
 #include "kinematics.h"
 #include "record.h"
 
-/* Vertical velocity of the centre of mass, by the sine and cosine at hand. */
 static double vertical_velocity(const tdmf_evaluation *at) {
-    const tdmf_leg *leg = &at->leg;
-    const double from_foot = leg->length_rate * leg->cosine - leg->length * leg->angle_rate * leg->sine;
-    const double vy = at->state[TDMF_FOOT_VY] + at->model->body_share * from_foot;
-    return tdmf_armed(vy, at->model->scales.speed);
+    const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
+    const tdmf_point center = tdmf_center_of_mass_along(at->model, at->state, direction);
+    return tdmf_armed(center.vy, at->model->scales.speed);
 }
 
 static double vary_vertical_velocity(const tdmf_evaluation *at, const tdmf_direction *d,

@@ -5,8 +5,8 @@
 #include "friction.h"
 #include "graze.h"
 #include "hip_law.h"
+#include "kinematics.h"
 #include "record.h"
-#include "tdmf_slip/kinematics.h"
 
 void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
     tdmf_record_contact_change(run->record, run->time, run->mode, entered, run->state);
@@ -20,7 +20,8 @@ static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
     if (run->mode->phase == TDMF_PHASE_PLACE) {
         return TDMF_PHASE_PLACE;
     }
-    return tdmf_center_of_mass(run->model, run->state).vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+    const tdmf_point center = tdmf_center_of_mass_along(run->model, run->state, run->direction);
+    return center.vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
 }
 
 static bool servo_is_negative(const tdmf_run *run) {
@@ -55,7 +56,7 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
-    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, run->mode, run->state);
+    const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
     const tdmf_ground_force force = tdmf_force_in_stance(&at);
     if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->inputs))) {
         return TDMF_CONTACT_STICK;
@@ -97,7 +98,7 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     driven.mid_stance_pending = true;
     driven.phase = TDMF_PHASE_DRIVE;
     driven.contact = mode_of_loaded_foot(&trial);
-    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &driven, run->state);
+    const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
     return tdmf_accelerate(&at).angle;
 }
 
@@ -115,13 +116,13 @@ static bool begins_with_drive(const tdmf_run *run) {
 void tdmf_come_to_ground(tdmf_run *run) {
     run->mode->mid_stance_pending = begins_with_drive(run);
     const tdmf_mode off_ground = mode_off_ground(run);
-    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &off_ground, run->state);
+    const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
     enter(run, tdmf_contact_of_resting_foot(&at), &off_ground);
 }
 
 void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
-    const tdmf_evaluation at = tdmf_evaluate(run->model, run->inputs, &off_ground, run->state);
+    const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
     enter(run, tdmf_contact_after_lift_off(&at), &off_ground);
 }
 

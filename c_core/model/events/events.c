@@ -1,13 +1,8 @@
 /* Which mode watches which event, and in what order those are taken that are due at one instant. */
 #include "events.h"
 
+/* Phases in which an event is watched. */
 enum {
-    FLIGHT = 1 << TDMF_CONTACT_FLIGHT,
-    STICK = 1 << TDMF_CONTACT_STICK,
-    SLIP = 1 << TDMF_CONTACT_SLIP_POSITIVE | 1 << TDMF_CONTACT_SLIP_NEGATIVE,
-    GRAZE = 1 << TDMF_CONTACT_GRAZE,
-    CONTACT = STICK | SLIP,
-    ANYWHERE = FLIGHT | CONTACT | GRAZE,
     DRIVE = 1 << TDMF_PHASE_DRIVE,
     RETRACT = 1 << TDMF_PHASE_RETRACT,
     ALWAYS = DRIVE | RETRACT | 1 << TDMF_PHASE_COAST | 1 << TDMF_PHASE_PLACE
@@ -15,85 +10,123 @@ enum {
 
 typedef struct {
     tdmf_guard guard;
-    const tdmf_event_kind *kind;
-    int contacts, phases; /* in which it is watched */
-} row;
+    int phases;
+} watched;
 
-static const row table[] = {
-    {TDMF_GUARD_BODY_DOWN, &tdmf_body_down, ANYWHERE, ALWAYS},
-    {TDMF_GUARD_LEG_TOO_SHORT, &tdmf_leg_too_short, ANYWHERE, ALWAYS},
-    {TDMF_GUARD_APEX, &tdmf_apex_event, FLIGHT | GRAZE, RETRACT},
-    {TDMF_GUARD_TOUCHDOWN, &tdmf_touchdown, FLIGHT, ALWAYS},
-    {TDMF_GUARD_CLAMP, &tdmf_clamp, FLIGHT, RETRACT},
-    {TDMF_GUARD_GRAZE_TO_CONTACT, &tdmf_graze_to_contact, GRAZE, ALWAYS},
-    {TDMF_GUARD_GRAZE_TO_FLIGHT, &tdmf_graze_to_flight, GRAZE, ALWAYS},
-    {TDMF_GUARD_MID_STANCE, &tdmf_mid_stance, CONTACT, DRIVE},
-    {TDMF_GUARD_LIFT_OFF, &tdmf_lift_off, CONTACT, ALWAYS},
-    {TDMF_GUARD_SLIP_ONSET_POSITIVE, &tdmf_slip_onset_positive, STICK, ALWAYS},
-    {TDMF_GUARD_SLIP_ONSET_NEGATIVE, &tdmf_slip_onset_negative, STICK, ALWAYS},
-    {TDMF_GUARD_SLIP_VELOCITY_ZERO, &tdmf_slip_end, SLIP, ALWAYS},
-    {TDMF_GUARD_FORCE_PEAK, &tdmf_force_peak, CONTACT, ALWAYS},
+static const watched in_flight[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
+                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+                                    {TDMF_GUARD_APEX, RETRACT},
+                                    {TDMF_GUARD_TOUCHDOWN, ALWAYS},
+                                    {TDMF_GUARD_CLAMP, RETRACT}};
+
+static const watched in_graze[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
+                                   {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+                                   {TDMF_GUARD_APEX, RETRACT},
+                                   {TDMF_GUARD_GRAZE_TO_CONTACT, ALWAYS},
+                                   {TDMF_GUARD_GRAZE_TO_FLIGHT, ALWAYS}};
+
+static const watched in_stick[] = {
+    {TDMF_GUARD_BODY_DOWN, ALWAYS},           {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+    {TDMF_GUARD_MID_STANCE, DRIVE},           {TDMF_GUARD_LIFT_OFF, ALWAYS},
+    {TDMF_GUARD_SLIP_ONSET_POSITIVE, ALWAYS}, {TDMF_GUARD_SLIP_ONSET_NEGATIVE, ALWAYS},
+    {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+
+static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},          {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+                                  {TDMF_GUARD_MID_STANCE, DRIVE},          {TDMF_GUARD_LIFT_OFF, ALWAYS},
+                                  {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS}, {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+
+#define LIST(events)                                                                                         \
+    { events, sizeof(events) / sizeof((events)[0]) }
+
+/* By contact mode, in the order in which they are taken at one instant. */
+static const struct {
+    const watched *events;
+    size_t count;
+} watched_by[] = {[TDMF_CONTACT_FLIGHT] = LIST(in_flight),
+                  [TDMF_CONTACT_STICK] = LIST(in_stick),
+                  [TDMF_CONTACT_SLIP_POSITIVE] = LIST(in_slip),
+                  [TDMF_CONTACT_SLIP_NEGATIVE] = LIST(in_slip),
+                  [TDMF_CONTACT_GRAZE] = LIST(in_graze)};
+
+static const tdmf_event_kind *const kinds[TDMF_GUARD_COUNT] = {
+    [TDMF_GUARD_TOUCHDOWN] = &tdmf_touchdown,
+    [TDMF_GUARD_APEX] = &tdmf_apex_event,
+    [TDMF_GUARD_CLAMP] = &tdmf_clamp,
+    [TDMF_GUARD_LIFT_OFF] = &tdmf_lift_off,
+    [TDMF_GUARD_SLIP_ONSET_POSITIVE] = &tdmf_slip_onset_positive,
+    [TDMF_GUARD_SLIP_ONSET_NEGATIVE] = &tdmf_slip_onset_negative,
+    [TDMF_GUARD_SLIP_VELOCITY_ZERO] = &tdmf_slip_end,
+    [TDMF_GUARD_MID_STANCE] = &tdmf_mid_stance,
+    [TDMF_GUARD_FORCE_PEAK] = &tdmf_force_peak,
+    [TDMF_GUARD_GRAZE_TO_CONTACT] = &tdmf_graze_to_contact,
+    [TDMF_GUARD_GRAZE_TO_FLIGHT] = &tdmf_graze_to_flight,
+    [TDMF_GUARD_BODY_DOWN] = &tdmf_body_down,
+    [TDMF_GUARD_LEG_TOO_SHORT] = &tdmf_leg_too_short,
 };
 
-enum { ROWS = sizeof table / sizeof table[0] };
-
-static bool is_watched(const row *row, const tdmf_mode *mode) {
-    return !mode->fallen && (row->contacts & 1 << mode->contact) != 0 &&
-           (row->phases & 1 << mode->phase) != 0;
+const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {
+    return kinds[guard];
 }
 
-const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {
-    int i = 0;
-    while (table[i].guard != guard) {
-        ++i;
-    }
-    return table[i].kind;
+static bool is_watched(const watched *event, const tdmf_mode *mode) {
+    return (event->phases & 1 << mode->phase) != 0;
 }
 
 void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                  const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        guards[i] = 1.0;
+    }
+    if (mode->fallen) {
+        return;
+    }
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    for (int i = 0; i < ROWS; ++i) {
-        guards[table[i].guard] = is_watched(&table[i], mode) ? table[i].kind->guard(&at) : 1.0;
+    const watched *events = watched_by[mode->contact].events;
+    for (size_t i = 0; i < watched_by[mode->contact].count; ++i) {
+        if (is_watched(&events[i], mode)) {
+            guards[events[i].guard] = kinds[events[i].guard]->guard(&at);
+        }
     }
 }
 
-/* The row of the transition that is taken first, if any is due. */
-static const row *first_due(const tdmf_evaluation *at) {
-    for (int i = 0; i < ROWS; ++i) {
-        if (table[i].kind->reset != NULL && is_watched(&table[i], at->mode) &&
-            table[i].kind->guard(at) <= 0.0) {
-            return &table[i];
+/* The guard of the transition that is taken first, if any is due. */
+static tdmf_guard first_due(const tdmf_evaluation *at) {
+    const watched *events = watched_by[at->mode->contact].events;
+    const size_t count = at->mode->fallen ? 0 : watched_by[at->mode->contact].count;
+    for (size_t i = 0; i < count; ++i) {
+        const tdmf_event_kind *kind = kinds[events[i].guard];
+        if (kind->reset != NULL && is_watched(&events[i], at->mode) && kind->guard(at) <= 0.0) {
+            return events[i].guard;
         }
     }
-    return NULL;
+    return TDMF_GUARD_COUNT;
 }
 
 tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                           const double state[TDMF_STATE_COUNT]) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    const row *due = first_due(&at);
-    return due != NULL ? due->guard : TDMF_GUARD_COUNT;
+    return first_due(&at);
 }
 
-/* Takes the one transition that is due first, if any is. */
-static bool take_transition(tdmf_run *run, double sine, double cosine) {
-    const tdmf_leg leg = tdmf_leg_at(run->model, run->state, sine, cosine);
-    const tdmf_evaluation at = tdmf_evaluate_leg(run->model, run->inputs, run->mode, run->state, &leg);
-    const row *due = first_due(&at);
-    if (due != NULL) {
-        due->kind->reset(run);
-    }
-    return due != NULL;
+tdmf_run tdmf_run_of(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                     double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
+    const tdmf_run run = {model, inputs, time, state, mode, record, tdmf_leg_direction_of(state)};
+    return run;
+}
+
+tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
+    const tdmf_leg leg = tdmf_leg_along(run->model, run->state, run->direction);
+    return tdmf_evaluate_leg(run->model, run->inputs, mode, run->state, &leg);
 }
 
 bool tdmf_take_transitions(tdmf_run *run) {
-    /* No reset moves the leg. */
-    const double sine = sin(run->state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(run->state[TDMF_LEG_ANGLE]);
-    int links = 0;
-    while (links < TDMF_CHAIN_LIMIT && take_transition(run, sine, cosine)) {
-        ++links;
+    for (int links = 0; links < TDMF_CHAIN_LIMIT; ++links) {
+        const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
+        const tdmf_guard due = first_due(&at);
+        if (due == TDMF_GUARD_COUNT) {
+            return true;
+        }
+        kinds[due]->reset(run);
     }
-    return links < TDMF_CHAIN_LIMIT;
+    return false;
 }

@@ -7,7 +7,8 @@
 #include "margins.h"
 #include "tdmf_slip/automaton.h"
 
-/* A run as its resets see it: what is given, the instant, and what they may change. */
+/* A run as its resets see it: what is given, the instant, and what they may change. No reset moves the leg.
+ */
 typedef struct {
     const tdmf_model *model;
     const tdmf_inputs *inputs;
@@ -15,7 +16,19 @@ typedef struct {
     double *state;
     tdmf_mode *mode;
     tdmf_record *record;
+    tdmf_leg_direction direction;
 } tdmf_run;
+
+tdmf_run tdmf_run_of(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                     double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+
+/* The run in a mode as it is now, or in another that it might be in. */
+tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
+
+/* tdmf_observe, where the leg's direction is at hand. */
+void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, tdmf_mode *mode,
+                        tdmf_record *record);
 
 typedef struct {
     /* Positive while the event is to come, a pure number. */

@@ -1,6 +1,7 @@
 /* Force peak: the ground force turns from growing to falling or back. Only the record knows of it. */
 #include "dynamics.h"
 #include "events.h"
+#include "record.h"
 
 static double force_rate(const tdmf_evaluation *at) {
     const tdmf_scales *scales = &at->model->scales;
@@ -9,3 +10,19 @@ static double force_rate(const tdmf_evaluation *at) {
 }
 
 const tdmf_event_kind tdmf_force_peak = {.guard = force_rate};
+
+void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
+                  tdmf_mode *mode, tdmf_record *record) {
+    tdmf_observe_along(model, inputs, state, tdmf_leg_direction_of(state), mode, record);
+}
+
+void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, tdmf_mode *mode,
+                        tdmf_record *record) {
+    if (tdmf_in_contact(mode)) {
+        const tdmf_leg leg = tdmf_leg_along(model, state, direction);
+        const tdmf_evaluation at = tdmf_evaluate_leg(model, inputs, mode, state, &leg);
+        tdmf_record_force(record, at.force.fy);
+        mode->ground_force_rising = tdmf_normal_force_rate(&at) > 0.0;
+    }
+}

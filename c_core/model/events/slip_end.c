@@ -1,7 +1,7 @@
 /* End of a slip: the foot's velocity vanishes; the foot sticks, or slips the other way. */
 #include "contact_change.h"
+#include "kinematics.h"
 #include "record.h"
-#include "tdmf_slip/kinematics.h"
 
 static double slip_speed(const tdmf_evaluation *at) {
     return tdmf_armed(tdmf_slip_sign(at->mode) * at->state[TDMF_FOOT_VX], at->model->scales.speed);
@@ -15,7 +15,7 @@ static double vary_slip_speed(const tdmf_evaluation *at, const tdmf_direction *d
 
 /* A slip that only touches zero velocity and goes on is not counted. */
 static void reset(tdmf_run *run) {
-    tdmf_set_foot_velocity(0.0, 0.0, run->state);
+    tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->state);
     const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run);
     if (entered != run->mode->contact) {
         tdmf_enter_contact_mode(run, entered);

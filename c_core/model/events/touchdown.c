@@ -17,7 +17,7 @@ static double vary_foot_height(const tdmf_evaluation *at, const tdmf_direction *
 }
 
 void tdmf_touch_down(tdmf_run *run) {
-    tdmf_record_impact(run->record, tdmf_impact(run->model, run->inputs, run->state));
+    tdmf_record_impact(run->record, tdmf_impact_along(run->model, run->inputs, run->direction, run->state));
     tdmf_record_event(run->record, run->time);
     tdmf_come_to_ground(run);
 }
