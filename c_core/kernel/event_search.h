@@ -53,10 +53,6 @@ static inline void begin_search(event_search *search, int order, choice live, re
     search->guard = whole_of(KINK);
     search->pending = choice_of(false);
     search->pending_guard = whole_of(KINK);
-    search->floor = real_of(-1.0);
-    for (int k = 0; k <= order; ++k) {
-        search->c[k] = real_of(0.0);
-    }
 }
 
 /* Notes what lanes have found that ends their step sooner. */
@@ -70,6 +66,9 @@ static inline void note_found(event_search *search, choice lanes, real time, cho
 
 /* Finds the first root of the guards that are pending. */
 static inline void search_pending(event_search *search) {
+    if (!any(search->pending)) {
+        return;
+    }
     const real to = smaller(real_of(1.0), search->time);
     const root found = first_root(search->c, search->order, search->floor, real_of(0.0), to, search->pending);
     const choice is_event = found.is_root & (search->pending_guard != whole_of(KINK));
@@ -79,22 +78,34 @@ static inline void search_pending(event_search *search) {
 
 /* Least of a guard's partial sums. */
 static inline real least_sum(const event_search *search, const guard_series *g) {
+    const real *c = g->series, *power = search->power;
     real sum = g->start;
     real least = sum;
-    for (int k = 1; k <= g->order; ++k) {
-        sum += g->factor * g->series[k] * search->power[k];
-        least = smaller(least, sum);
+    int k = 1;
+    for (; k < g->order; k += 2) {
+        const real before = sum + g->factor * c[k] * power[k];
+        sum = before + g->factor * c[k + 1] * power[k + 1];
+        least = smaller(smaller(least, before), sum);
+    }
+    if (k == g->order) {
+        least = smaller(least, sum + g->factor * c[k] * power[k]);
     }
     return least;
 }
 
 /* Within the step a series differs by no more than this from its first coefficient. */
 static inline real spread_of(const event_search *search, const real *c, int order) {
+    const real *power = search->power;
     real sum = real_of(0.0);
     real most = real_of(0.0);
-    for (int k = 1; k <= order; ++k) {
-        sum += c[k] * search->power[k];
-        most = larger(most, real_abs(sum));
+    int k = 1;
+    for (; k < order; k += 2) {
+        const real before = sum + c[k] * power[k];
+        sum = before + c[k + 1] * power[k + 1];
+        most = larger(larger(most, real_abs(before)), real_abs(sum));
+    }
+    if (k == order) {
+        most = larger(most, real_abs(sum + c[k] * power[k]));
     }
     return most;
 }
@@ -115,7 +126,18 @@ static inline choice stays_above(const real *c, int order, real floor) {
            stays_positive(above, rise - 0.5 * highest, highest, real_of(1.0));
 }
 
-/* Has lanes search a guard, unless it is seen to stay above its floor. */
+/* Has lanes search a guard. */
+static inline void take_pending(event_search *search, int guard, choice lanes, const real *c, real floor) {
+    const bool takes_all = !any(search->pending);
+    for (int k = 0; k <= search->order; ++k) {
+        search->c[k] = takes_all ? c[k] : pick(lanes, c[k], search->c[k]);
+    }
+    search->floor = takes_all ? floor : pick(lanes, floor, search->floor);
+    search->pending_guard = pick_whole(lanes, whole_of(guard), search->pending_guard);
+    search->pending |= lanes;
+}
+
+/* Has lanes search a guard unless it is seen to stay above its floor. */
 static inline void look_closer(event_search *search, int guard, choice near, const guard_series *g,
                                real floor) {
     real c[SERIES_TERMS];
@@ -130,15 +152,10 @@ static inline void look_closer(event_search *search, int guard, choice near, con
     if (any(near & search->pending)) {
         search_pending(search);
     }
-    for (int k = 0; k <= g->order; ++k) {
-        search->c[k] = pick(near, c[k], search->c[k]);
-    }
     for (int k = g->order + 1; k <= search->order; ++k) {
-        search->c[k] = pick(near, real_of(0.0), search->c[k]);
+        c[k] = real_of(0.0);
     }
-    search->floor = pick(near, floor, search->floor);
-    search->pending_guard = pick_whole(near, whole_of(guard), search->pending_guard);
-    search->pending |= near;
+    take_pending(search, guard, near, c, floor);
 }
 
 /* The first root of a guard, in the lanes that watch it: where it is down to `floor`, which is below zero. */

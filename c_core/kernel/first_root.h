@@ -102,14 +102,14 @@ static inline real root_of_parabola(real value, real slope, real curvature) {
 
 /* How far from a point no root lies. The shorter the interval that the bound must hold for, the further it
  * reaches within it. */
-static inline real safe_distance(const expansion *at, real bound, real left) {
+static inline real safe_distance(const expansion *at, real bound, real left, choice searching) {
     const real lowest = at->curvature - bound * left * (1.0 / 3.0);
     const choice none = stays_positive(at->value, at->slope, lowest, left);
-    if (!any(not(none))) {
+    if (!any(searching & not(none))) {
         return real_of(INFINITY);
     }
     real safe = root_of_parabola(at->value, at->slope, lowest);
-    choice tries = not(none) & (safe > 0.0);
+    choice tries = searching & not(none) & (safe > 0.0);
     for (;;) {
         const real near = look_ahead * safe;
         tries &= near < left;
@@ -141,7 +141,7 @@ static inline root first_root(const real *c, int order, real floor, real from, r
         if (!any(searching)) {
             break;
         }
-        const real next = found.time + safe_distance(&at, bound, to - found.time);
+        const real next = found.time + safe_distance(&at, bound, to - found.time, searching);
         const choice past_end = searching & (next > to);
         found.time = pick(past_end, real_of(INFINITY), pick(searching, next, found.time));
         searching &= not(past_end);

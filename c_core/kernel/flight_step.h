@@ -58,7 +58,7 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
 /* Goes on to a time within the step. */
 static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
                           const elapsed_time *elapsed, flight_coordinates *at) {
-    const real turned = weighted_sum(f->angle, elapsed->power, 1, order);
+    const real turned = change_to(f->angle, elapsed, order);
     at->done.work += flight_work(c, at, f, order, elapsed, turned);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
     at->length = value_at(f->length, elapsed, order);

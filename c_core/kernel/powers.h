@@ -7,12 +7,13 @@
 
 #include <float.h>
 
-/* By halves, because each product waits for its factors. */
+/* By halves, because each product waits for its factors; one more than asked for where `order` is even. */
 static inline void set_powers(real power[SERIES_TERMS], real t, int order) {
     power[0] = real_of(1.0);
     power[1] = t;
-    for (int k = 2; k <= order; ++k) {
-        power[k] = power[k / 2] * power[k - k / 2];
+    for (int half = 1; 2 * half <= order; ++half) {
+        power[2 * half] = power[half] * power[half];
+        power[2 * half + 1] = power[half] * power[half + 1];
     }
 }
 

@@ -47,16 +47,17 @@ static inline real size_for_loss(const real *speed_square, real unit, real size,
 /* Sum of |c[k]| power[k] from k = 1 on: within a complex time of that size a series differs by no more from
  * its first coefficient. */
 static inline real largest_change(const real *c, const real *power, int order) {
-    real even = real_of(0.0), odd = real_of(0.0);
+    real sum[4] = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
     int k = 1;
-    for (; k < order; k += 2) {
-        odd += power[k] * real_abs(c[k]);
-        even += power[k + 1] * real_abs(c[k + 1]);
+    for (; k + 3 <= order; k += 4) {
+        for (int i = 0; i < 4; ++i) {
+            sum[i] += power[k + i] * real_abs(c[k + i]);
+        }
     }
-    if (k == order) {
-        odd += power[k] * real_abs(c[k]);
+    for (; k <= order; ++k) {
+        sum[0] += power[k] * real_abs(c[k]);
     }
-    return even + odd;
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 /* Where the length's coefficients add up to less than itself it has no zero for any complex time in reach:

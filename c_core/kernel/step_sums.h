@@ -11,33 +11,45 @@ typedef struct {
 
 /* `power` are those of the size of the step. */
 static inline void set_elapsed(elapsed_time *elapsed, const real *power, real size, real t, int order) {
+    elapsed->power[0] = real_of(1.0);
+    elapsed->integral[0] = t;
     if (any(not(t == size))) {
         set_powers(elapsed->power, t, order);
     } else {
-        for (int k = 0; k <= order; ++k) {
+        for (int k = 1; k <= order; ++k) {
             elapsed->power[k] = power[k];
         }
     }
-    for (int k = 0; k <= order; ++k) {
+    for (int k = 1; k <= order; ++k) {
         elapsed->integral[k] = t * elapsed->power[k] * series_reciprocal[k + 1];
     }
 }
 
-/* The sum of c[k] weights[k] from k = `first` on, smallest terms first. */
-static inline real weighted_sum(const real *c, const real *weights, int first, int order) {
-    real sum = c[order] * weights[order];
-    for (int k = order - 1; k >= first; --k) {
-        sum += c[k] * weights[k];
+/* The sum of c[k] weights[k] from k = 1 on. Four sums at once: one would wait for each of its terms. */
+static inline real sum_of_rest(const real *c, const real *weights, int order) {
+    real sum[4] = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
+    int k = 1;
+    for (; k + 3 <= order; k += 4) {
+        for (int i = 0; i < 4; ++i) {
+            sum[i] += c[k + i] * weights[k + i];
+        }
     }
-    return sum;
+    for (; k <= order; ++k) {
+        sum[3] += c[k] * weights[k];
+    }
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+static inline real change_to(const real *c, const elapsed_time *elapsed, int order) {
+    return sum_of_rest(c, elapsed->power, order);
 }
 
 static inline real value_at(const real *c, const elapsed_time *elapsed, int order) {
-    return weighted_sum(c, elapsed->power, 0, order);
+    return c[0] + change_to(c, elapsed, order);
 }
 
 static inline real integral_to(const real *c, const elapsed_time *elapsed, int order) {
-    return weighted_sum(c, elapsed->integral, 0, order);
+    return c[0] * elapsed->integral[0] + sum_of_rest(c, elapsed->integral, order);
 }
 
 #endif

@@ -25,7 +25,7 @@ static inline double tdmf_beyond_margin(double tolerance) {
 /* How much further below zero a guard has to be after false crossings: those that a series has found and the
  * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
 static inline double tdmf_margin_factor(int false_crossings) {
-    return ldexp(1.0, false_crossings);
+    return false_crossings > 0 ? ldexp(1.0, false_crossings) : 1.0;
 }
 
 /* A start in flight with a vertical velocity of the centre of mass up to this is an apex. */

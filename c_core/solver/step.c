@@ -55,8 +55,9 @@ void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, const tdmf_mode 
 
 void tdmf_step_shorten(tdmf_step *step, double longest) {
     const double *length = flies(step) ? step->series.flight.length : step->series.ground.length;
-    step->size = smaller(longest, step->size);
-    step->length_change = shorten_without_pole(&step->size, step->power, length, step->order);
+    step->search.size = smaller(longest, step->size);
+    step->length_change = shorten_without_pole(&step->search.size, step->search.power, length, step->order);
+    step->size = step->search.size;
 }
 
 /* The largest term but the last two. */
@@ -93,9 +94,9 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 
 /* ---- events ------------------------------------------------------------------------------------------- */
 
-static void search_flight(event_search *search, const tdmf_step *step, const tdmf_mode *mode) {
+static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
     const ballistic com = {step->chart->com_y, step->chart->com_vy};
-    watch_flight(search, &step->constants.flight, &step->series.flight, step->length_change, &com,
+    watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com,
                  mode->phase == TDMF_PHASE_RETRACT, step->tolerance);
 }
 
@@ -109,28 +110,28 @@ static void weigh_cone(ground_constants *c, const tdmf_chart *chart, double size
     }
 }
 
-static void search_ground(event_search *search, tdmf_step *step) {
+static void search_ground(tdmf_step *step) {
     const ground_coordinates at = tdmf_step_ground_coordinates(&step->chart->start);
     ground_constants *c = &step->constants.ground;
     weigh_cone(c, step->chart, step->size);
-    watch_ground(search, c, &step->series.ground, &at, tdmf_step_ground_case(step), step->length_change);
+    watch_ground(&step->search, c, &step->series.ground, &at, tdmf_step_ground_case(step),
+                 step->length_change);
 }
 
 tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode) {
-    event_search search;
-    search.size = step->size;
-    memcpy(search.power, step->power, sizeof search.power);
-    const double factor =
-        flies(step) ? step->constants.flight.mode.margin_factor : step->constants.ground.mode.margin_factor;
-    begin_search(&search, step->order, choice_of(true), tdmf_beyond_margin(step->tolerance) * factor);
+    event_search *search = &step->search;
+    const mode_constants *constants =
+        flies(step) ? &step->constants.flight.mode : &step->constants.ground.mode;
+    begin_search(search, step->order, choice_of(true),
+                 tdmf_beyond_margin(step->tolerance) * constants->margin_factor);
     if (flies(step)) {
-        search_flight(&search, step, mode);
+        search_flight(step, mode);
     } else {
-        search_ground(&search, step);
+        search_ground(step);
     }
-    const bool within = search.time <= 1.0;
-    const tdmf_step_end end = {within ? search.time * step->size : step->size, within && search.is_event,
-                               (tdmf_guard)search.guard};
+    const bool within = search->time <= 1.0;
+    const tdmf_step_end end = {within ? search->time * step->size : step->size, within && search->is_event,
+                               (tdmf_guard)search->guard};
     return end;
 }
 
@@ -139,7 +140,7 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode) {
 tdmf_coordinates tdmf_step_at(const tdmf_step *step, double time) {
     tdmf_coordinates at = step->chart->start;
     elapsed_time elapsed;
-    set_elapsed(&elapsed, step->power, step->size, time, step->order);
+    set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
         flight_coordinates leg = tdmf_step_flight_coordinates(&at);
         fly_on(&step->constants.flight, &step->series.flight, step->order, &elapsed, &leg);
@@ -155,10 +156,10 @@ tdmf_coordinates tdmf_step_at(const tdmf_step *step, double time) {
 
 double tdmf_step_work(const tdmf_step *step, double time) {
     elapsed_time elapsed;
-    set_elapsed(&elapsed, step->power, step->size, time, step->order);
+    set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
         const flight_coordinates leg = tdmf_step_flight_coordinates(&step->chart->start);
-        const double turned = weighted_sum(step->series.flight.angle, elapsed.power, 1, step->order);
+        const double turned = change_to(step->series.flight.angle, &elapsed, step->order);
         return flight_work(&step->constants.flight, &leg, &step->series.flight, step->order, &elapsed,
                            turned);
     }

@@ -2,6 +2,7 @@
 #ifndef TDMF_SOLVER_STEP_H
 #define TDMF_SOLVER_STEP_H
 
+#include "event_search.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
 
@@ -11,8 +12,8 @@ typedef struct {
     double tolerance;
     double longest; /* that the law of the mode allows */
     double size;
-    double length_change;       /* in the step, of the leg */
-    double power[SERIES_TERMS]; /* of the size */
+    double length_change; /* in the step, of the leg */
+    event_search search;
     union {
         flight_constants flight;
         ground_constants ground;

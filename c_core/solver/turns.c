@@ -14,7 +14,7 @@ typedef struct {
 static factor factor_of(const tdmf_step *step, const double *series, int order, double zero) {
     factor f = {.order = order, .zero = zero};
     for (int k = 0; k <= order; ++k) {
-        f.c[k] = series[k] * step->power[k];
+        f.c[k] = series[k] * step->search.power[k];
     }
     return f;
 }
@@ -22,34 +22,53 @@ static factor factor_of(const tdmf_step *step, const double *series, int order, 
 static factor derivative_of(const tdmf_step *step, const double *series, int order, double zero) {
     factor f = {.order = order - 1, .zero = zero};
     for (int k = 0; k < order; ++k) {
-        f.c[k] = (double)(k + 1) * series[k + 1] * step->power[k];
+        f.c[k] = (double)(k + 1) * series[k + 1] * step->search.power[k];
     }
     return f;
 }
 
+/* The range of the partial sums of a series; see event_search.h. */
 typedef struct {
-    double least, most;
+    double sum, least, most;
 } partial_sums;
 
-/* See event_search.h. */
-static partial_sums sums_of(const factor *f) {
-    double sum = f->c[0];
-    partial_sums sums = {sum, sum};
-    for (int k = 1; k <= f->order; ++k) {
-        sum += f->c[k];
-        sums.least = smaller(sums.least, sum);
-        sums.most = larger(sums.most, sum);
+static inline partial_sums with_term(partial_sums sums, double term) {
+    const double sum = sums.sum + term;
+    const partial_sums next = {sum, smaller(sums.least, sum), larger(sums.most, sum)};
+    return next;
+}
+
+static bool keep_sign(const partial_sums *sums) {
+    return sums->least > 0.0 || sums->most < 0.0;
+}
+
+/* Of a series and of its derivative, times the size of the step. */
+typedef struct {
+    partial_sums value, rate;
+} series_sums;
+
+static series_sums sums_of(const tdmf_step *step, const double *series, int order) {
+    const double first = series[1] * step->search.power[1];
+    const partial_sums start = {series[0], series[0], series[0]};
+    partial_sums value = with_term(start, first);
+    partial_sums rate = {first, first, first};
+    for (int k = 2; k <= order; ++k) {
+        const double term = series[k] * step->search.power[k];
+        value = with_term(value, term);
+        rate = with_term(rate, (double)k * term);
     }
+    const series_sums sums = {value, rate};
     return sums;
 }
 
 double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to) {
     const tdmf_scales *scales = &step->chart->model->scales;
-    factor rate = derivative_of(step, step->series.ground.normal_force, step->order - 1, 0.0);
-    const partial_sums sums = sums_of(&rate);
-    if (rising ? sums.least > 0.0 : sums.most < 0.0) {
+    const double *force = step->series.ground.normal_force;
+    const partial_sums slope = sums_of(step, force, step->order - 1).rate;
+    if (rising ? slope.least > 0.0 : slope.most < 0.0) {
         return INFINITY;
     }
+    factor rate = derivative_of(step, force, step->order - 1, 0.0);
     for (int k = 0; k <= rate.order && !rising; ++k) {
         rate.c[k] = -rate.c[k];
     }
@@ -66,13 +85,6 @@ typedef struct {
     int count;
 } changing_factors;
 
-static void note_factor(changing_factors *changing, factor f) {
-    const partial_sums sums = sums_of(&f);
-    if (!(sums.least > 0.0 || sums.most < 0.0)) {
-        changing->of[changing->count++] = f;
-    }
-}
-
 static bool has_no_torque(const tdmf_step *step) {
     const tdmf_hip_law *law = &step->chart->law;
     const bool is_zero =
@@ -80,19 +92,33 @@ static bool has_no_torque(const tdmf_step *step) {
     return is_zero && step->chart->contact != TDMF_CONTACT_GRAZE;
 }
 
-static changing_factors changing_factors_of(const tdmf_step *step) {
-    const tdmf_scales *scales = &step->chart->model->scales;
-    const double zero = TDMF_ZERO_POWER * scales->length * scales->length / scales->time;
+static changing_factors factors_in_flight(const tdmf_step *step, double zero) {
+    const double *momentum = step->series.flight.momentum;
+    const double rate_zero = zero / step->chart->model->scales.time;
     changing_factors changing = {.count = 0};
-    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
-        const double *momentum = step->series.flight.momentum;
-        note_factor(&changing, factor_of(step, momentum, step->order, zero));
-        note_factor(&changing, derivative_of(step, momentum, step->order, zero / scales->time));
-    } else {
-        const ground_series *g = &step->series.ground;
-        const bool grazes = step->chart->contact == TDMF_CONTACT_GRAZE;
-        note_factor(&changing, factor_of(step, g->moment, step->order, zero));
-        note_factor(&changing, factor_of(step, g->torque, grazes ? step->order - 1 : 1, zero / scales->time));
+    const series_sums sums = sums_of(step, momentum, step->order);
+    if (!keep_sign(&sums.value)) {
+        changing.of[changing.count++] = factor_of(step, momentum, step->order, zero);
+    }
+    if (!keep_sign(&sums.rate)) {
+        changing.of[changing.count++] = derivative_of(step, momentum, step->order, rate_zero);
+    }
+    return changing;
+}
+
+static changing_factors factors_on_ground(const tdmf_step *step, double zero) {
+    const ground_series *g = &step->series.ground;
+    const bool grazes = step->chart->contact == TDMF_CONTACT_GRAZE;
+    const int torque_order = grazes ? step->order - 1 : 1;
+    const double torque_zero = zero / step->chart->model->scales.time;
+    changing_factors changing = {.count = 0};
+    const partial_sums moment = sums_of(step, g->moment, step->order).value;
+    const partial_sums torque = sums_of(step, g->torque, torque_order).value;
+    if (!keep_sign(&moment)) {
+        changing.of[changing.count++] = factor_of(step, g->moment, step->order, zero);
+    }
+    if (!keep_sign(&torque)) {
+        changing.of[changing.count++] = factor_of(step, g->torque, torque_order, torque_zero);
     }
     return changing;
 }
@@ -116,7 +142,11 @@ double tdmf_positive_work(const tdmf_step *step, double end, double total) {
     if (has_no_torque(step)) {
         return 0.0;
     }
-    const changing_factors changing = changing_factors_of(step);
+    const tdmf_scales *scales = &step->chart->model->scales;
+    const double zero = TDMF_ZERO_POWER * scales->length * scales->length / scales->time;
+    const changing_factors changing = step->chart->contact == TDMF_CONTACT_FLIGHT
+                                          ? factors_in_flight(step, zero)
+                                          : factors_on_ground(step, zero);
     if (changing.count == 0) {
         return larger(0.0, total);
     }
