@@ -50,13 +50,16 @@ KERNEL void add_flight_terms(const flight_series *f, int i, int j, flight_sums *
     sum->length_rate_square += f->length[j] * f->rate_square[i];
 }
 
-/* The same for i = j. */
-KERNEL void add_flight_square(const flight_series *f, int i, flight_sums *sum) {
-    sum->length_length += 0.5 * (f->length[i] * f->length[i]);
-    sum->rate_rate += 0.5 * (f->angle_rate[i] * f->angle_rate[i]);
-    sum->speed_speed += 0.5 * (f->length_rate[i] * f->length_rate[i]);
-    sum->square_rate += f->square[i] * f->angle_rate[i];
-    sum->length_rate_square += f->length[i] * f->rate_square[i];
+/* The terms with coefficient i of both factors. */
+KERNEL flight_sums flight_squares(const flight_series *f, int i) {
+    const flight_sums sum = {
+        .length_length = 0.5 * (f->length[i] * f->length[i]),
+        .rate_rate = 0.5 * (f->angle_rate[i] * f->angle_rate[i]),
+        .speed_speed = 0.5 * (f->length_rate[i] * f->length_rate[i]),
+        .square_rate = f->square[i] * f->angle_rate[i],
+        .length_rate_square = f->length[i] * f->rate_square[i],
+    };
+    return sum;
 }
 
 /* From coefficient k of length, length rate, angle and momentum to the next ones, k > 0. */
@@ -81,8 +84,7 @@ KERNEL void expand_flight_on(const flight_coefficients *a, real inverse_square, 
 
 /* From coefficient k, even, two further: of the terms of both, most share a factor that is loaded once. */
 KERNEL void expand_flight_by_two(const flight_coefficients *a, real inverse_square, int k, flight_series *f) {
-    flight_sums sum = no_flight_terms(), next = no_flight_terms();
-    add_flight_square(f, k / 2, &sum);
+    flight_sums sum = flight_squares(f, k / 2), next = no_flight_terms();
     for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
         add_flight_terms(f, i, j, &next);
         add_flight_terms(f, i - 1, j, &sum);

@@ -55,25 +55,36 @@ typedef struct {
     real length, square, x;
 } ground_inverses;
 
+/* The inner terms of half of X^2 + Y^2 and of half of r^2. */
+typedef struct {
+    real squares, lengths;
+} position_sums;
+
+/* Adds the terms with coefficient i of one factor and j of the other. */
+KERNEL void add_position_terms(const ground_series *g, int i, int j, position_sums *sum) {
+    sum->squares += g->x[i] * g->x[j];
+    sum->squares += g->y[i] * g->y[j];
+    sum->lengths += g->length[i] * g->length[j];
+}
+
+/* The terms with coefficient i of both factors. */
+KERNEL position_sums position_squares(const ground_series *g, int i) {
+    const position_sums sum = {
+        .squares = 0.5 * (g->x[i] * g->x[i] + g->y[i] * g->y[i]),
+        .lengths = 0.5 * (g->length[i] * g->length[i]),
+    };
+    return sum;
+}
+
 /* Position and length of coefficient k + 1, and the length's rate of coefficient k. */
-KERNEL void expand_position(const ground_inverses *inverse, int k, bool even, ground_series *g) {
-    const real *x = g->x, *y = g->y, *r = g->length;
-    const int next = k + 1, middle = next / 2;
-    real squares = real_of(0.0), lengths = real_of(0.0);
+KERNEL void expand_position(const ground_inverses *inverse, int k, const position_sums *sum,
+                            ground_series *g) {
+    const int next = k + 1;
     g->x[next] = g->vx[k] * series_reciprocal[next];
     g->y[next] = g->vy[k] * series_reciprocal[next];
-    if (!even) {
-        squares = 0.5 * (x[middle] * x[middle] + y[middle] * y[middle]);
-        lengths = 0.5 * (r[middle] * r[middle]);
-    }
-    for (int i = even ? middle : middle - 1, j = middle + 1; i > 0; --i, ++j) {
-        squares += x[i] * x[j];
-        squares += y[i] * y[j];
-        lengths += r[i] * r[j];
-    }
-    squares += x[0] * x[next] + y[0] * y[next];
+    const real squares = sum->squares + g->x[0] * g->x[next] + g->y[0] * g->y[next];
     g->square[next] = 2.0 * squares;
-    g->length[next] = (squares - lengths) * inverse->length;
+    g->length[next] = (squares - sum->lengths) * inverse->length;
     g->length_rate[k] = (double)next * g->length[next];
 }
 
@@ -84,8 +95,14 @@ typedef struct {
     real y_acceleration, turning_moment, friction_speed, speed_speed;
 } ground_sums;
 
-/* The terms i of one factor and j of the other, without squares. */
-KERNEL void add_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
+static inline ground_sums no_ground_terms(void) {
+    const real zero = real_of(0.0);
+    const ground_sums none = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+    return none;
+}
+
+/* Adds those with coefficient i of the first factor and j of the second, but for rdot^2. */
+KERNEL void add_mixed_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
     sum->length_axial += g->length[i] * g->axial[j];
     sum->x_axial += g->x[i] * g->axial[j];
     sum->y_axial += g->y[i] * g->axial[j];
@@ -106,22 +123,18 @@ KERNEL void add_terms(const ground_series *g, ground_case is, int i, int j, grou
     }
 }
 
-KERNEL ground_sums sum_ground(const ground_series *g, ground_case is, int k, bool even) {
-    const int middle = k / 2;
-    const real zero = real_of(0.0);
-    ground_sums sum = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-    if (k == 0) {
-        return sum;
-    }
-    if (even) {
-        add_terms(g, is, middle, middle, &sum);
-        sum.speed_speed = 0.5 * (g->length_rate[middle] * g->length_rate[middle]);
-    }
-    for (int i = even ? middle - 1 : middle, j = middle + 1; i > 0; --i, ++j) {
-        add_terms(g, is, j, i, &sum);
-        add_terms(g, is, i, j, &sum);
-        sum.speed_speed += g->length_rate[i] * g->length_rate[j];
-    }
+/* Adds those with coefficient i of one factor and j of the other. */
+KERNEL void add_ground_terms(const ground_series *g, ground_case is, int i, int j, ground_sums *sum) {
+    add_mixed_terms(g, is, j, i, sum);
+    add_mixed_terms(g, is, i, j, sum);
+    sum->speed_speed += g->length_rate[i] * g->length_rate[j];
+}
+
+/* Those with coefficient i of both factors. */
+KERNEL ground_sums ground_squares(const ground_series *g, ground_case is, int i) {
+    ground_sums sum = no_ground_terms();
+    add_mixed_terms(g, is, i, i, &sum);
+    sum.speed_speed = 0.5 * (g->length_rate[i] * g->length_rate[i]);
     return sum;
 }
 
@@ -189,24 +202,54 @@ KERNEL void expand_powers(const ground_inverses *inverse, ground_case is, int k,
 
 /* From coefficient k of positions, velocities and moment to the next ones. */
 KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
-                             int k, bool even, ground_series *g) {
+                             int k, const position_sums *position, const ground_sums *sum, ground_series *g) {
     const double divide = series_reciprocal[k + 1];
-    expand_position(inverse, k, even, g);
-    const ground_sums sum = sum_ground(g, is, k, even);
-    const real lift = expand_leg_force(c, inverse, is, k, &sum, g);
+    expand_position(inverse, k, position, g);
+    const real lift = expand_leg_force(c, inverse, is, k, sum, g);
     expand_contact(c, is, k, lift, g);
-    expand_powers(inverse, is, k, &sum, g);
+    expand_powers(inverse, is, k, sum, g);
     const real rise = lift * c->inverse_body_mass;
     real push = g->leg_force_x[k] * c->inverse_body_mass;
     real turn = g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k];
     if (is.slips || is.grazes) {
         push += g->foot_acceleration[k];
-        turn += with_outer_terms(sum.y_acceleration, g->y, g->foot_acceleration, k);
+        turn += with_outer_terms(sum->y_acceleration, g->y, g->foot_acceleration, k);
     }
     g->foot_vx[k + 1] = g->foot_acceleration[k] * divide;
     g->vx[k + 1] = -push * divide;
     g->vy[k + 1] = (k == 0 ? rise - c->gravity : rise) * divide;
     g->moment[k + 1] = turn * divide;
+}
+
+/* The first two coefficients, which have no inner terms but those of a position. */
+KERNEL void begin_ground(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
+                         ground_series *g) {
+    const ground_sums none = no_ground_terms();
+    const position_sums no_position = {real_of(0.0), real_of(0.0)};
+    expand_ground_on(c, inverse, is, 0, &no_position, &none, g);
+    const position_sums position = position_squares(g, 1);
+    expand_ground_on(c, inverse, is, 1, &position, &none, g);
+}
+
+/* As expand_flight_by_two. Positions are one coefficient ahead. */
+KERNEL void expand_ground_by_two(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
+                                 int k, ground_series *g) {
+    const int middle = k / 2;
+    position_sums position = {real_of(0.0), real_of(0.0)}, next_position = position_squares(g, middle + 1);
+    ground_sums sum = ground_squares(g, is, middle), next = no_ground_terms();
+    add_position_terms(g, middle, middle + 1, &position);
+    for (int i = middle, j = middle + 2; i > 1; --i, ++j) {
+        add_position_terms(g, i, j, &next_position);
+        add_position_terms(g, i - 1, j, &position);
+    }
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_ground_terms(g, is, i, j, &next);
+        add_ground_terms(g, is, i - 1, j, &sum);
+    }
+    expand_ground_on(c, inverse, is, k, &position, &sum, g);
+    add_position_terms(g, 1, k + 1, &next_position);
+    add_ground_terms(g, is, 1, k, &next);
+    expand_ground_on(c, inverse, is, k + 1, &next_position, &next, g);
 }
 
 /* An odd order gets one coefficient more. The case is a constant wherever this is inlined. */
@@ -222,8 +265,10 @@ KERNEL void expand_ground(const ground_coefficients *coefficients, const real st
     g->square[0] = x * x + y * y;
     g->length[0] = real_sqrt(g->square[0]);
     g->moment[0] = x * g->vy[0] - y * g->vx[0];
-    for (int k = 0; k <= order; ++k) {
-        g->torque[k] = k == 0 ? c.torque : k == 1 ? c.torque_rate : real_of(0.0);
+    g->torque[0] = c.torque;
+    g->torque[1] = c.torque_rate;
+    for (int k = 2; k <= order; ++k) {
+        g->torque[k] = real_of(0.0);
     }
     const real inverse_length = 1.0 / g->length[0];
     const ground_inverses inverse = {
@@ -231,11 +276,9 @@ KERNEL void expand_ground(const ground_coefficients *coefficients, const real st
         .square = inverse_length * inverse_length,
         .x = is.grazes ? 1.0 / x : real_of(0.0),
     };
-    expand_ground_on(&c, &inverse, is, 0, true, g);
-    expand_ground_on(&c, &inverse, is, 1, false, g);
+    begin_ground(&c, &inverse, is, g);
     for (int k = 2; k < order; k += 2) {
-        expand_ground_on(&c, &inverse, is, k, true, g);
-        expand_ground_on(&c, &inverse, is, k + 1, false, g);
+        expand_ground_by_two(&c, &inverse, is, k, g);
     }
 }
 
