@@ -117,16 +117,25 @@ def volume(
 ) -> Volume:
     """Estimate the volume of a gait's region of attraction in all six coordinates.
 
-    Args:
-        gait: stable.
-        samples: how many starts are drawn.
-        seed: of the drawing.
-        scheduler: see `run_blocks`.
-        workers: see `run_blocks`.
-        show_progress: a bar on stderr.
+    Parameters
+    ----------
+    gait : Orbit
+        Stable.
+    samples : int
+        How many starts are drawn.
+    seed : int, default 0
+        Of the drawing.
+    scheduler : str, optional
+        See `run_blocks`.
+    workers : int, optional
+        See `run_blocks`.
+    show_progress : bool, default False
+        A bar on stderr.
 
-    Raises:
-        InputError: no gait, no samples, or no seed.
+    Raises
+    ------
+    InputError
+        No gait, no samples, or no seed.
     """
     check_orbit(gait, "gait")
     samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
@@ -170,8 +179,10 @@ class Robustness:
 def robustness(gait: Orbit) -> Robustness:
     """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
 
-    Raises:
-        InputError: no gait.
+    Raises
+    ------
+    InputError
+        No gait.
     """
     check_orbit(gait, "gait")
     reach = functools.partial(_reach, gait)
@@ -214,8 +225,10 @@ class Attraction:
 def measure(gait: Orbit) -> Attraction:
     """All of it for one gait, by one thread.
 
-    Raises:
-        InputError: no gait.
+    Raises
+    ------
+    InputError
+        No gait.
     """
     check_orbit(gait, "gait")
     return Attraction(
@@ -232,8 +245,10 @@ def measure_all(
 ) -> list[Attraction]:
     """`measure` for many gaits, side by side; see `run_blocks`.
 
-    Raises:
-        InputError: not gaits in a list.
+    Raises
+    ------
+    InputError
+        Not gaits in a list.
     """
     check_kind(gaits, Sequence, "gaits", "Orbits in a list, as find_orbit gives")
     for gait in gaits:

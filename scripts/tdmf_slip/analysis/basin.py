@@ -90,9 +90,12 @@ def fates(
 def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
     """The gait of a runner, if it attracts anything.
 
-    Raises:
-        InputError: it is unstable.
-        RunError: there is none.
+    Raises
+    ------
+    InputError
+        It is unstable.
+    RunError
+        There is none.
     """
     gait = first_orbit(runner, unit)
     if not gait.stable:
@@ -103,8 +106,10 @@ def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None)
 def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
     """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
 
-    Raises:
-        InputError: an unknown axis, or no gait.
+    Raises
+    ------
+    InputError
+        An unknown axis, or no gait.
     """
     check_axes((axis,))
     check_orbit(gait, "gait")
@@ -117,8 +122,10 @@ def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
 def check_axes(axes: Sequence[str]) -> None:
     """Refuse names that are not those of coordinates of the section.
 
-    Raises:
-        InputError: one is not.
+    Raises
+    ------
+    InputError
+        One is not.
     """
     wrong = next((axis for axis in axes if axis not in COORDINATES), None)
     if wrong is not None:
@@ -141,24 +148,38 @@ def basin(
     The other four coordinates are the gait's. With a path the result is written there as NetCDF, block by
     block, and a file of the same slice is gone on with.
 
-    Args:
-        runner: parameters and friction, or start values by name.
-        axes: two names of `section.COORDINATES`.
-        ranges: values along each, numbers or texts like `70 deg`.
-        path: of a NetCDF file.
-        scheduler: of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-        workers: processes on this machine, by default one for each processor.
-        show_progress: a bar on stderr.
-        unit: for units.
+    Parameters
+    ----------
+    runner : Runner or mapping of str to object
+        Parameters and friction, or start values by name.
+    axes : tuple[str, str]
+        Two names of `section.COORDINATES`.
+    ranges : tuple[Sequence[float | str], Sequence[float | str]]
+        Values along each, numbers or texts like `70 deg`.
+    path : Path or str, optional
+        Of a NetCDF file.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    workers : int, optional
+        Processes on this machine, by default one for each processor.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        For units.
 
-    Returns:
+    Returns
+    -------
+    xarray.Dataset
         `fate`, by the flag values of its attribute, and `strides` until then, over the two coordinates. How
         much of the slice settles, its attributes say: `settled_share` and, in the coordinates' units,
         `settled_area`.
 
-    Raises:
-        InputError: an unknown axis, the file holds another slice, or the gait is unstable.
-        RunError: there is no gait.
+    Raises
+    ------
+    InputError
+        An unknown axis, the file holds another slice, or the gait is unstable.
+    RunError
+        There is no gait.
     """
     unit, runner = load(unit), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")

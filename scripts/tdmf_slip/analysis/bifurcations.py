@@ -51,7 +51,9 @@ class Special:
 def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
     """What happens between two neighbouring points of a branch, in its order.
 
-    Returns:
+    Returns
+    -------
+    tuple[list[Border], list[Special]]
         The borders between words, and the special points, which have the borders among them.
     """
     borders: list[Border] = []
@@ -171,8 +173,10 @@ def _borders(
 def _bifurcations(family: Family, before: Point, after: Point, changes: tuple[str, ...]) -> Iterator[Special]:
     """What a sign change of a test function stands for; a neutral saddle is nothing.
 
-    Raises:
-        RunError: the eigenvalues at the zero are not those of a bifurcation.
+    Raises
+    ------
+    RunError
+        The eigenvalues at the zero are not those of a bifurcation.
     """
     for kind in changes:
         if kind == WORD_BORDER:
@@ -193,8 +197,10 @@ def _is_there(kind: str, eigenvalues: np.ndarray) -> bool:
 def _zero(family: Family, before: Point, after: Point, test: Callable[[Point], float]) -> Point:
     """Where a test function is zero between two points of a branch: by the Illinois method along the branch.
 
-    Raises:
-        RunError: it is not located.
+    Raises
+    ------
+    RunError
+        It is not located.
     """
     low, high = 0.0, 1.0
     at_low, at_high = test(before), test(after)

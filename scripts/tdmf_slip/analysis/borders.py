@@ -42,9 +42,12 @@ def borders_between(
 ) -> list[Border]:
     """All changes of the word from one gait to another of the same branch, in order.
 
-    Raises:
-        InputError: the name is that of no parameter or input, or the gaits are none.
-        RunError: a gait between them cannot be found.
+    Raises
+    ------
+    InputError
+        The name is that of no parameter or input, or the gaits are none.
+    RunError
+        A gait between them cannot be found.
     """
     check_orbit(first, "first")
     check_orbit(last, "last")
@@ -54,8 +57,10 @@ def borders_between(
 def crossings(family: Family, first: Orbit, last: Orbit) -> Iterator[tuple[Border, Orbit]]:
     """The borders of `borders_between` with the gaits just beyond.
 
-    Raises:
-        RunError: a gait between them cannot be found, or there are more borders than can be told apart.
+    Raises
+    ------
+    RunError
+        A gait between them cannot be found, or there are more borders than can be told apart.
     """
     inside = first
     for _ in range(MOST_BORDERS):

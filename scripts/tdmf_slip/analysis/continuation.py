@@ -49,9 +49,12 @@ def gaits_over(
 ) -> Iterator[Orbit]:
     """The gait at each value in turn, each from the one before; steps in between where values are far apart.
 
-    Raises:
-        InputError: the name is that of no parameter or input, a value is none, or `first` is no gait.
-        RunError: the branch cannot be followed so far.
+    Raises
+    ------
+    InputError
+        The name is that of no parameter or input, a value is none, or `first` is no gait.
+    RunError
+        The branch cannot be followed so far.
     """
     family = Family(runner, name)
     check_orbit(first, "first")
@@ -111,18 +114,29 @@ def trace(
     Pseudo-arclength continuation: each gait is sought on the plane across the branch's tangent. Lengths along
     the branch are measured over the coordinates' scales, and over the first value of the parameter.
 
-    Args:
-        runner: whose gaits.
-        name: parameter or input that is varied.
-        first: a gait to begin at.
-        end: value of the parameter at which to stop; where a fold leads back, the branch stops at its first.
-        largest_step: along the branch.
-        most_points: stop after so many gaits.
-        step_finished: called after each gait.
+    Parameters
+    ----------
+    runner : Runner or mapping of str to object
+        Whose gaits.
+    name : str
+        Parameter or input that is varied.
+    first : Orbit
+        A gait to begin at.
+    end : float or str
+        Value of the parameter at which to stop; where a fold leads back, the branch stops at its first.
+    largest_step : float, default 0.05
+        Along the branch.
+    most_points : int, default 1000
+        Stop after so many gaits.
+    step_finished : Callable[[], None], default lambda: None
+        Called after each gait.
 
-    Raises:
-        InputError: no such parameter, it has the value of `end` already, or what is given is none.
-        RunError: the first gait cannot be found again.
+    Raises
+    ------
+    InputError
+        No such parameter, it has the value of `end` already, or what is given is none.
+    RunError
+        The first gait cannot be found again.
     """
     runner = Family(runner, name).runner
     check_orbit(first, "first")

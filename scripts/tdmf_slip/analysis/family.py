@@ -39,8 +39,10 @@ class Family:
     def __init__(self, runner: Runner | Mapping[str, object], name: str) -> None:
         """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1.
 
-        Raises:
-            InputError: no such parameter or input, or what is given makes no runner.
+        Raises
+        ------
+        InputError
+            No such parameter or input, or what is given makes no runner.
         """
         check_varied(name, "name")
         self.runner = runner = Runner.of(runner)
@@ -50,9 +52,12 @@ class Family:
     def orbit(self, value: float, guess: Sequence[float]) -> Orbit:
         """The gait at a value near a guess.
 
-        Raises:
-            InputError: the value is not allowed.
-            RunError: there is none.
+        Raises
+        ------
+        InputError
+            The value is not allowed.
+        RunError
+            There is none.
         """
         return find_orbit(self.runner.but(self.name, value), guess, along=self.name)
 
@@ -63,8 +68,10 @@ class Family:
     def point(self, orbit: Orbit, along: np.ndarray) -> Point:
         """A gait as a point of its branch, which leads along a direction.
 
-        Raises:
-            RunError: the gait has no tangent.
+        Raises
+        ------
+        RunError
+            The gait has no tangent.
         """
         rows = np.hstack([orbit.jacobian - np.eye(6), orbit.by_parameter[:, None]]) * self.scales
         if not np.isfinite(rows).all():
@@ -79,13 +86,19 @@ class Family:
     def on_plane(self, goal: np.ndarray, normal: np.ndarray) -> Point:
         """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
 
-        Args:
-            goal: apex and parameter over the scales.
-            normal: a unit vector along the branch.
+        Parameters
+        ----------
+        goal : ndarray
+            Apex and parameter over the scales.
+        normal : ndarray
+            A unit vector along the branch.
 
-        Raises:
-            InputError: a value of the parameter is not allowed.
-            RunError: there is none.
+        Raises
+        ------
+        InputError
+            A value of the parameter is not allowed.
+        RunError
+            There is none.
         """
         where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
         place, scales = goal.copy(), self.scales[:-1]
@@ -109,8 +122,10 @@ class Family:
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next.
 
-        Raises:
-            RunError: there is none.
+        Raises
+        ------
+        RunError
+            There is none.
         """
         begin, end = self.place(before), self.place(after)
         return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))

@@ -35,10 +35,14 @@ def as_dataset(
 ) -> xarray.Dataset:
     """Gaits on a grid, with units; NaN and an empty word where there is none.
 
-    Args:
-        orbits: as many as the grid has points, the last coordinate fastest.
-        coordinates: values of one or two parameters, by name.
-        unit: for units and descriptions.
+    Parameters
+    ----------
+    orbits : Sequence[Orbit | None]
+        As many as the grid has points, the last coordinate fastest.
+    coordinates : Mapping[str, ndarray]
+        Values of one or two parameters, by name.
+    unit : Unit
+        For units and descriptions.
     """
     shape = tuple(len(values) for values in coordinates.values())
     names = tuple(coordinates)
@@ -84,19 +88,31 @@ def grid(
     are missing; a file of another sweep is refused. What kept a row from its end is in
     the file's `problem`.
 
-    Args:
-        runner: the other parameters and the start, or start values by name.
-        frictions: values along a row.
-        name: the second parameter or input, or a state that the search for gaits starts with.
-        values: one for each row.
-        path: of the NetCDF file.
-        scheduler: of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-        workers: processes on this machine, by default one for each processor.
-        show_progress: a bar on stderr.
-        unit: for units and descriptions.
+    Parameters
+    ----------
+    runner : Runner or mapping of str to object
+        The other parameters and the start, or start values by name.
+    frictions : Sequence[float]
+        Values along a row.
+    name : str
+        The second parameter or input, or a state that the search for gaits starts with.
+    values : Sequence[float | str]
+        One for each row.
+    path : Path or str
+        Of the NetCDF file.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    workers : int, optional
+        Processes on this machine, by default one for each processor.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        For units and descriptions.
 
-    Raises:
-        InputError: a value is refused, or the file holds another sweep.
+    Raises
+    ------
+    InputError
+        A value is refused, or the file holds another sweep.
     """
     unit, runner = load(unit), Runner.of(runner)
     if name not in STATES:
@@ -155,8 +171,10 @@ def _check_rows(
 ) -> None:
     """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells.
 
-    Raises:
-        InputError: the first such row.
+    Raises
+    ------
+    InputError
+        The first such row.
     """
     begun = int(np.count_nonzero(data["done"].values))
     with progress.bar("what is done", begun, "rows", show_progress) as bar:

@@ -12,8 +12,10 @@ from .continuation import gaits_over
 def first_orbit(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
     """A gait of a runner: by settling from its start values, else along the friction from the unit's own.
 
-    Raises:
-        RunError: neither finds one.
+    Raises
+    ------
+    RunError
+        Neither finds one.
     """
     runner = Runner.of(runner)
     try:

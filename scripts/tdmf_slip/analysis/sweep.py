@@ -59,14 +59,21 @@ def sweep(
     back as far as it goes; where a branch cannot be followed on, the sweep goes on with the next gait that is
     found. `problem` says what happened. Changes of the word from one branch to another are no borders.
 
-    Args:
-        runner: parameters and start, or start values by name; its friction does not matter.
-        frictions: values in order.
-        show_progress: a bar on stderr.
+    Parameters
+    ----------
+    runner : Runner or mapping of str to object
+        Parameters and start, or start values by name; its friction does not matter.
+    frictions : Sequence[float]
+        Values in order.
+    show_progress : bool, default False
+        A bar on stderr.
 
-    Raises:
-        InputError: a value is refused.
-        RunError: there is no gait at any of them; the message tells of the first.
+    Raises
+    ------
+    InputError
+        A value is refused.
+    RunError
+        There is no gait at any of them; the message tells of the first.
     """
     runner = Runner.of(runner)
     frictions = load().find(FRICTION, "frictions").values_of(frictions, "frictions")

@@ -13,8 +13,10 @@ REPEATS = 5
 def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[float, float, float]]:
     """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error.
 
-    Raises:
-        RunError: no tolerance does.
+    Raises
+    ------
+    RunError
+        No tolerance does.
     """
     errors: dict[float, float] = {}
     for accuracy in ACCURACIES:

@@ -34,8 +34,10 @@ def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Mea
 def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
     """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone.
 
-    Raises:
-        ImportError: it is not installed.
+    Raises
+    ------
+    ImportError
+        It is not installed.
     """
     from .peers.heyoka_peer import BatchPeer
 

@@ -36,14 +36,21 @@ def _peers(many: Crowd, effort: float) -> Iterator[tuple[str, Callable[[], Itera
 def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None = None) -> Bench:
     """Measure everything on this machine; all but the scaling over threads in one thread.
 
-    Args:
-        effort: scales how long is measured.
-        show_progress: a bar on stderr.
-        unit: the unit to measure; by default that of `fmu_path`.
+    Parameters
+    ----------
+    effort : float, default 1.0
+        Scales how long is measured.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        The unit to measure; by default that of `fmu_path`.
 
-    Raises:
-        InputError: the unit was built without CVODE, or the effort is out of range.
-        RunError: a solver does not reach the wanted error.
+    Raises
+    ------
+    InputError
+        The unit was built without CVODE, or the effort is out of range.
+    RunError
+        A solver does not reach the wanted error.
     """
     checked("effort", effort, 1e-3, 1e3)
     unit = load(unit)

@@ -32,17 +32,25 @@ def run_blocks(
     another; nothing else is. As with all processes that Python starts, a script has to keep what it runs
     under `if __name__ == "__main__":`.
 
-    Args:
-        work: a function that can be pickled, of one block.
-        blocks: what it is called with; has to be picklable, as the results have.
-        scheduler: address of a Dask scheduler; this package has to be installed where it and its workers run.
-            Without one, a cluster of processes on this machine.
-        workers: processes of that cluster, by default one for each processor. One needs no cluster.
+    Parameters
+    ----------
+    work : Callable[[Any], Any]
+        A function that can be pickled, of one block.
+    blocks : Sequence[Any]
+        What it is called with; has to be picklable, as the results have.
+    scheduler : str, optional
+        Address of a Dask scheduler; this package has to be installed where it and its workers run. Without
+        one, a cluster of processes on this machine.
+    workers : int, optional
+        Processes of that cluster, by default one for each processor. One needs no cluster.
 
-    Raises:
-        InputError: no scheduler answers, there are less than one worker, or both of them are given.
-        RunError: a block killed every worker that tried it, the cluster cannot run the work, the scheduler
-            is gone, or no process can be started.
+    Raises
+    ------
+    InputError
+        No scheduler answers, there are less than one worker, or both of them are given.
+    RunError
+        A block killed every worker that tried it, the cluster cannot run the work, the scheduler is gone, or
+        no process can be started.
     """
     if workers is not None and (not isinstance(workers, int) or workers < 1):
         raise InputError(f"workers {workers!r}: allowed: a whole number, 1 or more")

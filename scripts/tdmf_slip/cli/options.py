@@ -16,8 +16,10 @@ class Command(click.Command):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Read the command line.
 
-        Raises:
-            UsageError: an option that takes one value has two, or there is no such option.
+        Raises
+        ------
+        UsageError
+            An option that takes one value has two, or there is no such option.
         """
         try:
             _, _, given = self.make_parser(ctx).parse_args(args=list(args))
@@ -43,8 +45,10 @@ class Number(click.ParamType):
     def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> float | int:
         """The number that a text stands for.
 
-        Raises:
-            InputError: it is beyond the range.
+        Raises
+        ------
+        InputError
+            It is beyond the range.
         """
         number = (click.INT if self.whole else click.FLOAT).convert(value, param, ctx)
         check = checked_whole if self.whole else checked
@@ -85,8 +89,10 @@ WORKERS_OPTION = click.option(
 def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, object]]:
     """By name of a variable: the option, --friction or --set, and the value that it gives.
 
-    Raises:
-        InputError: a variable is given twice, or a setting is not of the form NAME=VALUE.
+    Raises
+    ------
+    InputError
+        A variable is given twice, or a setting is not of the form NAME=VALUE.
     """
     given: dict[str, tuple[str, object]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for setting in settings:
@@ -104,13 +110,19 @@ def start_values(
 ) -> dict[str, object]:
     """Start values: those of a file, and over them what single options give.
 
-    Args:
-        unit: checks names and values.
-        base: of a file, see `file_values`.
-        given: of single options, see `values_given`.
+    Parameters
+    ----------
+    unit : Unit
+        Checks names and values.
+    base : mapping of str to object
+        Of a file, see `file_values`.
+    given : Mapping[str, tuple[str, object]]
+        Of single options, see `values_given`.
 
-    Raises:
-        InputError: the unit refuses one.
+    Raises
+    ------
+    InputError
+        The unit refuses one.
     """
     values = dict(base)
     for name, (option, value) in given.items():
@@ -121,8 +133,10 @@ def start_values(
 def file_values(unit: Unit, parameters: str | None) -> dict[str, object]:
     """Start values of --parameters.
 
-    Raises:
-        InputError: the file is none, or the unit refuses a value.
+    Raises
+    ------
+    InputError
+        The file is none, or the unit refuses a value.
     """
     if parameters is None:
         return {}
@@ -132,13 +146,19 @@ def file_values(unit: Unit, parameters: str | None) -> dict[str, object]:
 def refuse_given(given: Mapping[str, tuple[str, object]], name: str, by: str) -> None:
     """Refuse a start value for what another option says already.
 
-    Args:
-        given: see `values_given`.
-        name: of the variable.
-        by: the other option.
+    Parameters
+    ----------
+    given : Mapping[str, tuple[str, object]]
+        See `values_given`.
+    name : str
+        Of the variable.
+    by : str
+        The other option.
 
-    Raises:
-        InputError: there is one.
+    Raises
+    ------
+    InputError
+        There is one.
     """
     if name.strip() in given:
         option = given[name.strip()][0]

@@ -12,13 +12,19 @@ SPACINGS = {"linear": np.linspace, "log": np.geomspace}
 def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
     """Both ends of a range A:B of a variable, in its unit.
 
-    Args:
-        text: as in `1:4` or `20 deg:40 deg`.
-        variable: what the values are of.
-        where: the option, for messages.
+    Parameters
+    ----------
+    text : str
+        As in `1:4` or `20 deg:40 deg`.
+    variable : Variable
+        What the values are of.
+    where : str
+        The option, for messages.
 
-    Raises:
-        InputError: it is not of that form, the ends are one, or a value is not allowed.
+    Raises
+    ------
+    InputError
+        It is not of that form, the ends are one, or a value is not allowed.
     """
     parts = text.split(":")
     if len(parts) != 2:
@@ -32,15 +38,21 @@ def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
 def values_of(text: str, spacing: str, variable: Variable, where: str) -> np.ndarray:
     """The values of a variable that A:B:N stands for, in its unit.
 
-    Args:
-        text: as in `0.1:1:20` or `35 deg:45 deg:11`.
-        spacing: one of `SPACINGS`.
-        variable: what the values are of.
-        where: the option, for messages.
+    Parameters
+    ----------
+    text : str
+        As in `0.1:1:20` or `35 deg:45 deg:11`.
+    spacing : str
+        One of `SPACINGS`.
+    variable : Variable
+        What the values are of.
+    where : str
+        The option, for messages.
 
-    Raises:
-        InputError: it is not of that form, a value is not allowed, N does not reach from A to B, or the
-            spacing cannot.
+    Raises
+    ------
+    InputError
+        It is not of that form, a value is not allowed, N does not reach from A to B, or the spacing cannot.
     """
     parts = text.split(":")
     if len(parts) != 3:

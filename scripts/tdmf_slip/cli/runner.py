@@ -11,8 +11,10 @@ from .options import file_values, start_values
 def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, object]]) -> Runner:
     """The runner of the options.
 
-    Raises:
-        InputError: a value is refused, or has no part in a gait.
+    Raises
+    ------
+    InputError
+        A value is refused, or has no part in a gait.
     """
     starts = start_values(unit, file_values(unit, parameters), given)
     for name, (option, _) in given.items():

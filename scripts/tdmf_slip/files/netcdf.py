@@ -26,8 +26,10 @@ def new_netcdf() -> Dataset:
 def write_dataset(path: Path, data: xarray.Dataset) -> None:
     """A dataset as NetCDF.
 
-    Raises:
-        InputError: nothing can be written there.
+    Raises
+    ------
+    InputError
+        Nothing can be written there.
     """
     with whole(path) as beside:
         dataset = new_netcdf()
@@ -38,9 +40,12 @@ def write_dataset(path: Path, data: xarray.Dataset) -> None:
 def read_dataset(path: Path) -> xarray.Dataset:
     """A dataset from a NetCDF file, all of it.
 
-    Raises:
-        InputError: there is something else than a file.
-        OSError, ValueError: it cannot be read, or is no such file.
+    Raises
+    ------
+    InputError
+        There is something else than a file.
+    OSError, ValueError
+        It cannot be read, or is no such file.
     """
     content = destination(path, str(path)).read_bytes()
     return xarray.load_dataset(NetCDF4DataStore(Dataset(IN_MEMORY, memory=content)))

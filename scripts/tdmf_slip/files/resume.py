@@ -14,13 +14,19 @@ from .netcdf import read_dataset
 def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
     """What a file holds already of the work that would fill `blank`, or `blank` where there is no file.
 
-    Args:
-        path: of the NetCDF file.
-        blank: the result before any of it is done, with all variables, coordinates and attributes.
-        what: the work, as in `sweep`, for messages.
+    Parameters
+    ----------
+    path : Path
+        Of the NetCDF file.
+    blank : xarray.Dataset
+        The result before any of it is done, with all variables, coordinates and attributes.
+    what : str
+        The work, as in `sweep`, for messages.
 
-    Raises:
-        InputError: the file holds something else; the message says what differs.
+    Raises
+    ------
+    InputError
+        The file holds something else; the message says what differs.
     """
     try:
         data = read_dataset(path)
@@ -38,8 +44,10 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
 def refuse_resumable(path: Path) -> None:
     """Refuse, before any work, to write something else over results on file, which have taken long.
 
-    Raises:
-        InputError: the file is a grid of gaits or a map.
+    Raises
+    ------
+    InputError
+        The file is a grid of gaits or a map.
     """
     with contextlib.suppress(OSError, ValueError):
         data = read_dataset(path)
@@ -51,10 +59,14 @@ def refuse_resumable(path: Path) -> None:
 def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float = 0.0) -> bool:
     """Whether all variables of one dataset are those of another, NaN where it is NaN.
 
-    Args:
-        found: has at least these variables, in the same shapes.
-        wanted: whose variables are looked at.
-        relative: by how much of a variable's largest value, here, numbers may be off.
+    Parameters
+    ----------
+    found : xarray.Dataset
+        Has at least these variables, in the same shapes.
+    wanted : xarray.Dataset
+        Whose variables are looked at.
+    relative : float, default 0.0
+        By how much of a variable's largest value, here, numbers may be off.
     """
     return all(_close(found[name].values, wanted[name].values, relative) for name in wanted.data_vars)
 

@@ -21,8 +21,10 @@ def whole(path: Path) -> Iterator[Path]:
     Where `path` is a symbolic link, its target is written. A file that is replaced hands on its mode and its
     owner. An interrupt from the keyboard waits until the file is there.
 
-    Raises:
-        InputError: nothing can be written there.
+    Raises
+    ------
+    InputError
+        Nothing can be written there.
     """
     with interrupts.held():
         yield from _whole(path)
@@ -68,8 +70,10 @@ def _umask() -> int:
 def destination(path: Path, what: str) -> Path:
     """The file that a path stands for, be it there or not: through symbolic links.
 
-    Raises:
-        InputError: there is something else than a file, or one that may not be written.
+    Raises
+    ------
+    InputError
+        There is something else than a file, or one that may not be written.
     """
     place = Path(os.path.realpath(path))
     try:
@@ -90,11 +94,15 @@ def destination(path: Path, what: str) -> Path:
 def check_place(path: Path | str, allowed: Iterable[str], what: str) -> Path:
     """Refuse, before any work, a path whose suffix names no format or that cannot be written.
 
-    Returns:
+    Returns
+    -------
+    Path
         The path.
 
-    Raises:
-        InputError: either, or its folder is not there.
+    Raises
+    ------
+    InputError
+        Either, or its folder is not there.
     """
     check_kind(path, (str, os.PathLike), what, "the path of a file")
     path = Path(path)
@@ -113,8 +121,10 @@ def check_folder(folder: Path, what: str) -> None:
     One that is missing, in a folder that is there, is made, and goes again: if the work fails, nothing is
     left.
 
-    Raises:
-        InputError: it cannot be made or written to.
+    Raises
+    ------
+    InputError
+        It cannot be made or written to.
     """
     try:
         missing = not folder.exists()

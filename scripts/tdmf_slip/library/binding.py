@@ -29,8 +29,10 @@ NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 def library_path() -> Path:
     """Path of the shared library: that of the environment variable TDMF_SLIP_LIBRARY, else the package's own.
 
-    Raises:
-        InputError: there is no such file.
+    Raises
+    ------
+    InputError
+        There is no such file.
     """
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else FOLDER / NAMES.get(sys.platform, "libtdmf_slip_shared.so")

@@ -80,26 +80,37 @@ def run_ensemble(
 ) -> tuple[np.ndarray, Work]:
     """Follow runners from their starts until they settle, fall, or have made the most strides.
 
-    Args:
-        cases: parameters, inputs and gaits; a runner alone, or its start values, stand for a case without
-            gaits.
-        starts: apices, one to a row, in the order of `section.COORDINATES`.
-        case_of: the number of each runner's case; by default all have the first.
-        most_strides: a runner that has closed as many is undecided, as is one whose stride takes longer than
-            1e4 sqrt(m/k).
-        near: distance from a gait's apex, over the scales, at which a runner counts as settled.
-        tolerance: relative tolerance of a step.
-        threads: by default one for each processor. Results do not depend on it.
-        instructions: one of `instruction_sets()`; by default the fastest. Results differ by rounding.
+    Parameters
+    ----------
+    cases : Sequence[Case | Runner | Mapping[str, object]]
+        Parameters, inputs and gaits; a runner alone, or its start values, stand for a case without gaits.
+    starts : ndarray
+        Apices, one to a row, in the order of `section.COORDINATES`.
+    case_of : ndarray, optional
+        The number of each runner's case; by default all have the first.
+    most_strides : int
+        A runner that has closed as many is undecided, as is one whose stride takes longer than 1e4 sqrt(m/k).
+    near : float, default NEAR
+        Distance from a gait's apex, over the scales, at which a runner counts as settled.
+    tolerance : float, default TOLERANCE
+        Relative tolerance of a step.
+    threads : int, optional
+        By default one for each processor. Results do not depend on it.
+    instructions : str, optional
+        One of `instruction_sets()`; by default the fastest. Results differ by rounding.
 
-    Returns:
+    Returns
+    -------
+    tuple[ndarray, Work]
         A row for each runner with the fields of the library's `tdmf_ensemble_end`: `fate` (a number into
         `FATES`), `gait` (-1 for none), `strides`, `word_code`, and of the strides closed the last `apex`,
         `time`, `distance`, `work`, `damper_loss`, `friction_loss` and `impact_loss`; and the work that was
         done.
 
-    Raises:
-        InputError: an array of another shape, or a value that is not allowed.
+    Raises
+    ------
+    InputError
+        An array of another shape, or a value that is not allowed.
     """
     sections = _apices("starts", starts)
     check_kind(cases, Sequence, "cases", "one or more cases in a list")

@@ -131,8 +131,10 @@ class Orbit:
 def check_orbit(given: object, what: str) -> None:
     """Refuse what is no gait of the return map.
 
-    Raises:
-        InputError: it is something else.
+    Raises
+    ------
+    InputError
+        It is something else.
     """
     check_kind(given, Orbit, what, "an Orbit, as find_orbit gives")
 
@@ -140,8 +142,10 @@ def check_orbit(given: object, what: str) -> None:
 def check_has_gaits(friction: float) -> None:
     """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
 
-    Raises:
-        InputError: it is 0.
+    Raises
+    ------
+    InputError
+        It is 0.
     """
     if friction == 0.0:
         raise InputError(
@@ -158,16 +162,22 @@ def find_orbit(
 ) -> Orbit:
     """The periodic gait near a guess, by Newton's method.
 
-    Args:
-        runner: whose gait; start values stand for the runner that they make.
-        guess: an apex near the gait's; without one the runner runs from its start values first, to settle.
-        along: a parameter or input by which the next apex is differentiated, too.
+    Parameters
+    ----------
+    runner : Runner or mapping of str to object
+        Whose gait; start values stand for the runner that they make.
+    guess : Sequence[float], optional
+        An apex near the gait's; without one the runner runs from its start values first, to settle.
+    along : str, optional
+        A parameter or input by which the next apex is differentiated, too.
 
-    Raises:
-        InputError: the guess is no apex, the start values are not in flight, `along` is unknown, or the
-            friction is 0.
-        RunError: the runner falls, no gait is near, the solver does not get through a stride, or the gait has
-            no derivatives.
+    Raises
+    ------
+    InputError
+        The guess is no apex, the start values are not in flight, `along` is unknown, or the friction is 0.
+    RunError
+        The runner falls, no gait is near, the solver does not get through a stride, or the gait has no
+        derivatives.
     """
     runner = Runner.of(runner)
     check_has_gaits(runner.values["ground.friction"])

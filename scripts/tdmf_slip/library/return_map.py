@@ -16,8 +16,10 @@ def stride_from(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """One stride from an apex: the next apex, the Jacobian, and the next apex's change along a parameter.
 
-    Raises:
-        RunError: no stride closes from there, or it has no derivatives.
+    Raises
+    ------
+    RunError
+        No stride closes from there, or it has no derivatives.
     """
     runner, section = Runner.of(runner), section_of(apex)
     stride = c.tdmf_return_map(
@@ -64,8 +66,10 @@ def end_text(stride: object) -> str:
 def section_of(apex: Sequence[float]) -> object:
     """An apex as the C library takes it.
 
-    Raises:
-        InputError: it is not one.
+    Raises
+    ------
+    InputError
+        It is not one.
     """
     if np.shape(apex) != (len(COORDINATES),):
         raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")

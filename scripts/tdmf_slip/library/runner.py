@@ -66,8 +66,10 @@ class Runner:
 
         What concerns runs of the unit only, as `solver.method` does, is left out.
 
-        Raises:
-            InputError: neither a runner nor a mapping, or a name or value that the unit refuses.
+        Raises
+        ------
+        InputError
+            Neither a runner nor a mapping, or a name or value that the unit refuses.
         """
         if isinstance(given, cls):
             return given
@@ -80,8 +82,10 @@ class Runner:
     def but(self, name: str, value: float | str) -> "Runner":
         """The same runner with another value, a number or a text like `40 deg`.
 
-        Raises:
-            InputError: the runner has no such value, or it is neither.
+        Raises
+        ------
+        InputError
+            The runner has no such value, or it is neither.
         """
         if name not in self.values:
             raise InputError(f"{name!r} is not a name in the runner's values{_near(name, self.values)}")
@@ -97,8 +101,10 @@ class Runner:
     def model(self) -> object:
         """The C model of the parameters.
 
-        Raises:
-            InputError: a parameter is refused.
+        Raises
+        ------
+        InputError
+            A parameter is refused.
         """
         parameters = ffi.new("tdmf_parameters *")
         assign(parameters, self.values)
@@ -110,8 +116,10 @@ class Runner:
     def inputs(self) -> object:
         """The C inputs.
 
-        Raises:
-            InputError: an input is refused.
+        Raises
+        ------
+        InputError
+            An input is refused.
         """
         inputs = ffi.new("tdmf_inputs *")
         assign(inputs, self.values)
@@ -139,8 +147,10 @@ class Runner:
     def start_apex(self) -> np.ndarray:
         """The section at the start values; a vertical velocity, which other masses make, is left out.
 
-        Raises:
-            InputError: they are refused, or the foot is not above the ground.
+        Raises
+        ------
+        InputError
+            They are refused, or the foot is not above the ground.
         """
         section = apex_of(self.values)
         motion = ffi.new("tdmf_motion *")
@@ -158,8 +168,10 @@ class Runner:
 def check_varied(name: object, what: str) -> None:
     """Refuse a name that a gait cannot be followed along.
 
-    Raises:
-        InputError: it is that of neither a parameter nor an input of the model.
+    Raises
+    ------
+    InputError
+        It is that of neither a parameter nor an input of the model.
     """
     if name not in VARIED:
         raise InputError(

@@ -58,8 +58,10 @@ class Evidence:
 def gather(runner: Runner, show_progress: bool = False) -> Evidence:
     """Compute everything that the claims are judged by.
 
-    Raises:
-        RunError: a gait was not found.
+    Raises
+    ------
+    RunError
+        A gait was not found.
     """
     found = sweep(runner, SWEPT, show_progress=show_progress)
     stable = classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0]

@@ -65,17 +65,27 @@ def periodic_gait(
     that of the twenty before within 1000 `relative_tolerance`, each coordinate over its scale, and no stride
     is farther from the mean than 20 times that, as in a gait that repeats after two strides only.
 
-    Args:
-        friction: start value of `ground.friction`; None for the unit's own or that in `given`.
-        given: further start values by name, numbers or texts like `40 deg`: parameters, and where to begin.
-        relative_tolerance: of CVODE.
-        most_strides: give up after so many.
-        show_progress: a bar on stderr.
-        unit: the unit to run; by default that of `fmu_path`.
+    Parameters
+    ----------
+    friction : float, optional
+        Start value of `ground.friction`; None for the unit's own or that in `given`.
+    given : mapping of str to object, optional
+        Further start values by name, numbers or texts like `40 deg`: parameters, and where to begin.
+    relative_tolerance : float, default DEFAULT_TOLERANCE
+        Of CVODE.
+    most_strides : int, default MOST_STRIDES
+        Give up after so many.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        The unit to run; by default that of `fmu_path`.
 
-    Raises:
-        InputError: something given is not allowed; nothing was run.
-        RunError: the runner fell, or did not settle.
+    Raises
+    ------
+    InputError
+        Something given is not allowed; nothing was run.
+    RunError
+        The runner fell, or did not settle.
     """
     unit = load(unit)
     check_kind(given or {}, Mapping, "given", "start values by name")

@@ -106,13 +106,19 @@ def validate(
 ) -> Validation:
     """Run the five published gaits through FMPy's CVODE, and compare them.
 
-    Args:
-        relative_tolerance: of CVODE. At 1e-9 the gait at friction 0.2 misses the reference, by 1.4e-6.
-        show_progress: a bar on stderr for each gait.
-        unit: the unit to run; by default that of `fmu_path`.
+    Parameters
+    ----------
+    relative_tolerance : float, default DEFAULT_TOLERANCE
+        Of CVODE. At 1e-9 the gait at friction 0.2 misses the reference, by 1.4e-6.
+    show_progress : bool, default False
+        A bar on stderr for each gait.
+    unit : Unit, optional
+        The unit to run; by default that of `fmu_path`.
 
-    Raises:
-        RunError: a gait was not found.
+    Raises
+    ------
+    RunError
+        A gait was not found.
     """
     unit = load(unit)
     parameters: Mapping[str, object] = read_parameters("paper")

@@ -33,7 +33,9 @@ FORCE_SCALE = 1.5
 def frame_times(stride: Stride, frames: int = FRAMES) -> np.ndarray:
     """Times of the frames: evenly spaced but for the stance, which is slowed down, and without the end.
 
-    Returns:
+    Returns
+    -------
+    ndarray
         Array of `frames` times from 0 on; the next one would be the stride's end.
     """
     grid = np.linspace(0.0, stride.time[-1], 20001)

@@ -27,8 +27,10 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
 def draw(path: Path, run: Run, unit: Unit) -> None:
     """Draw a run as .png, .svg or .pdf, in the units of its table.
 
-    Raises:
-        InputError: the run did not record what is drawn, or nothing can be written there.
+    Raises
+    ------
+    InputError
+        The run did not record what is drawn, or nothing can be written there.
     """
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.table.dtype.names)
     if missing:

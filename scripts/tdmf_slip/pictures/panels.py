@@ -34,12 +34,18 @@ def mark_mid_stance(axes: Axes, stride: Stride) -> None:
 def modes(axes: Axes, stride: Stride, values: np.ndarray, shown: float, wanted: Collection[str]) -> None:
     """A curve over time in the colours of the contact modes: slip dashed, all else solid.
 
-    Args:
-        axes: where to draw.
-        stride: whose time and modes.
-        values: one per row of the stride.
-        shown: length of time that the axes will show.
-        wanted: the modes to draw.
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    stride : Stride
+        Whose time and modes.
+    values : ndarray
+        One per row of the stride.
+    shown : float
+        Length of time that the axes will show.
+    wanted : Collection[str]
+        The modes to draw.
     """
     for piece in stride.pieces:
         if piece.mode not in wanted:

@@ -35,13 +35,19 @@ def spring(
 ) -> tuple[np.ndarray, np.ndarray]:
     """A coil spring from foot to body, straight at both ends.
 
-    Args:
-        foot: one end.
-        body: the other end.
-        width: half the coil's width.
+    Parameters
+    ----------
+    foot : tuple[float, float]
+        One end.
+    body : tuple[float, float]
+        The other end.
+    width : float, default 0.055
+        Half the coil's width.
 
-    Returns:
-        x and y of a line to draw.
+    Returns
+    -------
+    tuple[ndarray, ndarray]
+        X and y of a line to draw.
     """
     start, end = np.array(foot), np.array(body)
     along = end - start
@@ -58,11 +64,16 @@ class Runner:
     def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
         """Make the artists, without a place yet.
 
-        Args:
-            axes: where to draw, x and y over l0 at equal scale.
-            opacity: 0 to 1.
-            line_width: of the leg, in points.
-            size: of body and foot, over their usual radii.
+        Parameters
+        ----------
+        axes : Axes
+            Where to draw, x and y over l0 at equal scale.
+        opacity : float, default 1.0
+            0 to 1.
+        line_width : float, default 1.6
+            Of the leg, in points.
+        size : float, default 1.0
+            Of body and foot, over their usual radii.
         """
         (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, alpha=opacity, zorder=4)
         self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, alpha=opacity, zorder=5)

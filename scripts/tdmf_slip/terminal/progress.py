@@ -13,11 +13,16 @@ tqdm.set_lock(threading.RLock())
 def bar(what: str, total: float | None, unit: str, show: bool = True) -> tqdm:
     """A progress bar on stderr; rare lines where stderr is not a terminal.
 
-    Args:
-        what: what is going on.
-        total: how many units there will be, or None where nobody knows.
-        unit: what is counted.
-        show: False for a bar that prints nothing.
+    Parameters
+    ----------
+    what : str
+        What is going on.
+    total : float or None
+        How many units there will be, or None where nobody knows.
+    unit : str
+        What is counted.
+    show : bool, default True
+        False for a bar that prints nothing.
     """
     on_screen = sys.stderr is not None and sys.stderr.isatty()
     return tqdm(

@@ -62,22 +62,35 @@ def run_batch(
 ) -> xarray.Dataset:
     """Run the unit once for each row of a table.
 
-    Args:
-        table: start values by the unit's names, one mapping for each run; all with the same names.
-        strides: how many each run makes.
-        relative_tolerance: as in `simulate`.
-        interface: `me` or `cs`.
-        scheduler: of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-        workers: processes on this machine, by default one for each processor.
-        show_progress: a bar on stderr.
-        unit: checks the table before anything is run.
+    Parameters
+    ----------
+    table : Sequence[Mapping[str, object]]
+        Start values by the unit's names, one mapping for each run; all with the same names.
+    strides : int
+        How many each run makes.
+    relative_tolerance : float, default DEFAULT_TOLERANCE
+        As in `simulate`.
+    interface : str, default 'cs'
+        `me` or `cs`.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    workers : int, optional
+        Processes on this machine, by default one for each processor.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        Checks the table before anything is run.
 
-    Returns:
+    Returns
+    -------
+    xarray.Dataset
         Over the dimension `run`: the table's columns as coordinates, the last stride's quantities with their
         units, `fallen`, and `problem`, empty where there was none.
 
-    Raises:
-        InputError: an empty table, rows with different names, or a value that is not allowed.
+    Raises
+    ------
+    InputError
+        An empty table, rows with different names, or a value that is not allowed.
     """
     unit = load(unit)
     unit.require_interface(interface)

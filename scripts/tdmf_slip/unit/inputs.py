@@ -23,8 +23,10 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | 
     FMPy's CVODE applies inputs where it looks for events, not at each evaluation of the right-hand side: a
     ramp is followed within one solver step. Jumps are exact.
 
-    Raises:
-        InputError: a name that is no input, times that go back, a value out of range.
+    Raises
+    ------
+    InputError
+        A name that is no input, times that go back, a value out of range.
     """
     if not tables:
         return None
@@ -47,8 +49,10 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
 
     A value is a number in its input's unit, or has a unit after a space.
 
-    Raises:
-        InputError: unreadable, not such a file, or not inputs of the unit.
+    Raises
+    ------
+    InputError
+        Unreadable, not such a file, or not inputs of the unit.
     """
     path = Path(path)
     try:

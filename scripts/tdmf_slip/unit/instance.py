@@ -77,20 +77,28 @@ class Instance:
     def simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
         """Run through FMPy: Model Exchange with CVODE, recording before and after each event.
 
-        Args:
-            experiment: what to run.
-            step_finished: called with the time and FMPy's recorder after each output interval and each
-                event, except a fall; False ends the run.
+        Parameters
+        ----------
+        experiment : Experiment
+            What to run.
+        step_finished : Callable[[float, object], bool]
+            Called with the time and FMPy's recorder after each output interval and each event, except a fall;
+            False ends the run.
 
-        Returns:
+        Returns
+        -------
+        ndarray
             Structured array of what was recorded: `time` and the experiment's variables.
 
         An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
         with the numbers that they were about to give.
 
-        Raises:
-            InputError: the unit refused a start value, or how several go together.
-            RunError: FMPy or the unit failed; the message has what both said.
+        Raises
+        ------
+        InputError
+            The unit refused a start value, or how several go together.
+        RunError
+            FMPy or the unit failed; the message has what both said.
         """
         with interrupts.held() as interrupt:
 
@@ -122,8 +130,10 @@ class Instance:
     def start(self, values: Mapping[str, float | int | bool]) -> None:
         """Set start values and initialize, to go on by `advance` (Co-Simulation).
 
-        Raises:
-            InputError: the unit refused a value, or how several go together.
+        Raises
+        ------
+        InputError
+            The unit refused a value, or how several go together.
         """
         setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
         try:
@@ -139,8 +149,10 @@ class Instance:
     def advance(self, time: float, duration: float) -> None:
         """One communication step from `time` on; both in s.
 
-        Raises:
-            RunError: the unit could not take it; the message has what it said.
+        Raises
+        ------
+        RunError
+            The unit could not take it; the message has what it said.
         """
         try:
             self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
@@ -170,8 +182,10 @@ class Instance:
 def opened(unit: Unit, interface: str = "me") -> Iterator[Instance]:
     """An instance that is freed at the end, whatever happens.
 
-    Raises:
-        InputError: the unit does not offer the interface.
+    Raises
+    ------
+    InputError
+        The unit does not offer the interface.
     """
     instance = Instance(unit, interface)
     try:

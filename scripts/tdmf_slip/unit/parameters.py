@@ -26,11 +26,15 @@ def read_parameters(name: str | Path) -> dict[str, object]:
     (TOML's `leg.stiffness`, or a table `[leg]`); a value is a number in the variable's unit, or a text with
     a unit, such as `"40 deg"`. Names and values are checked where they are used.
 
-    Args:
-        name: path of a .toml or .json file, or a preset's name.
+    Parameters
+    ----------
+    name : str or Path
+        Path of a .toml or .json file, or a preset's name.
 
-    Raises:
-        InputError: neither, unreadable, or not such a file.
+    Raises
+    ------
+    InputError
+        Neither, unreadable, or not such a file.
     """
     check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
@@ -51,11 +55,15 @@ def read_parameters(name: str | Path) -> dict[str, object]:
 def read_gait(name: str) -> dict[str, object]:
     """Start values of a run on a gait, from what `tdmf-slip gait --json` prints.
 
-    Args:
-        name: path of the file; `-` is standard input.
+    Parameters
+    ----------
+    name : str
+        Path of the file; `-` is standard input.
 
-    Raises:
-        InputError: unreadable, or no such gait.
+    Raises
+    ------
+    InputError
+        Unreadable, or no such gait.
     """
     where = "standard input" if name == "-" else name
     try:
@@ -73,8 +81,10 @@ def read_gait(name: str) -> dict[str, object]:
 def _parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping:
     """The names and values of a text, which is to be what `allowed` says.
 
-    Raises:
-        ValueError: there are none.
+    Raises
+    ------
+    ValueError
+        There are none.
     """
     if not text.strip():
         raise ValueError(f"is empty; allowed: {allowed}")

@@ -41,11 +41,15 @@ def scales(unit: Unit, starts: Mapping[str, float | bool] = NOTHING) -> tuple[fl
 def apex_of(values: Mapping[str, float]) -> tuple[float, ...]:
     """The section that has a motion's height, forward speed and leg; the way back from `start_values`.
 
-    Args:
-        values: states and masses, by the unit's names.
+    Parameters
+    ----------
+    values : Mapping[str, float]
+        States and masses, by the unit's names.
 
-    Raises:
-        InputError: one is missing.
+    Raises
+    ------
+    InputError
+        One is missing.
     """
     missing = next((name for name in MOVING if name not in values), None)
     if missing is not None:
@@ -67,13 +71,19 @@ def start_values(
     From the body's place (7) follows x_c = x - rho r sin theta and y_c = y + rho r cos theta, where
     rho = m / (m + m_f); their rates are (com_speed, 0).
 
-    Args:
-        unit: the unit whose masses serve where `starts` has none.
-        apex: the six coordinates, in the order of `COORDINATES` and the unit's units.
-        starts: start values of the same run, for its masses.
+    Parameters
+    ----------
+    unit : Unit
+        The unit whose masses serve where `starts` has none.
+    apex : Sequence[float]
+        The six coordinates, in the order of `COORDINATES` and the unit's units.
+    starts : Mapping[str, float | bool], default NOTHING
+        Start values of the same run, for its masses.
 
-    Raises:
-        InputError: not six coordinates.
+    Raises
+    ------
+    InputError
+        Not six coordinates.
     """
     if np.shape(apex) != (len(COORDINATES),):
         raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")

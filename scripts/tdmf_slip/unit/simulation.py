@@ -77,24 +77,39 @@ def simulate(
 ) -> Run:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
-    Args:
-        start_values: by variable name, a number in the variable's unit or a text like `40 deg`.
-        stop_time: s; the run begins at 0.
-        strides: end at the apex that closes this many strides, in Co-Simulation at the next recorded row.
-            With `stop_time`, whichever comes first; with neither, ten strides.
-        relative_tolerance: of CVODE, whose absolute tolerances follow from the unit's nominal values; in
-            Co-Simulation the tighter of it and `solver.relative_tolerance` holds.
-        output_interval: s between recorded rows; by default a tenth of sqrt(m/k).
-        inputs: tables by input name, see `inputs.InputTables`.
-        variables: names to record; by default every numeric input and output.
-        record_events: keep the rows before and after each event (Model Exchange), not the regular ones only.
-        interface: `me` (Model Exchange) or `cs` (Co-Simulation).
-        show_progress: a bar on stderr.
-        unit: the unit to run; by default that of `fmu_path`.
+    Parameters
+    ----------
+    start_values : mapping of str to object, optional
+        By variable name, a number in the variable's unit or a text like `40 deg`.
+    stop_time : float, optional
+        S; the run begins at 0.
+    strides : int, optional
+        End at the apex that closes this many strides, in Co-Simulation at the next recorded row. With
+        `stop_time`, whichever comes first; with neither, ten strides.
+    relative_tolerance : float, default DEFAULT_TOLERANCE
+        Of CVODE, whose absolute tolerances follow from the unit's nominal values; in Co-Simulation the
+        tighter of it and `solver.relative_tolerance` holds.
+    output_interval : float, optional
+        S between recorded rows; by default a tenth of sqrt(m/k).
+    inputs : InputTables, optional
+        Tables by input name, see `inputs.InputTables`.
+    variables : Iterable[str], optional
+        Names to record; by default every numeric input and output.
+    record_events : bool, default True
+        Keep the rows before and after each event (Model Exchange), not the regular ones only.
+    interface : str, default 'me'
+        `me` (Model Exchange) or `cs` (Co-Simulation).
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        The unit to run; by default that of `fmu_path`.
 
-    Raises:
-        InputError: something given is not allowed, by this package or by the unit; nothing was run.
-        RunError: the unit or FMPy failed, or the strides did not come about.
+    Raises
+    ------
+    InputError
+        Something given is not allowed, by this package or by the unit; nothing was run.
+    RunError
+        The unit or FMPy failed, or the strides did not come about.
     """
     unit = load(unit)
     starts = unit.start_values(start_values or {}, "start values")

@@ -14,8 +14,10 @@ from .unit import Unit
 def write_table(path: Path | str, run: Run, unit: Unit) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
 
-    Raises:
-        InputError: another suffix than .csv or .nc, or nothing can be written there.
+    Raises
+    ------
+    InputError
+        Another suffix than .csv or .nc, or nothing can be written there.
     """
     path = check_place(path, WRITERS, "output")
     with whole(path) as beside:

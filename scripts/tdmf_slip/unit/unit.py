@@ -35,8 +35,10 @@ def fmu_path(fmi: int = 2) -> Path:
     The environment variable TDMF_SLIP_FMU gives the path of the former, the latter lies beside it; without
     it, both are in this package.
 
-    Raises:
-        InputError: there is no such file, or no unit for that version.
+    Raises
+    ------
+    InputError
+        There is no such file, or no unit for that version.
     """
     if fmi not in tuple(FILES):
         raise InputError(f"fmi = {fmi!r} is not allowed; allowed: {', '.join(map(str, FILES))}")
@@ -88,8 +90,10 @@ class Unit:
     def find(self, name: str, where: str) -> Variable:
         """The variable called `name`.
 
-        Raises:
-            InputError: there is none; the message has the nearest names.
+        Raises
+        ------
+        InputError
+            There is none; the message has the nearest names.
         """
         check_kind(name, str, where, "a variable's name")
         if name in self.variables:
@@ -101,8 +105,10 @@ class Unit:
     def start_values(self, given: Mapping[str, object], where: str) -> dict[str, float | bool]:
         """Checked start values, each in the variable's unit, from names and numbers or texts.
 
-        Raises:
-            InputError: an unknown name, a variable that takes no start value, or a value out of range.
+        Raises
+        ------
+        InputError
+            An unknown name, a variable that takes no start value, or a value out of range.
         """
         check_kind(given, Mapping, where, "values by the names of variables")
         checked = {}
@@ -128,8 +134,10 @@ class Unit:
     def require_interface(self, interface: str) -> str:
         """FMPy's name of an interface, `me` or `cs`.
 
-        Raises:
-            InputError: no such interface, or this unit does not offer it.
+        Raises
+        ------
+        InputError
+            No such interface, or this unit does not offer it.
         """
         if interface not in tuple(INTERFACES):
             raise InputError(f"interface {interface!r} is unknown; allowed: {', '.join(INTERFACES)}")
@@ -153,9 +161,12 @@ def load(path: Path | str | Unit | None = None) -> Unit:
 
     A unit that is loaded already is given back as it is.
 
-    Raises:
-        InputError: there is no such file.
-        RunError: the file is no usable FMU.
+    Raises
+    ------
+    InputError
+        There is no such file.
+    RunError
+        The file is no usable FMU.
     """
     if isinstance(path, Unit):
         return path

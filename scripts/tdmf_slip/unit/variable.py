@@ -46,13 +46,18 @@ class Variable:
     def value_of(self, given: object, where: str) -> float | bool:
         """A start value for this variable from a number or a text like `40 deg`, checked against its range.
 
-        Args:
-            given: number, bool, or text: a number, alone or followed by the unit or a display unit; of an
-                enumeration also a name.
-            where: where the value was given, for the message.
+        Parameters
+        ----------
+        given : object
+            Number, bool, or text: a number, alone or followed by the unit or a display unit; of an
+            enumeration also a name.
+        where : str
+            Where the value was given, for the message.
 
-        Raises:
-            InputError: not a number, an unknown unit, or out of range.
+        Raises
+        ------
+        InputError
+            Not a number, an unknown unit, or out of range.
         """
         if self.type == "Boolean":
             return self._boolean(given, where)
@@ -64,8 +69,10 @@ class Variable:
     def values_of(self, given: object, where: str) -> np.ndarray:
         """One or more values for this variable, each as `value_of` takes it, in an array.
 
-        Raises:
-            InputError: not a row of such values.
+        Raises
+        ------
+        InputError
+            Not a row of such values.
         """
         try:
             if isinstance(given, str | Mapping):

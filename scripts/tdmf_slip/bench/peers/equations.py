@@ -18,13 +18,20 @@ ARMED = 1e-13
 def accelerations(mode, state, torque, friction, sin, cos):
     """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols.
 
-    Args:
-        mode: flight, stick, slip or graze.
-        state: the eight mechanical states, in the order of `STATES`.
-        torque: of the hip, but in graze.
-        friction: with the sign of the foot's velocity; in slip.
-        sin: the sine to use.
-        cos: the cosine to use.
+    Parameters
+    ----------
+    mode
+        Flight, stick, slip or graze.
+    state
+        The eight mechanical states, in the order of `STATES`.
+    torque
+        Of the hip, but in graze.
+    friction
+        With the sign of the foot's velocity; in slip.
+    sin
+        The sine to use.
+    cos
+        The cosine to use.
     """
     _, _, r, theta, _, _, r_rate, theta_rate = state
     sine, cosine = sin(theta), cos(theta)

@@ -67,10 +67,14 @@ def guards_of(name: str, state: Sequence, parameters: Sequence, sin: Callable, c
 def stride(section: Sequence, run: Callable, maths: ModuleType = math) -> np.ndarray:
     """The apex after one stride from an apex.
 
-    Args:
-        section: its coordinates; arrays of them for several runners.
-        run: takes a mode's name, a state and parameters to the first guard; returns the state and which.
-        maths: has sin and cos for what the section is made of.
+    Parameters
+    ----------
+    section : Sequence
+        Its coordinates; arrays of them for several runners.
+    run : Callable
+        Takes a mode's name, a state and parameters to the first guard; returns the state and which.
+    maths : ModuleType, default math
+        Has sin and cos for what the section is made of.
     """
     state, _ = run("place", eq.start(section, maths), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
     state = eq.impact(state, maths)

@@ -62,17 +62,26 @@ class Figure:
 def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bool = False) -> list[Path]:
     """Draw the figures into a folder.
 
-    Args:
-        folder: where the files go; made where it is missing.
-        unit: run for one stride of a gait.
-        only: only figures whose name begins like this.
-        show_progress: a bar on stderr.
+    Parameters
+    ----------
+    folder : Path
+        Where the files go; made where it is missing.
+    unit : Unit
+        Run for one stride of a gait.
+    only : str, optional
+        Only figures whose name begins like this.
+    show_progress : bool, default False
+        A bar on stderr.
 
-    Returns:
+    Returns
+    -------
+    list[Path]
         The files written.
 
-    Raises:
-        InputError: no figure has such a name, or nothing can be written there.
+    Raises
+    ------
+    InputError
+        No figure has such a name, or nothing can be written there.
     """
     known = _figures(unit)
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}

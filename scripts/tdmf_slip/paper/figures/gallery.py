@@ -17,16 +17,24 @@ from . import figure_5, figure_6, figure_7, figure_8
 def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
     """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model.
 
-    Args:
-        folder: where the files go; made where it is missing.
-        unit: run for one stride of each gait.
-        show_progress: a bar on stderr.
+    Parameters
+    ----------
+    folder : Path
+        Where the files go; made where it is missing.
+    unit : Unit
+        Run for one stride of each gait.
+    show_progress : bool, default False
+        A bar on stderr.
 
-    Returns:
+    Returns
+    -------
+    list[Path]
         The files written.
 
-    Raises:
-        InputError: nothing can be written there.
+    Raises
+    ------
+    InputError
+        Nothing can be written there.
     """
     folder.mkdir(exist_ok=True)
     runner = Runner.of(read_parameters("paper"), unit)
