@@ -1,8 +1,9 @@
 from .analysis.basin import basin
+from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
 from .errors import InputError, RunError, TdmfSlipError
 from .library.ensemble import run_ensemble
-from .library.orbit import Orbit, find_orbit
+from .library.orbit import Orbit
 from .library.runner import Runner
 from .paper.validation import Validation, validate
 from .unit.batch import run_batch

@@ -11,7 +11,6 @@ import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
-from tdmf_slip.unit import section
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -48,7 +47,7 @@ def reference_gaits():
 
 def apex_start(apex):
     """Start values of a Table 1 runner at an apex, from the section's six coordinates."""
-    return section.start_values(tdmf_slip.load(), apex)
+    return tdmf_slip.Runner.of({}).state_at(apex)
 
 
 class Instance:

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Runner, find_orbit
-from tdmf_slip.analysis import attraction, basin, borders, continuation, grid, search, sweep
+from tdmf_slip.analysis import attraction, basin, borders, continuation, fates, grid, search, sweep
 from tdmf_slip.blocks import running
+from tdmf_slip.cli import gait_file
 from tdmf_slip.library import ensemble, return_map
 from tdmf_slip.paper import settling
-from tdmf_slip.unit import batch, inputs, parameters, section
+from tdmf_slip.unit import batch, inputs
 
 FRICTION = "ground.friction"
 START = {FRICTION: 0.2}
@@ -31,7 +32,7 @@ TAKE_A_RUNNER = {
     "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
     "Case": lambda given, found: ensemble.Case(given).runner.values,
     "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], most_strides=2)[0]["apex"],
-    "first_orbit": lambda given, found: search.first_orbit(given).apex,
+    "find_orbit from a guess": lambda given, found: search.find_orbit(given, found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, [0.3]).orbits[0].apex,
     "grid": lambda given, found: (
         grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
@@ -41,7 +42,7 @@ TAKE_A_RUNNER = {
     "trace": lambda given, found: continuation.trace(given, FRICTION, found, 0.21, most_points=2).values,
     "basin": lambda given, found: basin.basin(given, AXES, RANGES, workers=1)["strides"].values,
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
-    "fates": lambda given, found: basin.fates(given, found.apex, [found.apex])["strides"],
+    "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
 }
 
 
@@ -127,13 +128,12 @@ WRONG = [
     lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
     lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
     lambda r, o: tdmf_slip.simulate(unit=3, stop_time=1),
-    lambda r, o: settling.periodic_gait(0.6, "human"),
-    lambda r, o: settling.periodic_gait(0.6, r),
-    lambda r, o: settling.periodic_gait(0.6, most_strides="x"),
-    lambda r, o: settling.periodic_gait(0.6, relative_tolerance="x"),
-    lambda r, o: settling.periodic_gait(START),
+    lambda r, o: settling.settle_unit("human"),
+    lambda r, o: settling.settle_unit(r),
+    lambda r, o: settling.settle_unit(most_strides="x"),
+    lambda r, o: settling.settle_unit(relative_tolerance="x"),
     lambda r, o: tdmf_slip.read_parameters(3),
-    lambda r, o: parameters.read_gait("none.json"),
+    lambda r, o: gait_file.read_gait("none.json"),
     lambda r, o: tdmf_slip.load(3),
     lambda r, o: tdmf_slip.fmu_path([2]),
     lambda r, o: batch.run_batch(START, strides=1),
@@ -143,8 +143,11 @@ WRONG = [
     lambda r, o: batch.run_batch([START], strides=1, interface="x"),
     lambda r, o: batch.run_batch([START], strides=1, relative_tolerance=5),
     lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load()),
-    lambda r, o: section.start_values(tdmf_slip.load(), [1, 2]),
-    lambda r, o: section.apex_of(START),
+    lambda r, o: r.state_at([1, 2]),
+    lambda r, o: r.start_values("human"),
+    lambda r, o: r.but("hip.touchdown_angle", "42 deg"),
+    lambda r, o: sweep.sweep(r, ["0.3"]),
+    lambda r, o: continuation.trace(r, FRICTION, o, "0.3"),
     lambda r, o: running.run_blocks(abs, [1, 2], workers="x").__enter__(),
 ]
 
@@ -169,15 +172,10 @@ def test_a_wrong_name_is_told_with_the_nearest(runner, found):
             call()
 
 
-def test_values_may_be_texts_with_a_unit(runner, found, tmp_path):
+def test_start_values_may_be_texts_with_a_unit():
     angle = "hip.touchdown_angle"
-    assert runner.but(angle, "42 deg").values[angle] == pytest.approx(np.radians(42.0))
-    last = next(continuation.gaits_over(runner, angle, ["40.5 deg"], found))
-    assert last.runner.values[angle] == pytest.approx(np.radians(40.5))
-    made = grid.grid(runner, [0.2], angle, ["39 deg", "40 deg"], tmp_path / "grid.nc", workers=1)
-    assert made[angle].values == pytest.approx(np.radians([39.0, 40.0]))
-    data = basin.basin(runner, ("leg_angle", "com_speed"), (["70 deg"], [0.9]), workers=1)
-    assert data["leg_angle"].values == pytest.approx(np.radians([70.0]))
+    assert Runner.of({angle: "42 deg"}).values[angle] == pytest.approx(np.radians(42.0))
+    assert tdmf_slip.simulate({angle: "42 deg"}, stop_time=1).final[angle] == pytest.approx(np.radians(42.0))
 
 
 def test_a_unit_may_be_given_as_it_is_or_by_its_path():
@@ -187,7 +185,6 @@ def test_a_unit_may_be_given_as_it_is_or_by_its_path():
 
 
 def test_start_values_of_a_gait_begin_on_it(found):
-    assert settling.QUANTITIES
     run = tdmf_slip.simulate(found.start_values, strides=1)
     assert run.stride["word"] == found.word
     assert run.stride["period"] == pytest.approx(found.period, rel=1e-6)

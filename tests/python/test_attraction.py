@@ -6,9 +6,9 @@ import math
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_orbit, read_parameters
-from tdmf_slip.analysis import attraction, basin
+from tdmf_slip.analysis import attraction, basin, fates
 from tdmf_slip.library import ensemble
-from tdmf_slip.unit.section import COORDINATES
+from tdmf_slip.library.section import COORDINATES
 
 
 @pytest.fixture(scope="module")
@@ -73,8 +73,8 @@ def test_a_volume_is_a_share_of_the_box(gait):
     low, high = np.array(list(attraction.BOX.values())).T
     drawings = [attraction.Drawing(gait.runner, tuple(gait.apex), 0, n, 4096).starts() for n in range(2)]
     assert np.min(np.abs(drawings[0] - drawings[1])) > 0.0
-    fates = basin.fates(gait.runner, gait.apex, np.concatenate(drawings))["fate"]
-    assert found.settled == np.count_nonzero(fates == ensemble.FATES.index("settled"))
+    ends = fates.fates(gait.runner, gait.apex, np.concatenate(drawings))
+    assert found.settled == np.count_nonzero(ends["fate"] == ensemble.SETTLED)
     assert found.as_json()["volume"] == pytest.approx(found.settled / 8192 * np.prod(high - low))
     assert found.volume[1] < found.volume[0] < found.volume[2]
 

@@ -11,9 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from tdmf_slip import InputError, Runner
 from tdmf_slip.analysis import basin
-from tdmf_slip.library import ensemble
+from tdmf_slip.library import ensemble, section
 from tdmf_slip.pictures import basin_map
-from tdmf_slip.unit import section
 
 AXES = ("com_height", "com_speed")
 RANGES = (np.linspace(1.2, 2.9, 12), np.linspace(0.9, 1.6, 9))
@@ -37,7 +36,7 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
     for row, column in [*fallen[:2], *settled[:2]]:
         apex = [slice_.attrs[f"gait_{name}"] for name in section.COORDINATES]
         apex[0], apex[1] = RANGES[0][row], RANGES[1][column]
-        run = tdmf_slip.simulate(section.start_values(unit, apex), strides=60, relative_tolerance=1e-9)
+        run = tdmf_slip.simulate(Runner.of({}, unit).state_at(apex), strides=60, relative_tolerance=1e-9)
         assert run.fallen == (slice_["fate"].values[row, column] == 1)
         if run.fallen:
             assert run.stride["count"] == slice_["strides"].values[row, column]

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import xarray
 from tdmf_slip import InputError, RunError, Runner
-from tdmf_slip.analysis import basin, grid
+from tdmf_slip.analysis import basin, fates, grid
 from tdmf_slip.blocks import cluster as clusters
 from tdmf_slip.blocks import running as blocks
 from tdmf_slip.blocks.running import run_blocks
@@ -348,16 +348,16 @@ def test_an_interrupt_is_heard_between_calls_of_the_library(unit, monkeypatch):
         signal.raise_signal(signal.SIGINT)
         return honest(*given, **named)
 
-    monkeypatch.setattr(basin, "STARTS_IN_A_CALL", 4)
+    monkeypatch.setattr(fates, "STARTS_IN_A_CALL", 4)
     runner = Runner.of({}, unit)
     apex = basin.stable_gait(runner, unit).apex
     starts = np.tile(apex, (10, 1))
-    in_parts = basin.fates(runner, apex, starts)
+    in_parts = fates.fates(runner, apex, starts)
     assert (in_parts["fate"] == 0).all() and len(in_parts) == 10
-    assert len(basin.fates(runner, apex, starts[:0])) == 0
+    assert len(fates.fates(runner, apex, starts[:0])) == 0
     monkeypatch.setattr(ensemble, "run_ensemble", interrupting)
     with pytest.raises(KeyboardInterrupt):
-        basin.fates(runner, apex, starts)
+        fates.fates(runner, apex, starts)
     assert calls == [4]
 
 

@@ -8,13 +8,15 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 
 import netCDF4
 import pytest
 import tdmf_slip
+from tdmf_slip.library import section
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.paper import settling
-from tdmf_slip.unit import section
+from tdmf_slip.unit import simulation
 
 
 def test_json_is_one_object_and_nothing_else(command):
@@ -130,20 +132,20 @@ def test_bad_input_gets_one_clear_message(command, tmp_path, options, words):
 
 @pytest.fixture(scope="module")
 def gait():
-    return settling.periodic_gait(0.6)
+    return settling.settle_unit()
 
 
 def test_the_gait_of_the_defaults_settles_on_the_reference(gait):
-    (expected,) = (known for known in reference.gaits() if known["friction"] == 0.6)
-    assert gait.word == expected["word"]
+    (expected,) = (known for known in reference.gaits() if known.friction == 0.6)
+    assert gait.word == expected.word
     assert all(drift.passed for drift in reference.drifts(gait, expected, tdmf_slip.load()))
 
 
 @pytest.mark.parametrize("name", ["period", "speed", "cost_of_transport"])
 def test_validation_sees_a_drift(gait, name):
     """A reference that is off by 1e-5, as a mistake in the physics would make it."""
-    (expected,) = (known for known in reference.gaits() if known["friction"] == 0.6)
-    drifted = dict(expected) | {name: expected[name] * (1 + 1e-5)}
+    (expected,) = (known for known in reference.gaits() if known.friction == 0.6)
+    drifted = replace(expected, **{name: getattr(expected, name) * (1 + 1e-5)})
     assert not all(drift.passed for drift in reference.drifts(gait, drifted, tdmf_slip.load()))
 
 
@@ -302,7 +304,7 @@ def test_what_is_asked_of_a_run_has_to_be_numbers():
     with pytest.raises(tdmf_slip.InputError, match="a pair of times and values"):
         tdmf_slip.simulate(inputs={"ground.friction": 0.3}, stop_time=1)
     with pytest.raises(tdmf_slip.InputError, match="relative_tolerance"):
-        settling.periodic_gait(0.6, relative_tolerance=float("nan"))
+        settling.settle_unit(relative_tolerance=float("nan"))
 
 
 def test_validate_as_json(command):
@@ -350,4 +352,30 @@ def test_results_that_cannot_be_printed_are_told():
 
 def test_no_gait_is_an_error_with_a_reason(command):
     with pytest.raises(tdmf_slip.RunError, match="fell after"):
-        settling.periodic_gait(0.6, {"hip.stance_torque": 0.0})
+        settling.settle_unit({"hip.stance_torque": 0.0})
+
+
+def test_every_variable_is_told(command, unit):
+    """As the unit's description has it, also its range; for machines with no bound as null."""
+    status, out, _ = command("variables", "--json")
+    told = {row["name"]: row for row in json.loads(out)["variables"]}
+    assert status == 0 and list(told) == list(unit.variables)
+    assert told["leg.min_length"]["default"] == 0.05 and told["leg.min_length"]["unit"] == "m"
+    assert told["contact.mode"]["items"]["slip_negative"] == 4 and told["contact.mode"]["default"] is None
+    assert told["energy.total"]["minimum"] is None and not told["energy.total"]["settable"]
+    status, out, _ = command("variables")
+    lines = out.splitlines()
+    assert status == 0 and len(lines) == len(unit.variables) + 2
+    row = next(line for line in lines if line.startswith("status.terminate_on_fall"))
+    assert row.split()[1:3] == ["true", "parameter"]
+
+
+def test_settings_of_one_interface_are_those_that_the_unit_describes_so(unit):
+    beginnings = {"me": "Model Exchange: ", "cs": "Co-Simulation: "}
+    described = {
+        name: interface
+        for name, variable in unit.variables.items()
+        for interface, beginning in beginnings.items()
+        if variable.settable and variable.description.startswith(beginning)
+    }
+    assert len(described) >= 3 and described == simulation.ONLY_IN

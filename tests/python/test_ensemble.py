@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_orbit
-from tdmf_slip.analysis import attraction, basin
+from tdmf_slip.analysis import attraction, fates
 from tdmf_slip.library import binding, ensemble
 
 
@@ -95,7 +95,7 @@ def test_every_stride_keeps_the_promised_accuracy(unit, instructions):
 
 def test_a_map_keeps_the_promised_accuracy(unit):
     fastest = ensemble.instruction_sets()[-1]
-    allowed = {"near": basin.ACCURACY / 20.0, "box": basin.ACCURACY}
+    allowed = {"near": fates.ACCURACY / 20.0, "box": fates.ACCURACY}
     compared = 0
     for name, cases, starts, numbers in crowds(unit, 2000):
         if name not in allowed:
@@ -105,7 +105,7 @@ def test_a_map_keeps_the_promised_accuracy(unit):
             ensemble.run_ensemble(
                 cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=kind, threads=2
             )[0]["apex"]
-            for tolerance, kind in ((basin.TOLERANCE, fastest), (1e-13, "one by one"))
+            for tolerance, kind in ((fates.TOLERANCE, fastest), (1e-13, "one by one"))
         ]
         assert np.max(np.abs(apices[0] - apices[1]) / scales) <= allowed[name], name
         compared += 1

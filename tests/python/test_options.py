@@ -21,7 +21,7 @@ def single_options():
 
 def test_every_command_has_its_options_looked_at():
     found = list(single_options())
-    assert {name for name, _, _ in found} == set(COMMANDS)
+    assert {name for name, _, _ in found} == set(COMMANDS) - {"variables"}
     assert len(found) >= 30
 
 

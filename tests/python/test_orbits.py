@@ -8,21 +8,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, Runner, load, read_parameters
+from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
 from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweep as sweeps
 from tdmf_slip.analysis.borders import borders_between
 from tdmf_slip.analysis.continuation import gaits_over, trace
 from tdmf_slip.analysis.grid import grid
-from tdmf_slip.analysis.search import first_orbit
 from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.orbit import LETTERS, find_orbit
+from tdmf_slip.library.orbit import LETTERS
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.paper import reference_gaits as reference
-from tdmf_slip.unit import section
 from tdmf_slip.unit.unit import FRICTION
 
 # Independent values: refined fixed points in extended precision, differenced there.
@@ -47,15 +45,15 @@ def swept(runner):
     return sweep(runner, np.geomspace(10.0, 0.05, 24))
 
 
-@pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: gait["word"])
+@pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: gait.word)
 def test_gait_agrees_with_the_reference(runner, known):
-    orbit = find_orbit(runner.but(FRICTION, known["friction"]))
-    assert orbit.word == known["word"]
+    orbit = find_orbit(runner.but(FRICTION, known.friction))
+    assert orbit.word == known.word
     assert orbit.error < 1e-12
     for name in ("period", "speed", "work", "cost_of_transport"):
-        assert orbit.stride[name] == pytest.approx(known[name], rel=1e-11)
-    assert orbit.liftoff_angle == pytest.approx(known["liftoff_angle"], rel=1e-11)
-    assert orbit.apex == pytest.approx(known["apex"], abs=1e-11)
+        assert orbit.stride[name] == pytest.approx(getattr(known, name), rel=1e-11)
+    assert orbit.liftoff_angle == pytest.approx(known.liftoff_angle, rel=1e-11)
+    assert orbit.apex == pytest.approx(known.apex, abs=1e-11)
 
 
 @pytest.mark.parametrize("friction", EIGENVALUES)
@@ -119,14 +117,14 @@ def test_a_word_in_a_window_of_a_few_millionths(runner, swept):
     high, low = (b.value for b in inner)
     assert high == pytest.approx(0.4991, abs=5e-5)
     assert high - low == pytest.approx(WINDOW, rel=0.2)
-    around = first_orbit(runner.but(FRICTION, 0.5))
+    around = find_orbit(runner.but(FRICTION, 0.5))
     within = next(gaits_over(runner, FRICTION, [0.5 * (high + low)], around))
     assert within.word == "+0-+"
 
 
 def test_every_border_lies_between_its_words(runner, swept):
     for border in swept.borders:
-        near = first_orbit(runner.but(FRICTION, border.value * (1.0 + 1e-7)))
+        near = find_orbit(runner.but(FRICTION, border.value * (1.0 + 1e-7)))
         beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
         assert (near.word, beyond.word) == (border.before, border.after)
         assert borders_between(runner, FRICTION, near, beyond)[0].value == pytest.approx(
@@ -170,7 +168,7 @@ def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
     """The start values of the default masses have a vertical velocity of the centre of mass with others."""
     for name, value in (("foot.mass", 0.2), ("body.mass", 0.9)):
         other = runner.but(name, value)
-        state = section.start_values(load(), other.start_apex(), other.values)
+        state = other.state_at(other.start_apex())
         for kept in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "foot.y", "foot.vx"):
             assert state[kept] == pytest.approx(runner.values[kept], abs=1e-14)
         assert find_orbit(other).error < 1e-12
@@ -182,7 +180,7 @@ def test_events_and_letters_are_those_of_one_stride(unit):
     branch = trace(human, "leg.stiffness", find_orbit(human), 17000.0, largest_step=0.1, most_points=25)
     assert {orbit.word for orbit in branch.orbits} == {"+0+", "+|+0+"}
     for orbit in branch.orbits:
-        assert "".join(letter for letter, _ in orbit.letters) == orbit.word.replace("|", "")
+        assert "".join(letter.letter for letter in orbit.letters) == orbit.word.replace("|", "")
         times = [event.time for event in orbit.events]
         assert times == sorted(times) and times[0] >= 0.0 and times[-1] <= orbit.period * (1.0 + 1e-9)
         standing = [
@@ -190,7 +188,7 @@ def test_events_and_letters_are_those_of_one_stride(unit):
             for event, after in pairwise(orbit.events)
             if event.contact_after in LETTERS
         ]
-        assert sum(duration for _, duration in orbit.letters) == pytest.approx(sum(standing), rel=1e-12)
+        assert sum(letter.duration for letter in orbit.letters) == pytest.approx(sum(standing), rel=1e-12)
         assert 0.0 < sum(standing) <= orbit.stride["stance_time"] * (1.0 + 1e-9)
 
 
@@ -207,12 +205,12 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_pat
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
-    first = first_orbit(runner.but("hip.touchdown_angle", 1.0), unit)
+    first = find_orbit(runner.but("hip.touchdown_angle", 1.0), unit=unit)
     assert float(found["lambda_max"][0, 0]) == pytest.approx(np.max(np.abs(first.eigenvalues)), rel=1e-9)
     for name in ("speed", "work", "impact_loss"):
         assert float(found[name][0, 0]) == pytest.approx(first.stride[name], rel=1e-9)
     with pytest.raises(RunError, match=r"at friction 0\.02"):
-        first_orbit(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), unit)
+        find_orbit(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), unit=unit)
 
 
 def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):

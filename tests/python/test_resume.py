@@ -7,7 +7,7 @@ from tdmf_slip import InputError, Runner
 from tdmf_slip.analysis import basin, grid
 from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
 from tdmf_slip.library.orbit import LOSSES, STRIDE_QUANTITIES
-from tdmf_slip.unit.section import COORDINATES
+from tdmf_slip.library.section import COORDINATES
 
 FRICTIONS = [0.6, 0.5]
 DAMPINGS = [0.2, 0.25]

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from tdmf_slip.paper.claims import WORDS, Claim
 from tdmf_slip.paper.reference_gaits import Drift
-from tdmf_slip.paper.settling import Gait
+from tdmf_slip.paper.settling import SettledRun
 from tdmf_slip.paper.validation import Validation
 
 CLAIMS = [Claim("speed", "rises", "falls", False), Claim("cost", "least", "least", True)]
@@ -22,7 +22,7 @@ MISSED = Drift(math.nan, "another border", 0.5, 0.6, 0.1, 5e-5)
 
 @pytest.fixture
 def gaits():
-    one = Gait(
+    one = SettledRun(
         friction=0.6,
         word=WORDS[0.6],
         period=24.764449999,

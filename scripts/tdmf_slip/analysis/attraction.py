@@ -3,18 +3,20 @@
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import check_kind, checked_whole
 from ..library import ensemble
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..terminal import progress
-from ..unit.section import COORDINATES
-from .basin import STARTS_AT_ONCE, fates
+from .basin import STARTS_AT_ONCE
+from .fates import fates
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -35,6 +37,13 @@ COARSE, REFINEMENTS = 500, 2
 EDGE_TOLERANCE = 1e-8
 """Relative tolerance of a step there: a stride errs by less than a hundredth of what the tries are apart."""
 MOST_SAMPLES = 100_000_000
+DISTURBED: Mapping[str, str] = {
+    "push_forward": "com_speed",
+    "push_backward": "com_speed",
+    "step_down": "com_height",
+    "step_up": "com_height",
+}
+"""By disturbance: the coordinate of the section that it changes."""
 SAMPLES = 4000
 """Starts drawn for each of many gaits."""
 
@@ -66,7 +75,8 @@ class Volume:
     @property
     def volume(self) -> tuple[float, float, float]:
         """Estimate, lower and upper end, in the section's scales."""
-        return tuple(share * self.box for share in (self.share, *self.interval))
+        low, high = self.interval
+        return self.share * self.box, low * self.box, high * self.box
 
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
@@ -93,17 +103,18 @@ class Drawing:
     number: int
     count: int
 
-    def starts(self) -> np.ndarray:
+    def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""
         source = np.random.default_rng([self.seed, self.number])
         low, high = np.array(list(BOX.values())).T
         return self.runner.scales * source.uniform(low, high, size=(self.count, len(COORDINATES)))
 
 
-def count_fates(drawing: Drawing) -> np.ndarray:
+def count_fates(drawing: Drawing) -> NDArray[np.int64]:
     """How many of a block's starts have each of `ensemble.FATES`."""
     ends = fates(drawing.runner, drawing.apex, drawing.starts())
-    return np.bincount(ends["fate"], minlength=len(ensemble.FATES))
+    counted: NDArray[np.int64] = np.bincount(ends["fate"], minlength=len(ensemble.FATES))
+    return counted
 
 
 def volume(
@@ -126,11 +137,16 @@ def volume(
     seed : int, default 0
         Of the drawing.
     scheduler : str, optional
-        See `run_blocks`.
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
-        See `run_blocks`.
+        Processes on this machine, by default one for each processor.
     show_progress : bool, default False
         A bar on stderr.
+
+    Returns
+    -------
+    Volume
+        The share of the box `BOX` that settles, with its confidence interval.
 
     Raises
     ------
@@ -166,18 +182,30 @@ class Robustness:
     push_forward: float
     """Of the speed, m/s."""
     push_backward: float
+    """Likewise, the other way."""
     step_down: float
     """Of the ground, m: the runner then starts so much higher."""
     step_up: float
+    """Likewise, upwards."""
 
     def as_json(self) -> dict[str, float | None]:
         """The disturbances as a plain object."""
-        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
+        values: dict[str, float] = asdict(self)
         return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
 def robustness(gait: Orbit) -> Robustness:
     """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
+
+    Parameters
+    ----------
+    gait : Orbit
+        Stable.
+
+    Returns
+    -------
+    Robustness
+        The largest pushes, m/s, and steps, m.
 
     Raises
     ------
@@ -187,23 +215,25 @@ def robustness(gait: Orbit) -> Robustness:
     check_orbit(gait, "gait")
     reach = functools.partial(_reach, gait)
     return Robustness(
-        push_forward=reach("com_speed", 1.0),
-        push_backward=reach("com_speed", -1.0),
-        step_down=reach("com_height", 1.0),
-        step_up=reach("com_height", -1.0),
+        push_forward=reach("push_forward", 1.0),
+        push_backward=reach("push_backward", -1.0),
+        step_down=reach("step_down", 1.0),
+        step_up=reach("step_up", -1.0),
     )
 
 
-def _reach(gait: Orbit, axis: str, direction: float) -> float:
+def _reach(gait: Orbit, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
-    index = COORDINATES.index(axis)
+    index = COORDINATES.index(DISTURBED[disturbance])
     runner = Runner(gait.runner.values)
     recovered, lost = 0.0, FARTHEST * runner.scales[index]
     for _ in range(REFINEMENTS):
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]
         starts = np.tile(gait.apex, (COARSE, 1))
         starts[:, index] += direction * tries
-        fails = np.flatnonzero(fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE)["fate"] != 0)
+        fails = np.flatnonzero(
+            fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE)["fate"] != ensemble.SETTLED
+        )
         if not fails.size:
             return math.inf
         first = fails[0]
@@ -234,7 +264,7 @@ def measure(gait: Orbit) -> Attraction:
     return Attraction(
         gait.friction,
         gait.word,
-        float(abs(gait.eigenvalues[0])),
+        gait.lambda_max,
         volume(gait, SAMPLES, workers=1),
         robustness(gait),
     )

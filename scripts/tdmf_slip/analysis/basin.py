@@ -1,12 +1,15 @@
 """The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
 
+import math
 import reprlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray
+from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
 from ..errors import InputError
@@ -16,17 +19,13 @@ from ..files.whole import check_place
 from ..library import ensemble
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..terminal import progress
-from ..unit.section import COORDINATES
 from ..unit.unit import Unit, load
-from .search import first_orbit
+from ..unit.variable import Given
+from .fates import MOST_STRIDES, fates
+from .search import find_orbit
 
-TOLERANCE = 1e-5
-"""Relative tolerance of a step for maps and volumes."""
-ACCURACY = 5e-4
-"""By which the apex after a stride then errs at the most, over the scales, from anywhere in `attraction.BOX`;
-from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
-MOST_STRIDES = 400
 NOT_YET = -1
 LEG_LENGTH = COORDINATES.index("leg_length")
 """It and the coordinates before are positive, and measured by what they are."""
@@ -39,8 +38,6 @@ STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
 """The least and the most that a fate may come after."""
 STARTS_AT_ONCE = 4096
 """In a block."""
-STARTS_IN_A_CALL = 512
-"""Of the library, which hears of no interrupt until it returns."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +50,7 @@ class Slice:
     rows: tuple[float, ...]
     columns: tuple[float, ...]
 
-    def starts(self) -> np.ndarray:
+    def starts(self) -> NDArray[np.float64]:
         """One to a row, the columns running fastest."""
         sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
         sections[..., COORDINATES.index(self.axes[0])] = np.asarray(self.rows)[:, None]
@@ -61,33 +58,13 @@ class Slice:
         return sections.reshape(-1, len(COORDINATES))
 
 
-def fates_of_slice(part: Slice) -> np.ndarray:
+def fates_of_slice(part: Slice) -> NDArray[np.void]:
     """What becomes of each start of a block, in its shape: the fields `fate` and `strides`."""
     ends = fates(part.runner, part.apex, part.starts())
     return ends.reshape(len(part.rows), len(part.columns))
 
 
-def fates(
-    runner: Runner, apex: Sequence[float], starts: np.ndarray, *, tolerance: float = TOLERANCE
-) -> np.ndarray:
-    """What becomes of runners that start somewhere, as `run_ensemble` tells it, by one thread."""
-    case = ensemble.Case(runner, (apex,))
-    calls = range(0, max(1, len(starts)), STARTS_IN_A_CALL)
-    return np.concatenate(
-        [
-            ensemble.run_ensemble(
-                [case],
-                starts[first : first + STARTS_IN_A_CALL],
-                most_strides=MOST_STRIDES,
-                tolerance=tolerance,
-                threads=1,
-            )[0]
-            for first in calls
-        ]
-    )
-
-
-def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None) -> Orbit:
+def stable_gait(runner: Runner | Mapping[str, Given], unit: Unit | None = None) -> Orbit:
     """The gait of a runner, if it attracts anything.
 
     Raises
@@ -97,7 +74,7 @@ def stable_gait(runner: Runner | Mapping[str, object], unit: Unit | None = None)
     RunError
         There is none.
     """
-    gait = first_orbit(runner, unit)
+    gait = find_orbit(runner, unit=unit)
     if not gait.stable:
         raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
     return gait
@@ -116,7 +93,12 @@ def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
     index = COORDINATES.index(axis)
     here, scale = gait.apex[index], gait.runner.scales[index]
     low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
-    return float(f"{low:.6g}"), float(f"{high:.6g}")
+    return _rounded(low), _rounded(high)
+
+
+def _rounded(value: float) -> float:
+    """A number to six significant digits."""
+    return round(value, 5 - math.floor(math.log10(abs(value)))) if value else 0.0
 
 
 def check_axes(axes: Sequence[str]) -> None:
@@ -133,9 +115,9 @@ def check_axes(axes: Sequence[str]) -> None:
 
 
 def basin(
-    runner: Runner | Mapping[str, object],
+    runner: Runner | Mapping[str, Given],
     axes: tuple[str, str],
-    ranges: tuple[Sequence[float | str], Sequence[float | str]],
+    ranges: tuple[ArrayLike, ArrayLike],
     *,
     path: Path | str | None = None,
     scheduler: str | None = None,
@@ -150,12 +132,12 @@ def basin(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to object
+    runner : Runner or mapping of str to float
         Parameters and friction, or start values by name.
-    axes : tuple[str, str]
+    axes : pair of str
         Two names of `section.COORDINATES`.
-    ranges : tuple[Sequence[float | str], Sequence[float | str]]
-        Values along each, numbers or texts like `70 deg`.
+    ranges : pair of sequences of float
+        Values along each, in the coordinate's unit.
     path : Path or str, optional
         Of a NetCDF file.
     scheduler : str, optional
@@ -183,49 +165,51 @@ def basin(
     """
     unit, runner = load(unit), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")
-    axes, ranges = _checked_slice(axes, ranges, unit)
+    axes, values = _checked_slice(axes, ranges, unit)
     gait = stable_gait(runner, unit)
-    data = _blank(gait, axes, ranges, unit)
+    data = _blank(gait, axes, values, unit)
     if path is not None:
         data = _resumed(path, data)
-    missing = [row for row in range(len(ranges[0])) if (data["fate"].values[row] == NOT_YET).any()]
-    at_once = max(1, STARTS_AT_ONCE // len(ranges[1]))
+    missing = [row for row in range(len(values[0])) if (data["fate"].values[row] == NOT_YET).any()]
+    at_once = max(1, STARTS_AT_ONCE // len(values[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
-        Slice(runner, tuple(gait.apex), axes, tuple(np.asarray(ranges[0])[block]), tuple(ranges[1]))
-        for block in rows
+        Slice(runner, tuple(gait.apex), axes, tuple(values[0][block]), tuple(values[1])) for block in rows
     ]
     with (
-        progress.bar("basin", len(ranges[0]), "rows", show_progress) as bar,
+        progress.bar("basin", len(values[0]), "rows", show_progress) as bar,
         run_blocks(fates_of_slice, parts, scheduler=scheduler, workers=workers) as results,
     ):
-        bar.update(len(ranges[0]) - len(missing))
+        bar.update(len(values[0]) - len(missing))
         for number, ends in results:
             for name in ("fate", "strides"):
                 data[name].values[rows[number]] = ends[name]
             bar.update(len(rows[number]))
             if path is not None:
                 write_dataset(path, data)
-    share = float(np.mean(data["fate"].values == 0))
-    area = share * float(np.prod([np.ptp(values) for values in ranges]))
+    share = float(np.mean(data["fate"].values == ensemble.SETTLED))
+    area = share * float(np.prod([np.ptp(along) for along in values]))
     data.attrs |= {"settled_share": share, "settled_area": area}
     if path is not None:
         write_dataset(path, data)
     return data
 
 
-def _checked_slice(axes: object, ranges: object, unit: Unit) -> tuple[tuple[str, str], list[np.ndarray]]:
+def _checked_slice(
+    axes: Any, ranges: Any, unit: Unit
+) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     for what, pair in (("axes", axes), ("ranges", ranges)):
         if not isinstance(pair, Sequence | np.ndarray) or isinstance(pair, str) or len(pair) != 2:
             raise InputError(f"{what} = {reprlib.repr(pair)} is not allowed; allowed: a pair")
     check_axes(axes)
-    if axes[0] == axes[1]:
-        raise InputError(f"axes {', '.join(axes)}: allowed: two that differ")
-    variables = [unit.variables[f"apex.{axis}"] for axis in axes]
-    return tuple(axes), [
-        variable.values_of(values, f"range of {axis}")
-        for variable, axis, values in zip(variables, axes, ranges, strict=True)
-    ]
+    first, second = axes
+    if first == second:
+        raise InputError(f"axes {first}, {second}: allowed: two that differ")
+    rows, columns = (
+        unit.variables[f"apex.{axis}"].values_of(values, f"range of {axis}")
+        for axis, values in zip(axes, ranges, strict=True)
+    )
+    return (first, second), (rows, columns)
 
 
 def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
@@ -246,7 +230,10 @@ def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
 
 
 def _blank(
-    gait: Orbit, axes: tuple[str, str], ranges: tuple[Sequence[float], Sequence[float]], unit: Unit
+    gait: Orbit,
+    axes: tuple[str, str],
+    ranges: tuple[NDArray[np.float64], NDArray[np.float64]],
+    unit: Unit,
 ) -> xarray.Dataset:
     shape = len(ranges[0]), len(ranges[1])
     data = xarray.Dataset(
@@ -254,7 +241,7 @@ def _blank(
             "fate": (axes, np.full(shape, NOT_YET, dtype="i4")),
             "strides": (axes, np.zeros(shape, dtype="i4")),
         },
-        coords={axis: ((axis,), np.asarray(v, dtype=float)) for axis, v in zip(axes, ranges, strict=True)},
+        coords={axis: ((axis,), values) for axis, values in zip(axes, ranges, strict=True)},
     )
     data["fate"].attrs = {
         "flag_values": np.arange(len(ensemble.FATES)),

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit
@@ -53,7 +54,7 @@ def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border
 
     Returns
     -------
-    tuple[list[Border], list[Special]]
+    pair of lists, of Border and of Special
         The borders between words, and the special points, which have the borders among them.
     """
     borders: list[Border] = []
@@ -188,7 +189,7 @@ def _bifurcations(family: Family, before: Point, after: Point, changes: tuple[st
             raise RunError(f"no eigenvalues of a {kind}: {_account(before, after, changes)}")
 
 
-def _is_there(kind: str, eigenvalues: np.ndarray) -> bool:
+def _is_there(kind: str, eigenvalues: NDArray[np.float64] | NDArray[np.complex128]) -> bool:
     if kind == NEIMARK_SACKER:
         return bool(np.any((np.abs(np.abs(eigenvalues) - 1.0) < ON_CIRCLE) & (eigenvalues.imag != 0.0)))
     return bool(np.min(np.abs(eigenvalues - (1.0 if kind == FOLD else -1.0))) < ON_CIRCLE)

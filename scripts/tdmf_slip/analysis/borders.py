@@ -7,10 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
+from ..unit.variable import Given
 from .family import Family
 
 ROOT_ACCURACY = 1e-11
@@ -38,9 +40,23 @@ class Border:
 
 
 def borders_between(
-    runner: Runner | Mapping[str, object], name: str, first: Orbit, last: Orbit
+    runner: Runner | Mapping[str, Given], name: str, first: Orbit, last: Orbit
 ) -> list[Border]:
-    """All changes of the word from one gait to another of the same branch, in order.
+    """All changes of the word from one gait to another of the same branch.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Whose gaits.
+    name : str
+        Parameter or input along which the branch is followed.
+    first, last : Orbit
+        Gaits of the branch.
+
+    Returns
+    -------
+    list of Border
+        In order from first to last.
 
     Raises
     ------
@@ -117,7 +133,7 @@ def _sides(family: Family, inside: Orbit, outside: Orbit, value: float) -> tuple
     return family.orbit(places[0], inside.apex), family.orbit(places[1], outside.apex)
 
 
-def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> np.ndarray:
+def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> NDArray[np.float64]:
     low, high = inside.runner.values[name], outside.runner.values[name]
     share = (value - low) / (high - low)
     return (1.0 - share) * inside.apex + share * outside.apex
@@ -133,9 +149,9 @@ def _vanishing_point(
     near, far = side[-1], side[-2]
     at, step = near.runner.values[name], near.runner.values[name] - far.runner.values[name]
     roots = [
-        at - duration * step / (duration - before)
-        for (_, duration), (_, before) in zip(near.letters, far.letters, strict=True)
-        if duration != before
+        at - letter.duration * step / (letter.duration - before.duration)
+        for letter, before in zip(near.letters, far.letters, strict=True)
+        if letter.duration != before.duration
     ]
     slack = SURE * abs(at)  # the border may lie on a gait already tried, or beside it by rounding
     within = [root for root in roots if min(low, high) - slack <= root <= max(low, high) + slack]

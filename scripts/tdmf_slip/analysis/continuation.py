@@ -3,18 +3,18 @@
 A branch is followed by pseudo-arclength continuation on the exact Jacobian.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from numbers import Real
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..checks import check_kind, checked, checked_whole
+from ..checks import check_kind, checked, checked_whole, is_number
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
-from ..unit.unit import load
+from ..unit.variable import Given, Values
 from .bifurcations import Special, happenings
 from .borders import Border
 from .family import Family, Point
@@ -31,7 +31,9 @@ class Branch:
     """Gaits in the order in which they were met along a parameter."""
 
     name: str
+    """Of the parameter or input."""
     values: tuple[float, ...]
+    """Of the parameter, at each gait."""
     orbits: tuple[Orbit, ...]
     borders: tuple[Border, ...]
     specials: tuple[Special, ...]
@@ -41,13 +43,31 @@ class Branch:
 
 
 def gaits_over(
-    runner: Runner | Mapping[str, object],
+    runner: Runner | Mapping[str, Given],
     name: str,
-    values: Sequence[float | str],
+    values: Values,
     first: Orbit,
     step_finished: Callable[[], None] = lambda: None,
 ) -> Iterator[Orbit]:
     """The gait at each value in turn, each from the one before; steps in between where values are far apart.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Whose gaits.
+    name : str
+        Parameter or input that is varied.
+    values : sequence of float
+        Of it, in its unit.
+    first : Orbit
+        A gait to begin at.
+    step_finished : callable, optional
+        Called after each gait.
+
+    Yields
+    ------
+    Orbit
+        At each value.
 
     Raises
     ------
@@ -58,7 +78,7 @@ def gaits_over(
     """
     family = Family(runner, name)
     check_orbit(first, "first")
-    check_kind(values, Iterable, "values", f"a row of values of {name}")
+    check_kind(values, (Sequence, np.ndarray), "values", f"a row of values of {name}")
     at = family.value_of(first)
     orbit = first if first.along == name else family.orbit(at, first.apex)
     for value in values:
@@ -79,7 +99,7 @@ def _walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]
         step = np.clip(step, -abs(to - at), abs(to - at))
         value = to if abs(to - at - step) < smallest else at + step
         try:
-            nearby = _predicted(orbit, value - at)
+            nearby = _predicted(family, orbit, value - at)
             following = family.orbit(value, nearby)
         except RunError:
             step *= 0.5
@@ -90,20 +110,21 @@ def _walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]
         orbit, at, step = following, value, 2.0 * step
 
 
-def _predicted(orbit: Orbit, step: float) -> np.ndarray:
+def _predicted(family: Family, orbit: Orbit, step: float) -> NDArray[np.float64]:
     """The apex at a parameter a little away, along the branch's tangent."""
+    assert orbit.by_parameter is not None
     try:
         tangent = np.linalg.solve(np.eye(6) - orbit.jacobian, orbit.by_parameter)
     except np.linalg.LinAlgError:
-        raise RunError(f"the branch turns at {orbit.along} = {orbit.runner.values[orbit.along]:g}") from None
+        raise RunError(f"the branch turns at {family.name} = {family.value_of(orbit):g}") from None
     return orbit.apex + step * tangent
 
 
 def trace(
-    runner: Runner | Mapping[str, object],
+    runner: Runner | Mapping[str, Given],
     name: str,
     first: Orbit,
-    end: float | str,
+    end: float,
     *,
     largest_step: float = 0.05,
     most_points: int = 1000,
@@ -116,20 +137,25 @@ def trace(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to object
+    runner : Runner or mapping of str to float
         Whose gaits.
     name : str
         Parameter or input that is varied.
     first : Orbit
         A gait to begin at.
-    end : float or str
+    end : float
         Value of the parameter at which to stop; where a fold leads back, the branch stops at its first.
     largest_step : float, default 0.05
         Along the branch.
     most_points : int, default 1000
         Stop after so many gaits.
-    step_finished : Callable[[], None], default lambda: None
+    step_finished : callable, optional
         Called after each gait.
+
+    Returns
+    -------
+    Branch
+        The gaits in their order, with borders and bifurcations.
 
     Raises
     ------
@@ -143,8 +169,8 @@ def trace(
     checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
     checked_whole("most_points", most_points, 1, MOST_POINTS)
     start = first.runner.values[name]
-    if not isinstance(end, Real):
-        end = load().find(name, "name").value_of(end, "end")
+    if not is_number(end):
+        raise InputError(f"end {end!r} of {name}: allowed: a number")
     if not abs(end - start) > 0.0:
         raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
     family = Family(runner.but(name, start), name)

@@ -3,15 +3,19 @@
 Lengths along a branch are measured over the coordinates' scales and one of the parameter.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..library.orbit import Orbit, find_orbit
+from ..library.members import check_varied
+from ..library.orbit import Orbit, orbit_near
 from ..library.return_map import stride_from
-from ..library.runner import Runner, check_varied
+from ..library.runner import Runner
+from ..library.section import Apex
+from ..unit.variable import Given
 
 NEWTON_ITERATIONS = 12
 NEWTON_CONVERGED = 1e-10
@@ -24,7 +28,7 @@ class Point:
     orbit: Orbit
     value: float
     """Of the parameter."""
-    direction: np.ndarray
+    direction: NDArray[np.float64]
     """Unit tangent of the branch, over the scales: six coordinates, then the parameter."""
 
     @property
@@ -36,7 +40,7 @@ class Point:
 class Family:
     """Gaits of one runner by the value of a parameter."""
 
-    def __init__(self, runner: Runner | Mapping[str, object], name: str) -> None:
+    def __init__(self, runner: Runner | Mapping[str, Given], name: str) -> None:
         """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1.
 
         Raises
@@ -49,8 +53,15 @@ class Family:
         self.name = name
         self.scales = np.append(runner.scales, abs(runner.values[name]) or 1.0)
 
-    def orbit(self, value: float, guess: Sequence[float]) -> Orbit:
+    def orbit(self, value: float, guess: Apex) -> Orbit:
         """The gait at a value near a guess.
+
+        Parameters
+        ----------
+        value : float
+            Of the parameter.
+        guess : sequence of float, shape (6,)
+            An apex near the gait's.
 
         Raises
         ------
@@ -59,38 +70,49 @@ class Family:
         RunError
             There is none.
         """
-        return find_orbit(self.runner.but(self.name, value), guess, along=self.name)
+        return orbit_near(self.runner.but(self.name, value), guess, along=self.name)
 
     def value_of(self, orbit: Orbit) -> float:
         """Of the parameter."""
         return orbit.runner.values[self.name]
 
-    def point(self, orbit: Orbit, along: np.ndarray) -> Point:
+    def point(self, orbit: Orbit, along: NDArray[np.float64]) -> Point:
         """A gait as a point of its branch, which leads along a direction.
+
+        Parameters
+        ----------
+        orbit : Orbit
+            The gait.
+        along : ndarray of float, shape (7,)
+            Coordinates and parameter, over the scales.
 
         Raises
         ------
         RunError
             The gait has no tangent.
         """
+        if orbit.by_parameter is None or orbit.along != self.name:
+            orbit = self.orbit(self.value_of(orbit), orbit.apex)
+        assert orbit.by_parameter is not None
         rows = np.hstack([orbit.jacobian - np.eye(6), orbit.by_parameter[:, None]]) * self.scales
         if not np.isfinite(rows).all():
             raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
         tangent = np.linalg.svd(rows)[2][-1]
         return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
 
-    def place(self, point: Point) -> np.ndarray:
+    def place(self, point: Point) -> NDArray[np.float64]:
         """Apex and parameter over the scales."""
-        return np.append(point.orbit.apex, point.value) / self.scales
+        place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
+        return place
 
-    def on_plane(self, goal: np.ndarray, normal: np.ndarray) -> Point:
+    def on_plane(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Point:
         """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
 
         Parameters
         ----------
-        goal : ndarray
+        goal : ndarray of float, shape (7,)
             Apex and parameter over the scales.
-        normal : ndarray
+        normal : ndarray of float, shape (7,)
             A unit vector along the branch.
 
         Raises

@@ -1,80 +1,109 @@
 """Gaits over the friction and a second parameter: a grid on file, made row by row."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import xarray
+from numpy.typing import NDArray
 
 from ..blocks.running import run_blocks
 from ..errors import InputError, TdmfSlipError
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
-from ..library.orbit import LOSSES, STRIDE_QUANTITIES, Orbit, find_orbit
-from ..library.runner import STATES, Runner, check_varied
+from ..library.members import STATES, check_varied
+from ..library.orbit import LOSSES, STRIDE_QUANTITIES, Orbit, orbit_near
+from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..terminal import progress
-from ..unit.section import COORDINATES
 from ..unit.unit import FRICTION, Unit, load
+from ..unit.variable import Given, Values
 from .sweep import MOST_VALUES, check_frictions, sweep_row
 
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""
-UNITS: Mapping[str, str] = {
-    "lambda_max": "1",
-    "damper_loss": "J",
-    "friction_loss": "J",
-    "impact_loss": "J",
+
+
+@dataclass(frozen=True)
+class Column:
+    """A number of a gait, as a variable of a dataset."""
+
+    value_of: Callable[[Orbit], float]
+    variable: str | None
+    """The unit's variable that has its unit and description, if there is one."""
+    unit: str = ""
+    """Where there is none."""
+
+    def attributes(self, unit: Unit) -> dict[str, str]:
+        """Unit and description, by the names that CF gives them."""
+        return {"units": self.unit} if self.variable is None else attributes_of(unit, self.variable)
+
+
+def attributes_of(unit: Unit, name: str) -> dict[str, str]:
+    """Unit and description of one of the unit's variables, by the names that CF gives them."""
+    variable = unit.variables[name]
+    return {"units": variable.unit or "1", "long_name": variable.description}
+
+
+def _of_stride(name: str) -> Callable[[Orbit], float]:
+    return lambda orbit: orbit.stride[name]
+
+
+def _of_apex(index: int) -> Callable[[Orbit], float]:
+    return lambda orbit: float(orbit.apex[index])
+
+
+COLUMNS: Mapping[str, Column] = {
+    **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
+    **{name: Column(_of_stride(name), None, "J") for name in LOSSES},
+    **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
+    "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
 }
-"""Of what the unit has no variable for."""
+"""All numbers of a gait, by the names that they have in a dataset."""
 
 
 def as_dataset(
-    orbits: Sequence[Orbit | None], coordinates: Mapping[str, np.ndarray], unit: Unit
+    orbits: Sequence[Orbit | None], coordinates: Mapping[str, NDArray[np.float64]], unit: Unit
 ) -> xarray.Dataset:
     """Gaits on a grid, with units; NaN and an empty word where there is none.
 
     Parameters
     ----------
-    orbits : Sequence[Orbit | None]
+    orbits : sequence of Orbit or None
         As many as the grid has points, the last coordinate fastest.
-    coordinates : Mapping[str, ndarray]
+    coordinates : mapping of str to ndarray
         Values of one or two parameters, by name.
     unit : Unit
         For units and descriptions.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over the coordinates: quantities of the stride and losses by their names, the apex as
+        `apex_com_height` and so on, `lambda_max`, and the `word`.
     """
     shape = tuple(len(values) for values in coordinates.values())
     names = tuple(coordinates)
-
-    def field(value_of: object) -> tuple[tuple[str, ...], np.ndarray]:
-        values = [np.nan if orbit is None else value_of(orbit) for orbit in orbits]
-        return names, np.array(values, dtype=float).reshape(shape)
-
     data = xarray.Dataset(coords={name: ((name,), values) for name, values in coordinates.items()})
-    for name in (*STRIDE_QUANTITIES, *LOSSES):
-        data[name] = field(lambda orbit, name=name: orbit.stride[name])
-    for index, name in enumerate(COORDINATES):
-        data[f"apex_{name}"] = field(lambda orbit, index=index: orbit.apex[index])
-    data["lambda_max"] = field(lambda orbit: abs(orbit.eigenvalues[0]))
+    for name, column in COLUMNS.items():
+        values = [np.nan if orbit is None else column.value_of(orbit) for orbit in orbits]
+        data[name] = names, np.array(values, dtype=float).reshape(shape)
+        data[name].attrs = column.attributes(unit)
     words = ["" if orbit is None else orbit.word for orbit in orbits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
-    for name in data.variables:
-        candidates = (name, f"stride.{name}", name.replace("apex_", "apex."))
-        described = next((n for n in candidates if n in unit.variables), None)
-        if described is not None:
-            variable = unit.variables[described]
-            data[name].attrs = {"units": variable.unit or "1", "long_name": variable.description}
-        elif name in UNITS:
-            data[name].attrs = {"units": UNITS[name]}
+    data["word"].attrs = attributes_of(unit, "stride.word")
+    for name in names:
+        data[name].attrs = attributes_of(unit, name)
     return data
 
 
 def grid(
-    runner: Runner | Mapping[str, object],
-    frictions: Sequence[float],
+    runner: Runner | Mapping[str, Given],
+    frictions: Values,
     name: str,
-    values: Sequence[float | str],
+    values: Values,
     path: Path | str,
     *,
     scheduler: str | None = None,
@@ -90,14 +119,14 @@ def grid(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to object
+    runner : Runner or mapping of str to float
         The other parameters and the start, or start values by name.
-    frictions : Sequence[float]
-        Values along a row.
+    frictions : sequence of float
+        Values along a row, above 0.
     name : str
         The second parameter or input, or a state that the search for gaits starts with.
-    values : Sequence[float | str]
-        One for each row.
+    values : sequence of float
+        One for each row, in the unit of the parameter.
     path : Path or str
         Of the NetCDF file.
     scheduler : str, optional
@@ -108,6 +137,12 @@ def grid(
         A bar on stderr.
     unit : Unit, optional
         For units and descriptions.
+
+    Returns
+    -------
+    xarray.Dataset
+        What is in the file then, see `as_dataset`; for each row `done`, and `problem`, empty where there was
+        none.
 
     Raises
     ------
@@ -123,32 +158,32 @@ def grid(
         name: unit.find(name, "values").values_of(values, "values"),
         FRICTION: unit.find(FRICTION, "frictions").values_of(frictions, "frictions"),
     }
-    values, frictions = coordinates.values()
-    if len(frictions) * len(values) > MOST_VALUES:
+    down, across = coordinates.values()
+    if len(across) * len(down) > MOST_VALUES:
         raise InputError(
-            f"a grid of {len(frictions)} by {len(values)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
+            f"a grid of {len(across)} by {len(down)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
         )
-    check_frictions(runner, frictions)
-    for value in values:
+    check_frictions(runner, across)
+    for value in down:
         row = runner.but(name, value)
         _ = row.model, row.inputs
     attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {unit.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
-    blank = as_dataset([None] * (len(values) * len(frictions)), coordinates, unit)
-    blank["done"] = (name,), np.zeros(len(values), dtype="i1")
-    blank["problem"] = (name,), np.full(len(values), "", dtype=object)
+    blank = as_dataset([None] * (len(down) * len(across)), coordinates, unit)
+    blank["done"] = (name,), np.zeros(len(down), dtype="i1")
+    blank["problem"] = (name,), np.full(len(down), "", dtype=object)
     blank.attrs = attributes
     path = check_place(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
     _check_rows(path, data, blank, runner, name, unit, show_progress)
     missing = np.flatnonzero(data["done"].values == 0)
-    rows = [Row(runner.but(name, values[number]), tuple(frictions)) for number in missing]
+    rows = [Row(runner.but(name, down[number]), tuple(across)) for number in missing]
     with (
-        progress.bar("sweep", len(values), "rows", show_progress) as bar,
+        progress.bar("sweep", len(down), "rows", show_progress) as bar,
         run_blocks(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
     ):
-        bar.update(len(values) - len(missing))
+        bar.update(len(down) - len(missing))
         for number, (orbits, problem) in results:
             found = as_dataset(orbits, {FRICTION: coordinates[FRICTION]}, unit)
             for variable in found.data_vars:
@@ -199,7 +234,7 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
     frictions = row[FRICTION].values
     try:
         orbits = [
-            find_orbit(runner.but(FRICTION, friction), apex) if there else None
+            orbit_near(runner.but(FRICTION, friction), apex) if there else None
             for friction, apex, there in zip(frictions, apices, found, strict=True)
         ]
     except TdmfSlipError:

@@ -4,17 +4,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from tqdm import tqdm
-
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, check_has_gaits, find_orbit
+from ..library.orbit import Orbit, check_has_gaits, settled_orbit
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import FRICTION, load
+from ..unit.variable import Given, Values
 from .borders import Border, crossings
 from .continuation import gaits_over
 from .family import Family
-from .search import first_orbit
+from .search import find_orbit
 
 MOST_VALUES = 1_000_000
 """Of a range, and of a grid."""
@@ -31,6 +30,7 @@ class Sweep:
     gaits: tuple[Orbit | None, ...]
     """At each friction; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
+    """Where the word changes along a branch, in the order of the range."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
 
@@ -50,9 +50,7 @@ class Sweep:
         }
 
 
-def sweep(
-    runner: Runner | Mapping[str, object], frictions: Sequence[float], *, show_progress: bool = False
-) -> Sweep:
+def sweep(runner: Runner | Mapping[str, Given], frictions: Values, *, show_progress: bool = False) -> Sweep:
     """The gait at each friction, each from the one before, and every change of the gait word between.
 
     Where the first frictions have no gait, the sweep begins at the first that has one, and follows its branch
@@ -61,12 +59,17 @@ def sweep(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to object
+    runner : Runner or mapping of str to float
         Parameters and start, or start values by name; its friction does not matter.
-    frictions : Sequence[float]
-        Values in order.
+    frictions : sequence of float
+        Values in order, above 0.
     show_progress : bool, default False
         A bar on stderr.
+
+    Returns
+    -------
+    Sweep
+        The gaits, and the borders between their words.
 
     Raises
     ------
@@ -76,16 +79,14 @@ def sweep(
         There is no gait at any of them; the message tells of the first.
     """
     runner = Runner.of(runner)
-    frictions = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
-    if len(frictions) > MOST_GAITS:
-        raise InputError(
-            f"{len(frictions):,} frictions: allowed: {MOST_GAITS:,}, or a grid, which is on file"
-        )
-    check_frictions(runner, frictions)
-    return sweep_row(runner, frictions, show_progress)
+    values = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
+    if len(values) > MOST_GAITS:
+        raise InputError(f"{len(values):,} frictions: allowed: {MOST_GAITS:,}, or a grid, which is on file")
+    check_frictions(runner, values)
+    return sweep_row(runner, values, show_progress)
 
 
-def sweep_row(runner: Runner, frictions: Sequence[float], show_progress: bool = False) -> Sweep:
+def sweep_row(runner: Runner, frictions: Values, show_progress: bool = False) -> Sweep:
     """`sweep` over frictions that are checked already."""
     gaits: list[Orbit | None] = [None] * len(frictions)
     borders: list[Border] = []
@@ -95,13 +96,13 @@ def sweep_row(runner: Runner, frictions: Sequence[float], show_progress: bool = 
         while end < len(frictions):
             begin, first, why = _begin(runner, frictions, end, bar)
             if first is None:
-                problems.append(why)
+                problems += why
                 break
             preceding, _ = _followed(runner, frictions[end:begin][::-1], first, bar)
             following, lost = _followed(runner, frictions[begin:], first, bar)
             branch = [*preceding[::-1], *following]
-            problems += [why] if end < begin - len(preceding) else []
-            problems += [lost] if lost else []
+            problems += why if end < begin - len(preceding) else []
+            problems += lost
             end = begin + len(following)
             gaits[end - len(branch) : end] = branch
             found, unknown = _borders(runner, branch)
@@ -118,27 +119,27 @@ def sweep_row(runner: Runner, frictions: Sequence[float], show_progress: bool = 
 
 
 def _begin(
-    runner: Runner, frictions: Sequence[float], start: int, bar: tqdm
-) -> tuple[int, Orbit | None, str | None]:
+    runner: Runner, frictions: Values, start: int, bar: progress.Bar
+) -> tuple[int, Orbit | None, list[str]]:
     """Number of a friction with a gait, the first from `start` on; that gait; why the one at `start` is none.
 
     While there is none yet, the longer search is made at both ends of the range: a branch that comes from
     outside is met there.
     """
-    why = None
+    why: list[str] = []
     for number in range(start, len(frictions)):
-        search = first_orbit if start == 0 and number in (0, len(frictions) - 1) else find_orbit
+        search = find_orbit if start == 0 and number in (0, len(frictions) - 1) else settled_orbit
         try:
             return number, search(runner.but(FRICTION, frictions[number])), why
         except RunError as problem:
-            why = why or str(problem)
+            why = why or [str(problem)]
             bar.update()
     return len(frictions), None, why
 
 
 def _followed(
-    runner: Runner, frictions: Sequence[float], first: Orbit, bar: tqdm
-) -> tuple[list[Orbit], str | None]:
+    runner: Runner, frictions: Values, first: Orbit, bar: progress.Bar
+) -> tuple[list[Orbit], list[str]]:
     """Gaits from one on, as far as the branch could be followed, and what stopped it."""
     found: list[Orbit] = []
     try:
@@ -146,8 +147,8 @@ def _followed(
             found.append(orbit)
             bar.update()
     except RunError as problem:
-        return found, str(problem)
-    return found, None
+        return found, [str(problem)]
+    return found, []
 
 
 def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
@@ -163,7 +164,7 @@ def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], lis
     return borders, problems
 
 
-def check_frictions(runner: Runner, frictions: Sequence[float]) -> None:
+def check_frictions(runner: Runner, frictions: Values) -> None:
     """Refuse, before any work, frictions at which there is no gait to follow."""
     for friction in frictions:
         _ = runner.but(FRICTION, friction).inputs

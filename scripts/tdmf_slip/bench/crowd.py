@@ -4,11 +4,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..library import ensemble
-from ..library.orbit import Orbit, find_orbit
+from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
-from ..unit.section import COORDINATES
+from ..library.section import COORDINATES
 from ..unit.unit import Unit
 from .accuracy import fastest
 
@@ -28,19 +29,21 @@ class Crowd:
 
     gait: Orbit
     case: ensemble.Case
-    starts: np.ndarray
+    """Whose parameters they have."""
+    starts: NDArray[np.float64]
+    """Apices, shape (runners, 6)."""
 
     @cached_property
-    def judged(self) -> np.ndarray:
+    def judged(self) -> NDArray[np.float64]:
         """The starts by which errors are judged: the gait's apex, and some about it."""
         return np.vstack([self.gait.apex, self.starts[:JUDGED]])
 
     @cached_property
-    def exact(self) -> np.ndarray:
+    def exact(self) -> NDArray[np.void]:
         """What one stride from each of them comes to, by the native solver at `TIGHT`."""
         return self.ends("one by one", TIGHT)
 
-    def ends(self, instructions: str, tolerance: float) -> np.ndarray:
+    def ends(self, instructions: str, tolerance: float) -> NDArray[np.void]:
         """What one stride of the ensemble engine from each of them comes to, see `run_ensemble`."""
         return ensemble.run_ensemble(
             [self.case],
@@ -51,7 +54,7 @@ class Crowd:
             instructions=instructions,
         )[0]
 
-    def error(self, apices: np.ndarray) -> float:
+    def error(self, apices: NDArray[np.float64]) -> float:
         """The largest difference from the exact apices, over the scales; infinite where one is no number."""
         differences = np.abs(apices - self.exact["apex"]) / self.case.runner.scales
         return float(np.max(np.where(np.isnan(differences), np.inf, differences)))
@@ -83,5 +86,5 @@ def crowd(unit: Unit) -> Crowd:
     source = np.random.default_rng(0)
     runner = Runner.of({"ground.friction": FRICTION}, unit)
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(COORDINATES)))
-    gait = find_orbit(runner)
+    gait = settled_orbit(runner)
     return Crowd(gait, ensemble.Case(runner), gait.apex + spread)

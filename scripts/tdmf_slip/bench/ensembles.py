@@ -1,15 +1,21 @@
 """Many runners: the ensemble engine by its instruction sets, over threads, and heyoka's batches."""
 
-from collections.abc import Iterator
+import functools
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..library import ensemble
-from ..unit.section import COORDINATES
+from ..library.section import COORDINATES
 from .accuracy import REPEATS, fastest, loosest
 from .crowd import Crowd
 from .one_runner import STRIDES
 from .results import ALONE, MANY, Measurement
+
+if TYPE_CHECKING:
+    from .peers.heyoka_peer import BatchPeer
 
 
 def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
@@ -57,10 +63,15 @@ def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
         whole, alone = [], []
         for _ in range(REPEATS):
             peer.seconds = 0.0
-            whole.append(fastest(lambda peer=peer, rounds=rounds: [peer.strides(b) for b in rounds], 1))
+            whole.append(fastest(functools.partial(_strides, peer, rounds), 1))
             alone.append(peer.seconds)
         for name, seconds in ((BatchPeer.name, min(whole)), (BatchPeer.name + ALONE, min(alone))):
             yield Measurement(MANY, name, accuracy, tolerance, error, None, 1e6 * seconds / strides)
+
+
+def _strides(peer: "BatchPeer", rounds: Sequence[NDArray[np.float64]]) -> None:
+    for batch in rounds:
+        peer.strides(batch)
 
 
 def measure_scaling(many: Crowd, threads: int, effort: float) -> float:

@@ -1,28 +1,30 @@
 """One runner: the solvers of the unit, through Co-Simulation, and peers that make one stride at a time."""
 
+import functools
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..library.section import COORDINATES, Apex
 from ..terminal import interrupts
 from ..unit.instance import opened
-from ..unit.section import COORDINATES, start_values
 from ..unit.unit import Unit
 from .accuracy import REPEATS, TOLERANCES, fastest, loosest
-from .crowd import FRICTION, Crowd
+from .crowd import Crowd
 from .results import ALONE, ONE, Measurement
 
 STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
 """Timed in each repeat."""
 
 
-def starts(unit: Unit, solver: str, tolerance: float, apex: Sequence[float]) -> dict[str, float | int]:
+def starts(unit: Unit, many: Crowd, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
     """Start values of a run from an apex by a solver of the unit."""
     methods = unit.variables["solver.method"].items
     return {
-        **start_values(unit, apex),
-        "ground.friction": FRICTION,
+        **many.case.runner.start_values(apex),
         "solver.method": {name: number for number, name in methods.items()}[solver],
         "solver.relative_tolerance": tolerance,
     }
@@ -34,9 +36,9 @@ def stride_error(unit: Unit, many: Crowd, solver: str, tolerance: float) -> floa
     apices = []
     for apex, exact in zip(many.judged, many.exact, strict=True):
         with opened(unit, "cs") as runner:
-            runner.start(starts(unit, solver, tolerance, apex))
+            runner.start(starts(unit, many, solver, tolerance, apex))
             runner.advance(0.0, 1.001 * exact["time"])
-            apices.append(list(runner.read(names).values()))
+            apices.append([runner.real(name) for name in names])
     return many.error(np.array(apices))
 
 
@@ -48,17 +50,40 @@ def measure_unit(unit: Unit, many: Crowd, solver: str, effort: float) -> Iterato
         times, evaluations = [], 0
         for _ in range(REPEATS):
             with opened(unit, "cs") as runner:
-                runner.start(starts(unit, solver, tolerance, many.gait.apex))
+                runner.start(starts(unit, many, solver, tolerance, many.gait.apex))
                 start = time.perf_counter()
                 runner.advance(0.0, duration)
                 times.append(time.perf_counter() - start)
-                evaluations = runner.value("solver.evaluations")
+                evaluations = runner.integer("solver.evaluations")
         yield Measurement(
             ONE, solver, accuracy, tolerance, error, evaluations / strides, 1e6 * min(times) / strides
         )
 
 
-def measure_peer(peer_of: type, many: Crowd, strides: int) -> Iterator[Measurement]:
+class Peer(Protocol):
+    """Makes one stride at a time, at a tolerance."""
+
+    name: str
+    seconds: float
+    """Spent in integrators so far; 0 where nobody says."""
+    evaluations: int | None
+    """Of the right-hand side so far; None where nobody says."""
+
+    def __init__(self, tolerance: float) -> None:
+        """Make it ready."""
+        ...
+
+    def stride(self, section: Apex) -> NDArray[np.float64]:
+        """The apex after one stride from an apex."""
+        ...
+
+
+def _strides(peer: Peer, apex: Apex, count: int) -> None:
+    for _ in range(count):
+        peer.stride(apex)
+
+
+def measure_peer(peer_of: type[Peer], many: Crowd, strides: int) -> Iterator[Measurement]:
     """Time a peer that makes one stride at a time."""
     apex = many.gait.apex
     with interrupts.held():  # a compiler may lose one
@@ -71,11 +96,11 @@ def measure_peer(peer_of: type, many: Crowd, strides: int) -> Iterator[Measureme
     for accuracy, tolerance, error in loosest(peer_of.name, error_at):
         peer = peer_of(tolerance)
         peer.stride(apex)
-        counted = getattr(peer, "evaluations", None)
+        counted = peer.evaluations
         alone, whole = [], []
         for _ in range(REPEATS):
             peer.seconds = 0.0
-            whole.append(fastest(lambda peer=peer: [peer.stride(apex) for _ in range(strides)], 1))
+            whole.append(fastest(functools.partial(_strides, peer, apex, strides), 1))
             alone.append(peer.seconds)
         for name, seconds in ((peer_of.name, min(whole)), (peer_of.name + ALONE, min(alone))):
             if seconds > 0.0:

@@ -1,6 +1,8 @@
 """Solvers and the ensemble engine against peers: the same strides, each at the loosest accurate tolerance."""
 
 import datetime
+import functools
+import importlib
 import os
 import platform
 from collections.abc import Callable, Iterator
@@ -21,16 +23,11 @@ def _peers(many: Crowd, effort: float) -> Iterator[tuple[str, Callable[[], Itera
     """What may not be installed, by name."""
 
     def of(name: str) -> Iterator[Measurement]:
-        if name == "heyoka":
-            from .peers.heyoka_peer import Peer
-        elif name == "numba":
-            from .peers.numba_peer import Peer
-        else:
-            from .peers.scipy_peer import Peer
-        yield from measure_peer(Peer, many, max(1, round(effort * STRIDES[name])))
+        module = importlib.import_module(f".peers.{name}_peer", __package__)
+        yield from measure_peer(module.Peer, many, max(1, round(effort * STRIDES[name])))
 
     for name in ("heyoka", "numba", "scipy"):
-        yield name, lambda name=name: of(name)
+        yield name, functools.partial(of, name)
 
 
 def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None = None) -> Bench:
@@ -56,14 +53,14 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
     unit = load(unit)
     many = crowd(unit)
     sets = ensemble.instruction_sets()
-    jobs = [
+    jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
-            (solver, lambda solver=solver: measure_unit(unit, many, solver, effort))
+            (solver, functools.partial(measure_unit, unit, many, solver, effort))
             for solver in ("native", "cvode")
         ),
         *_peers(many, effort),
-        *((name, lambda name=name: measure_lanes(many, name, effort)) for name in reversed(sets)),
-        ("heyoka", lambda: measure_batches(many, effort)),
+        *((name, functools.partial(measure_lanes, many, name, effort)) for name in reversed(sets)),
+        ("heyoka", functools.partial(measure_batches, many, effort)),
     ]
     measurements: list[Measurement] = []
     missing: dict[str, None] = {}

@@ -5,9 +5,13 @@ import contextlib
 import logging
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING
 
 from ..errors import InputError, RunError
 from ..terminal import interrupts
+
+if TYPE_CHECKING:
+    from distributed import Client, LocalCluster
 
 CONNECTING = 10.0
 """Seconds within which a scheduler has to answer."""
@@ -17,14 +21,14 @@ MERCY = 0.1
 """Seconds that a worker has for its end before it is killed."""
 
 
-async def kill_workers(cluster: object) -> None:
+async def kill_workers(cluster: "LocalCluster") -> None:
     """End the processes of a local cluster now: asked to close, they would finish their blocks first."""
     closing = (nanny.close(timeout=MERCY) for nanny in cluster.workers.values())
     await asyncio.gather(*closing, return_exceptions=True)
 
 
 @contextlib.contextmanager
-def client_of(scheduler: str | None, workers: int) -> Iterator[object]:
+def client_of(scheduler: str | None, workers: int) -> "Iterator[Client]":
     """A client whose end makes the scheduler forget what it has not done yet."""
     from distributed import Client
     from distributed.utils import silence_logging_cmgr
@@ -39,7 +43,7 @@ def client_of(scheduler: str | None, workers: int) -> Iterator[object]:
             yield client
 
 
-def _client_at(scheduler: str) -> object:
+def _client_at(scheduler: str) -> "Client":
     from distributed import Client
 
     try:
@@ -47,14 +51,14 @@ def _client_at(scheduler: str) -> object:
         return Client(scheduler, timeout=CONNECTING, set_as_default=False)
     except (OSError, ValueError, TypeError) as problem:
         raise InputError(
-            f"--scheduler {scheduler}: no Dask scheduler answers ({problem}); "
+            f"scheduler {scheduler}: no Dask scheduler answers ({problem}); "
             "allowed: an address such as tcp://host:8786"
         ) from problem
 
 
 def _require_handshake(scheduler: str) -> None:
     """Raise OSError where something else than Dask listens, whose answer a client would await for ever."""
-    from distributed.core import connect
+    from distributed.comm.core import connect
 
     async def shake_hands() -> None:
         comm = await asyncio.wait_for(connect(scheduler, timeout=CONNECTING), CONNECTING)
@@ -67,7 +71,7 @@ def _require_handshake(scheduler: str) -> None:
             raise OSError(f"no answer within {CONNECTING:g} s") from None
 
 
-def _local_cluster(workers: int) -> object:
+def _local_cluster(workers: int) -> "LocalCluster":
     import dask
     from distributed import LocalCluster
 

@@ -6,11 +6,17 @@ import itertools
 import os
 from collections.abc import Callable, Iterator, Sequence
 from queue import Empty, SimpleQueue
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..errors import InputError, RunError
 from ..terminal import interrupts
 from .cluster import client_of, kill_workers
+
+if TYPE_CHECKING:
+    from distributed import Future
+
+Block = TypeVar("Block")
+Result = TypeVar("Result")
 
 IN_HAND = 8
 """Blocks that a local cluster has for each of its workers, so that none waits while a result is written."""
@@ -20,12 +26,12 @@ LOOKING_UP = 0.1
 
 @contextlib.contextmanager
 def run_blocks(
-    work: Callable[[Any], Any],
-    blocks: Sequence[Any],
+    work: Callable[[Block], Result],
+    blocks: Sequence[Block],
     *,
     scheduler: str | None = None,
     workers: int | None = None,
-) -> Iterator[Iterator[tuple[int, Any]]]:
+) -> Iterator[Iterator[tuple[int, Result]]]:
     """Do work on each block, wherever there is room; a context that gives numbers and results as they come.
 
     What is not done at its end is given up. A block that a dying worker leaves behind is done again by
@@ -34,9 +40,9 @@ def run_blocks(
 
     Parameters
     ----------
-    work : Callable[[Any], Any]
+    work : callable
         A function that can be pickled, of one block.
-    blocks : Sequence[Any]
+    blocks : sequence
         What it is called with; has to be picklable, as the results have.
     scheduler : str, optional
         Address of a Dask scheduler; this package has to be installed where it and its workers run. Without
@@ -61,7 +67,7 @@ def run_blocks(
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return
     at_once = len(blocks) if scheduler is not None else IN_HAND * here
-    pending: dict[object, int] = {}
+    pending: dict[Future[Any], int] = {}
     with interrupts.held() as interrupt, client_of(scheduler, here) as client:
         try:
             yield _as_they_come(functools.partial(client.submit, work), blocks, at_once, pending, interrupt)
@@ -71,15 +77,15 @@ def run_blocks(
 
 
 def _as_they_come(
-    submit: Callable[..., object],
+    submit: "Callable[..., Future[Any]]",
     blocks: Sequence[Any],
     at_once: int,
-    pending: dict[object, int],
+    pending: "dict[Future[Any], int]",
     interrupt: interrupts.Interrupt,
 ) -> Iterator[tuple[int, Any]]:
     """Results with the numbers of their blocks, of which so many are pending, as futures, at a time."""
     waiting = enumerate(blocks)
-    done: SimpleQueue = SimpleQueue()
+    done: SimpleQueue[Future[Any]] = SimpleQueue()
     while True:
         for number, block in itertools.islice(waiting, at_once - len(pending)):
             interrupt.deliver()
@@ -94,7 +100,7 @@ def _as_they_come(
         yield pending.pop(future), result
 
 
-def _next_done(done: SimpleQueue, interrupt: interrupts.Interrupt) -> object:
+def _next_done(done: "SimpleQueue[Future[Any]]", interrupt: interrupts.Interrupt) -> "Future[Any]":
     """The wait is where an interrupt does no harm."""
     while True:
         interrupt.deliver()
@@ -102,9 +108,9 @@ def _next_done(done: SimpleQueue, interrupt: interrupts.Interrupt) -> object:
             return done.get(timeout=LOOKING_UP)
 
 
-def _result(future: object) -> object:
+def _result(future: "Future[Any]") -> Any:
     from distributed.client import FutureCancelledError  # slow to load, and not always needed
-    from distributed.comm import CommClosedError
+    from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
 
     try:

@@ -1,13 +1,16 @@
 """The command `basin`: what a gait attracts."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 import numpy as np
 
 from ..files.whole import check_place
+from ..library.ensemble import FATES
+from ..library.section import COORDINATES
 from ..terminal.text import columns, quantity
-from ..unit.section import COORDINATES
 from ..unit.unit import Unit, load
 from .options import (
     FRICTION_OPTION,
@@ -105,36 +108,46 @@ def basin_command(
     ends = [ends_of(*pair, "--range") for pair in zip(spans, variables, strict=True)] if spans else None
     gait = stable_gait(runner, unit)
     ends = ends or [range_around(gait, axis) for axis in axes]
-    ranges = tuple(np.linspace(*pair, count) for pair in ends)
-    where = {"scheduler": scheduler, "workers": workers, "show_progress": True}
-    data = basin(runner, axes, ranges, path=output, unit=unit, **where)
+    rows, across = (np.linspace(*pair, count) for pair in ends)
+    data = basin(
+        runner,
+        axes,
+        (rows, across),
+        path=output,
+        scheduler=scheduler,
+        workers=workers,
+        show_progress=True,
+        unit=unit,
+    )
     if plot is not None:
         basin_map.draw(plot, data)
-    fates = {
-        name: int((data["fate"] == flag).sum())
-        for flag, name in enumerate(data["fate"].attrs["flag_meanings"].split())
-    }
-    result = {
+    fates = {name: int((data["fate"] == number).sum()) for number, name in enumerate(FATES)}
+    robustness = attraction.robustness(gait)
+    result: dict[str, Any] = {
         "word": gait.word,
         "starts": data["fate"].size,
         **fates,
         "strides": int(data["strides"].sum()),
         "settled_share": data.attrs["settled_share"],
         "settled_area": data.attrs["settled_area"],
-        "robustness": attraction.robustness(gait).as_json(),
+        "robustness": robustness.as_json(),
     }
     if samples:
-        result["volume"] = attraction.volume(gait, samples, **where).as_json()
-    print(json_text(result) if as_json_object else _basin_text(result, axes, unit))
+        volume = attraction.volume(gait, samples, scheduler=scheduler, workers=workers, show_progress=True)
+        result["volume"] = volume.as_json()
+    print(json_text(result) if as_json_object else _basin_text(result, axes, attraction.DISTURBED, unit))
 
 
-def _basin_text(result: dict, axes: tuple[str, str], unit: Unit) -> str:
+def _basin_text(
+    result: Mapping[str, Any], axes: tuple[str, str], disturbed: Mapping[str, str], unit: Unit
+) -> str:
     units = {axis: unit.variables[f"apex.{axis}"].unit for axis in COORDINATES}
     rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
     rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():
-        axis = "com_speed" if name.startswith("push") else "com_height"
-        rows[name] = "beyond the largest tried" if value is None else quantity(value, units[axis], 4)
+        rows[name] = (
+            "beyond the largest tried" if value is None else quantity(value, units[disturbed[name]], 4)
+        )
     if "volume" in result:
         found = result["volume"]
         low, high = found["share_interval"]

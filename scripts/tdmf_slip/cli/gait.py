@@ -2,17 +2,14 @@
 
 import click
 
-from ..analysis.search import first_orbit
-from ..library.orbit import Orbit
+from ..analysis.search import find_orbit
+from ..library.orbit import TOLD, Orbit
+from ..library.section import COORDINATES
 from ..terminal.text import columns, quantity
-from ..unit.section import COORDINATES
 from ..unit.unit import Unit, load
 from .options import FRICTION_OPTION, JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, Command, values_given
 from .output import json_text
 from .runner import runner_of
-
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
-"""Of a stride, that are printed."""
 
 
 @click.command("gait", cls=Command)
@@ -25,7 +22,7 @@ def gait_command(
 ) -> None:
     """The periodic gait, stable or not, with the eigenvalues of its return map."""
     unit = load()
-    orbit = first_orbit(runner_of(unit, parameters, values_given(friction, settings)), unit)
+    orbit = find_orbit(runner_of(unit, parameters, values_given(friction, settings)), unit=unit)
     print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
 
 
@@ -36,7 +33,7 @@ def _orbit_text(orbit: Orbit, unit: Unit) -> str:
     rows = {
         "word": orbit.word,
         "friction": of("ground.friction", orbit.friction),
-        **{name: of(f"stride.{name}", orbit.stride[name]) for name in QUANTITIES},
+        **{name: of(f"stride.{name}", orbit.stride[name]) for name in TOLD},
         "liftoff_angle": of("hip.liftoff_angle", orbit.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in zip(COORDINATES, orbit.apex, strict=True)},
         "eigenvalues": ", ".join(_complex(value) for value in orbit.eigenvalues),

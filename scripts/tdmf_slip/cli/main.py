@@ -14,9 +14,8 @@ import click
 
 from ..errors import TdmfSlipError
 from ..terminal import interrupts
-from ..version import __version__
 
-COMMANDS = ("basin", "bench", "figures", "gait", "simulate", "sweep", "validate")
+COMMANDS = ("basin", "bench", "figures", "gait", "simulate", "sweep", "validate", "variables")
 """Each in the module of its name."""
 
 
@@ -33,13 +32,14 @@ class LazyGroup(click.Group):
             return None
         with interrupts.held():
             module = importlib.import_module(f".{cmd_name}", __package__)
-        return getattr(module, f"{cmd_name}_command")
+        command: click.Command = getattr(module, f"{cmd_name}_command")
+        return command
 
 
 @click.group(
     cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}
 )
-@click.version_option(__version__, prog_name="tdmf-slip")
+@click.version_option(package_name="tdmf-slip", prog_name="tdmf-slip")  # looked up when it is asked for
 def commands() -> None:
     """Run the legged runner whose foot can slip, through its FMI unit."""
 

@@ -1,6 +1,7 @@
 """What several commands share: options, and how start values are read from them."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import click
 
@@ -8,6 +9,12 @@ from ..checks import checked, checked_whole
 from ..errors import InputError
 from ..unit.parameters import preset_names, read_parameters
 from ..unit.unit import FRICTION, Unit
+from ..unit.variable import Given, Value
+
+
+def takes_one_value(option: click.Option) -> bool:
+    """Whether an option has one value, unlike a flag and what may be repeated."""
+    return not option.multiple and not option.is_flag
 
 
 class Command(click.Command):
@@ -26,14 +33,14 @@ class Command(click.Command):
         except click.UsageError as problem:
             problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
             raise
-        once = [option for option in given if not getattr(option, "multiple", True) and not option.is_flag]
+        once = [option for option in given if isinstance(option, click.Option) and takes_one_value(option)]
         twice = next((option for option in once if once.count(option) > 1), None)
         if twice is not None:
             raise click.UsageError(f"{twice.opts[0]} is given twice; allowed: once", ctx)
         return super().parse_args(ctx, args)
 
 
-class Number(click.ParamType):
+class Number(click.ParamType[float]):
     """A number within a range; the message names the option."""
 
     name = "number"
@@ -42,7 +49,7 @@ class Number(click.ParamType):
         """From `low` to `high`, on request a whole one."""
         self.low, self.high, self.whole = low, high, whole
 
-    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> float | int:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | int:
         """The number that a text stands for.
 
         Raises
@@ -50,9 +57,10 @@ class Number(click.ParamType):
         InputError
             It is beyond the range.
         """
-        number = (click.INT if self.whole else click.FLOAT).convert(value, param, ctx)
-        check = checked_whole if self.whole else checked
-        return check(param.opts[0], number, self.low, self.high)
+        name = param.opts[0] if param is not None else self.name
+        if self.whole:
+            return checked_whole(name, click.INT.convert(value, param, ctx), int(self.low), int(self.high))
+        return checked(name, click.FLOAT.convert(value, param, ctx), self.low, self.high)
 
 
 FRICTION_OPTION = click.option(
@@ -86,7 +94,7 @@ WORKERS_OPTION = click.option(
 )
 
 
-def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, object]]:
+def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:
     """By name of a variable: the option, --friction or --set, and the value that it gives.
 
     Raises
@@ -94,7 +102,7 @@ def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str,
     InputError
         A variable is given twice, or a setting is not of the form NAME=VALUE.
     """
-    given: dict[str, tuple[str, object]] = {} if friction is None else {FRICTION: ("--friction", friction)}
+    given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for setting in settings:
         name, _, value = (part.strip() for part in setting.partition("="))
         if not name or not value:
@@ -106,17 +114,17 @@ def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str,
 
 
 def start_values(
-    unit: Unit, base: Mapping[str, object], given: Mapping[str, tuple[str, object]]
-) -> dict[str, object]:
+    unit: Unit, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
+) -> dict[str, Value]:
     """Start values: those of a file, and over them what single options give.
 
     Parameters
     ----------
     unit : Unit
         Checks names and values.
-    base : mapping of str to object
+    base : mapping of str to float or bool
         Of a file, see `file_values`.
-    given : Mapping[str, tuple[str, object]]
+    given : mapping of str to pairs
         Of single options, see `values_given`.
 
     Raises
@@ -130,7 +138,7 @@ def start_values(
     return values
 
 
-def file_values(unit: Unit, parameters: str | None) -> dict[str, object]:
+def file_values(unit: Unit, parameters: str | None) -> dict[str, Value]:
     """Start values of --parameters.
 
     Raises
@@ -143,12 +151,12 @@ def file_values(unit: Unit, parameters: str | None) -> dict[str, object]:
     return unit.start_values(read_parameters(parameters), f"--parameters {parameters}")
 
 
-def refuse_given(given: Mapping[str, tuple[str, object]], name: str, by: str) -> None:
+def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:
     """Refuse a start value for what another option says already.
 
     Parameters
     ----------
-    given : Mapping[str, tuple[str, object]]
+    given : mapping of str to pairs
         See `values_given`.
     name : str
         Of the variable.

@@ -1,12 +1,18 @@
 """Ranges of values as they are written on a command line: A:B, or A:B:N for N values, with units."""
 
+from collections.abc import Callable, Mapping
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ..analysis.sweep import MOST_VALUES
 from ..errors import InputError
 from ..unit.variable import Variable
 
-SPACINGS = {"linear": np.linspace, "log": np.geomspace}
+SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
+    "linear": np.linspace,
+    "log": np.geomspace,
+}
 
 
 def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
@@ -35,7 +41,7 @@ def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
     return first, last
 
 
-def values_of(text: str, spacing: str, variable: Variable, where: str) -> np.ndarray:
+def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArray[np.float64]:
     """The values of a variable that A:B:N stands for, in its unit.
 
     Parameters
@@ -72,7 +78,8 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> np.nda
         )
     if spacing == "log" and min(ends) <= 0.0:
         raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
-    return SPACINGS[spacing](*ends, number)
+    first, last = ends
+    return SPACINGS[spacing](first, last, number)
 
 
 def _ends(parts: list[str], variable: Variable, where: str) -> list[float]:

@@ -3,12 +3,14 @@
 from collections.abc import Mapping
 
 from ..errors import InputError
-from ..library.runner import STATES, VARIED, Runner
+from ..library.members import STATES, VARIED
+from ..library.runner import Runner
 from ..unit.unit import Unit
+from ..unit.variable import Given
 from .options import file_values, start_values
 
 
-def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, object]]) -> Runner:
+def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, Given]]) -> Runner:
     """The runner of the options.
 
     Raises

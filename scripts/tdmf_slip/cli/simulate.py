@@ -10,12 +10,12 @@ from ..files.whole import check_place
 from ..terminal.text import columns, quantity
 from ..unit.events import as_json
 from ..unit.inputs import read_tables
-from ..unit.parameters import read_gait
 from ..unit.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
     INTERVALS,
     MOST_STRIDES,
+    ONLY_IN,
     TIMES,
     TOLERANCES,
     Run,
@@ -23,6 +23,8 @@ from ..unit.simulation import (
 )
 from ..unit.tables import WRITERS, write_table
 from ..unit.unit import INTERFACES, Unit, load
+from ..unit.variable import Value
+from .gait_file import read_gait
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -128,7 +130,7 @@ def simulate_command(
     if from_gait is not None:
         base = unit.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
     starts = start_values(unit, base, given)
-    _refuse_other_interface(unit, interface, given)
+    _refuse_other_interface(interface, given)
     if interface == "cs" and tolerance is not None:
         _refuse_loose(unit, starts, tolerance)
     tables = read_tables(inputs, unit) if inputs is not None else {}
@@ -152,21 +154,16 @@ def simulate_command(
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
-OF_INTERFACE = {"me": "Model Exchange: ", "cs": "Co-Simulation: "}
-"""How the unit's description of a variable begins that has a meaning in one interface only."""
+def _refuse_other_interface(interface: str, given: Mapping[str, object]) -> None:
+    for name in given:
+        only = ONLY_IN.get(name, interface)
+        if only != interface:
+            raise InputError(
+                f"--set {name}: has no meaning with --interface {interface}; allowed: with --interface {only}"
+            )
 
 
-def _refuse_other_interface(unit: Unit, interface: str, given: Mapping[str, object]) -> None:
-    for other, beginning in OF_INTERFACE.items():
-        for name in given:
-            if other != interface and unit.variables[name].description.startswith(beginning):
-                raise InputError(
-                    f"--set {name}: has no meaning with --interface {interface}; "
-                    f"allowed: with --interface {other}"
-                )
-
-
-def _refuse_loose(unit: Unit, starts: Mapping[str, float | bool], tolerance: float) -> None:
+def _refuse_loose(unit: Unit, starts: Mapping[str, Value], tolerance: float) -> None:
     tightest = starts.get(SOLVER_TOLERANCE, unit.start_of(SOLVER_TOLERANCE))
     if tolerance > tightest:
         raise InputError(

@@ -4,11 +4,13 @@ from pathlib import Path
 
 import click
 import numpy as np
+from numpy.typing import NDArray
 
 from ..analysis.sweep import Sweep, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_place
-from ..library.runner import Runner, check_varied
+from ..library.members import check_varied
+from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.unit import FRICTION, Unit, load
 from .options import (
@@ -85,9 +87,8 @@ def sweep_command(
             "allowed: with --over"
         )
     if over is not None:
-        where = {"scheduler": scheduler, "workers": workers}
         refuse_given(given, over.partition("=")[0], "--over")
-        _grid(runner, values, over, spacing, output, where, as_json_object)
+        _grid(runner, values, over, spacing, output, scheduler, workers, as_json_object)
         return
     if output is not None:
         from ..files.resume import refuse_resumable  # xarray is slow to load
@@ -106,11 +107,12 @@ def sweep_command(
 
 def _grid(
     runner: Runner,
-    frictions: np.ndarray,
+    frictions: NDArray[np.float64],
     over: str,
     spacing: str,
     output: Path | None,
-    where: dict,
+    scheduler: str | None,
+    workers: int | None,
     as_json_object: bool,
 ) -> None:
     from ..analysis.grid import grid  # xarray is slow to load
@@ -123,7 +125,17 @@ def _grid(
     unit = load()
     check_varied(name, "--over")
     rows = values_of(span, spacing, unit.variables[name], f"--over {name} =")
-    data = grid(runner, frictions, name, rows, output, show_progress=True, unit=unit, **where)
+    data = grid(
+        runner,
+        frictions,
+        name,
+        rows,
+        output,
+        scheduler=scheduler,
+        workers=workers,
+        show_progress=True,
+        unit=unit,
+    )
     gaits = int(data["period"].notnull().sum())
     words = sorted({word for word in data["word"].values.ravel() if word})
     result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
@@ -142,7 +154,7 @@ def _sweep_text(found: Sweep, unit: Unit) -> str:
             f"{orbit.stride['period']:.8g}",
             f"{orbit.stride['speed']:.8g}",
             f"{orbit.stride['cost_of_transport']:.8g}",
-            f"{abs(orbit.eigenvalues[0]):.8f}",
+            f"{orbit.lambda_max:.8f}",
             "yes" if orbit.stable else "no",
         )
         for orbit in found.orbits

@@ -1,11 +1,13 @@
 """Results on file that are gone on with: only a file of the very same work will do."""
 
 import contextlib
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray
+from numpy.typing import NDArray
 
 from ..errors import InputError
 from .netcdf import read_dataset
@@ -71,7 +73,7 @@ def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float =
     return all(_close(found[name].values, wanted[name].values, relative) for name in wanted.data_vars)
 
 
-def _close(found: np.ndarray, wanted: np.ndarray, relative: float) -> bool:
+def _close(found: NDArray[np.float64], wanted: NDArray[np.float64], relative: float) -> bool:
     if wanted.dtype.kind != "f":
         return np.array_equal(found, wanted)
     off = relative * np.max(np.abs(wanted), initial=0.0, where=np.isfinite(wanted))
@@ -99,9 +101,9 @@ def _kind(variable: xarray.DataArray) -> str:
     return "text" if variable.dtype.kind in "OSTU" else variable.dtype.kind
 
 
-def _same(found: Mapping, wanted: Mapping, name: str) -> bool:
+def _same(found: Mapping[Any, Any], wanted: Mapping[Any, Any], name: Hashable) -> bool:
     """Numbers up to rounding, as in a gait that another machine has found."""
-    value, there = wanted[name], found.get(name)
+    value, there = wanted[name], found.get(name, "")
     if isinstance(value, str):
         return isinstance(there, str) and there == value
     if np.asarray(there).dtype.kind not in "iuf" or np.shape(there) != np.shape(value):

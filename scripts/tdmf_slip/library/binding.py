@@ -1,6 +1,6 @@
 """The C library, called from Python: all its public functions and structs, declared by its public headers.
 
-    from tdmf_slip.library import c, ffi
+    from tdmf_slip.library.binding import c, ffi
 
     parameters = c.tdmf_default_parameters()
     model = ffi.new("tdmf_model *")
@@ -13,6 +13,7 @@ import os
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 from cffi import FFI
 
@@ -28,6 +29,11 @@ NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 
 def library_path() -> Path:
     """Path of the shared library: that of the environment variable TDMF_SLIP_LIBRARY, else the package's own.
+
+    Returns
+    -------
+    Path
+        Of a file that is there.
 
     Raises
     ------
@@ -63,6 +69,8 @@ def _declarations() -> str:
     return "\n".join(texts)
 
 
-ffi = FFI()
+ffi: Any = FFI()
+"""Makes structs and arrays of the library's types; those that are read here are described in `structs`."""
 ffi.cdef(_declarations())
-c = ffi.dlopen(str(library_path()))
+c: Any = ffi.dlopen(str(library_path()))
+"""The library's functions and enumerators, by their names in C."""

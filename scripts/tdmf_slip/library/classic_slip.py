@@ -1,30 +1,38 @@
 """The classic SLIP: a point mass on a massless spring leg, the sections 2 and 3 of the paper."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .binding import c, ffi
+from .structs import Classic, ClassicPoint, ClassicStep
 
 ENERGY = 6000.0
 """E0 of the paper, J."""
 SPACING = 0.02
 """Of the heights from which fixed points are sought, m."""
+FLIES: int = c.TDMF_CLASSIC_FLIES
+"""Outcome of a step that leads to the next apex; as the following."""
+TURNS_BACK: int = c.TDMF_CLASSIC_TURNS_BACK
+"""It does, but backwards."""
 
 
 @dataclass(frozen=True)
-class Gait:
-    """A fixed point of the return map."""
+class FixedPoint:
+    """A fixed point of the return map from apex height to apex height: a periodic gait."""
 
     angle: float
     """Touchdown angle, rad."""
     height: float
     """Of the apex, m."""
     slope: float
+    """Of the map."""
     stance_friction: float
+    """Friction needed in the stance."""
     impact_friction: float
+    """Friction needed at the impact of an infinitesimal foot mass."""
 
     @property
     def stable(self) -> bool:
@@ -32,61 +40,123 @@ class Gait:
         return abs(self.slope) < 1.0
 
 
-def slip(angle: float, friction: float = math.inf) -> object:
-    """The paper's SLIP with a touchdown angle in rad."""
-    parameters = ffi.new("tdmf_classic *", c.tdmf_classic_default())
+def slip(angle: float, friction: float = math.inf) -> Classic:
+    """The paper's SLIP.
+
+    Parameters
+    ----------
+    angle : float
+        Touchdown angle, rad.
+    friction : float, default inf
+        Of the ground; infinite for a foot that never slips.
+
+    Returns
+    -------
+    Classic
+        The library's `tdmf_classic *`.
+    """
+    parameters: Classic = ffi.new("tdmf_classic *", c.tdmf_classic_default())
     parameters.touchdown_angle = angle
     parameters.friction = friction
     return parameters
 
 
-def step(parameters: object, height: float, energy: float = ENERGY) -> object:
-    """One step of the return map from an apex height, the C struct `tdmf_classic_step`."""
-    return c.tdmf_classic_return_map(parameters, energy, height)
+def step(parameters: Classic, height: float, energy: float = ENERGY) -> ClassicStep:
+    """One step of the return map.
+
+    Parameters
+    ----------
+    parameters : Classic
+        Of the SLIP.
+    height : float
+        Of the apex, m.
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    ClassicStep
+        The library's `tdmf_classic_step`.
+    """
+    made: ClassicStep = c.tdmf_classic_return_map(parameters, energy, height)
+    return made
 
 
-def stance(parameters: object, height: float, times: Sequence[float], energy: float = ENERGY) -> np.ndarray:
-    """The mass as seen from the foot at times after touchdown: rows x, y, vx, vy."""
-    points = [c.tdmf_classic_stance(parameters, energy, height, time) for time in times]
+def stance(
+    parameters: Classic, height: float, times: ArrayLike, energy: float = ENERGY
+) -> NDArray[np.float64]:
+    """The mass as seen from the foot, in a stance after an apex.
+
+    Parameters
+    ----------
+    parameters : Classic
+        Of the SLIP.
+    height : float
+        Of the apex, m.
+    times : array_like of float, shape (n,)
+        Since touchdown, s.
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    ndarray of float, shape (4, n)
+        Rows x, y (m), vx, vy (m/s).
+    """
+    points: list[ClassicPoint] = [
+        c.tdmf_classic_stance(parameters, energy, height, time) for time in np.atleast_1d(times)
+    ]
     return np.array([(p.x, p.y, p.vx, p.vy) for p in points]).T
 
 
-def highest(parameters: object, energy: float = ENERGY) -> float:
-    """Apex height at which all energy is potential."""
+def highest(parameters: Classic, energy: float = ENERGY) -> float:
+    """Apex height, m, at which all energy, J, is potential."""
     return energy / (parameters.mass * parameters.gravity)
 
 
-def heights(parameters: object, count: int, energy: float = ENERGY) -> np.ndarray:
-    """Apex heights from that of touchdown to the highest, both left out."""
+def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
+    """So many apex heights, m, from that of touchdown to the highest, both left out."""
     low = parameters.free_length * math.cos(parameters.touchdown_angle)
     return np.linspace(low, highest(parameters, energy), count + 2)[1:-1]
 
 
-def fixed_points(angle: float, energy: float = ENERGY) -> list[Gait]:
-    """All gaits of a touchdown angle, in rad, by rising height."""
+def fixed_points(angle: float, energy: float = ENERGY) -> list[FixedPoint]:
+    """All gaits of a touchdown angle.
+
+    Parameters
+    ----------
+    angle : float
+        Rad.
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    list of FixedPoint
+        By rising height.
+    """
     parameters = slip(angle)
-    found: list[Gait] = []
+    found: list[FixedPoint] = []
     tried = heights(parameters, int(highest(parameters, energy) / SPACING), energy)
     steps = [step(parameters, height, energy) for height in tried]
-    flies = c.TDMF_CLASSIC_FLIES
     for (low, before), (high, after) in zip(
         zip(tried, steps, strict=True), zip(tried[1:], steps[1:], strict=True), strict=False
     ):
         crosses = (before.next_height - low) * (after.next_height - high) <= 0.0
-        if before.outcome == flies and after.outcome == flies and crosses:
+        if before.outcome == FLIES and after.outcome == FLIES and crosses:
             height = ffi.new("double *")
             if c.tdmf_classic_fixed_point(parameters, energy, 0.5 * (low + high), height):
-                found.append(_gait(parameters, angle, height[0], energy))
+                found.append(_fixed_point(parameters, angle, height[0], energy))
     return found
 
 
-def fold(energy: float = ENERGY) -> Gait:
-    """Where the stable and the unstable gait meet and vanish."""
+def fold(energy: float = ENERGY) -> FixedPoint:
+    """Where the stable and the unstable gait of an energy, J, meet and vanish."""
     angle, height = ffi.new("double *", math.radians(44.0)), ffi.new("double *", 2.0)
     c.tdmf_classic_fold(slip(angle[0]), energy, angle, height)
-    return _gait(slip(angle[0]), angle[0], height[0], energy)
+    return _fixed_point(slip(angle[0]), angle[0], height[0], energy)
 
 
-def _gait(parameters: object, angle: float, height: float, energy: float) -> Gait:
+def _fixed_point(parameters: Classic, angle: float, height: float, energy: float) -> FixedPoint:
     there = step(parameters, height, energy)
-    return Gait(angle, height, there.slope, there.stance_friction, there.impact_friction)
+    return FixedPoint(angle, height, there.slope, there.stance_friction, there.impact_friction)

@@ -7,15 +7,18 @@ ends["fate"] == FATES.index("settled")
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from numbers import Real
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind
+from ..checks import check_kind, is_number
 from ..errors import InputError
-from ..unit.section import COORDINATES
+from ..unit.variable import Given
 from .binding import c, ffi
-from .runner import Runner
+from .runner import Runner, text_of
+from .section import COORDINATES, Apex
+from .structs import Struct
 
 TOLERANCE = 2e-10
 """Relative tolerance of a step by default."""
@@ -29,6 +32,7 @@ NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
 FATES = ("settled", "fell", "undecided", "no_start", "unsolved")
 """By the library's numbers. Unsolved is what the solver did not get through: it may fall or not."""
+SETTLED = FATES.index("settled")
 
 
 @dataclass(frozen=True)
@@ -38,9 +42,10 @@ class Case:
     Start values by name stand for the runner that they make.
     """
 
-    runner: Runner | Mapping[str, object]
-    gaits: Sequence[Sequence[float]] = field(default=())
-    """Apices; without any, runners make the most strides or fall."""
+    runner: Runner
+    """Parameters and inputs."""
+    gaits: Sequence[Apex] | NDArray[np.float64] = field(default=())
+    """Apices, shape (gaits, 6); without any, runners make the most strides or fall."""
 
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none."""
@@ -63,36 +68,35 @@ class Work:
 
 def instruction_sets() -> tuple[str, ...]:
     """What this processor and this build have, the slowest first: `one by one` is the native solver."""
-    every = range(1, c.TDMF_INSTRUCTIONS_COUNT)
-    return tuple(_name(number) for number in every if c.tdmf_has_instructions(number))
+    return tuple(name for name, number in _INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
 
 def run_ensemble(
-    cases: Sequence[Case | Runner | Mapping[str, object]],
-    starts: np.ndarray,
-    case_of: np.ndarray | None = None,
+    cases: Sequence[Case | Runner | Mapping[str, Given]],
+    starts: ArrayLike,
+    case_of: ArrayLike | None = None,
     *,
     most_strides: int,
     near: float = NEAR,
     tolerance: float = TOLERANCE,
     threads: int | None = None,
     instructions: str | None = None,
-) -> tuple[np.ndarray, Work]:
+) -> tuple[NDArray[np.void], Work]:
     """Follow runners from their starts until they settle, fall, or have made the most strides.
 
     Parameters
     ----------
-    cases : Sequence[Case | Runner | Mapping[str, object]]
+    cases : sequence of Case
         Parameters, inputs and gaits; a runner alone, or its start values, stand for a case without gaits.
-    starts : ndarray
-        Apices, one to a row, in the order of `section.COORDINATES`.
-    case_of : ndarray, optional
+    starts : array_like of float, shape (runners, 6)
+        Apices, one to a row, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s.
+    case_of : array_like of int, shape (runners,), optional
         The number of each runner's case; by default all have the first.
     most_strides : int
         A runner that has closed as many is undecided, as is one whose stride takes longer than 1e4 sqrt(m/k).
-    near : float, default NEAR
+    near : float, default 1e-2
         Distance from a gait's apex, over the scales, at which a runner counts as settled.
-    tolerance : float, default TOLERANCE
+    tolerance : float, default 2e-10
         Relative tolerance of a step.
     threads : int, optional
         By default one for each processor. Results do not depend on it.
@@ -101,11 +105,12 @@ def run_ensemble(
 
     Returns
     -------
-    tuple[ndarray, Work]
-        A row for each runner with the fields of the library's `tdmf_ensemble_end`: `fate` (a number into
-        `FATES`), `gait` (-1 for none), `strides`, `word_code`, and of the strides closed the last `apex`,
-        `time`, `distance`, `work`, `damper_loss`, `friction_loss` and `impact_loss`; and the work that was
-        done.
+    ends : structured ndarray, shape (runners,)
+        With the fields of the library's `tdmf_ensemble_end`: `fate` (a number into `FATES`), `gait` (-1 for
+        none), `strides`, `word_code`, and of the strides closed the last `apex`, `time` (s), `distance` (m),
+        `work`, `damper_loss`, `friction_loss` and `impact_loss` (J).
+    work : Work
+        What was done.
 
     Raises
     ------
@@ -116,18 +121,19 @@ def run_ensemble(
     check_kind(cases, Sequence, "cases", "one or more cases in a list")
     if not len(cases):
         raise InputError("cases: none; allowed: one or more")
-    cases = [case if isinstance(case, Case) else Case(case) for case in cases]
+    all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in cases]
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
     ensemble.relative_tolerance = _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0)
     ensemble.threads = _whole("threads", (os.cpu_count() or 1) if threads is None else threads)
     ensemble.instructions = _number(instructions)
-    c_cases, kept = _c_cases(cases, _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf))
+    most_strides, near = _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf)
+    c_cases, kept = _c_cases(all_cases, most_strides, near)
     ensemble.cases = c_cases
-    ensemble.case_count = len(cases)
+    ensemble.case_count = len(all_cases)
     if case_of is not None:
-        numbers = _case_numbers(case_of, len(sections), len(cases))
+        numbers = _case_numbers(case_of, len(sections), len(all_cases))
         ensemble.case_of = ffi.cast("int *", ffi.from_buffer(numbers))
     ends = np.zeros(len(sections), dtype=END)
     work = ffi.new("tdmf_ensemble_work *")
@@ -137,7 +143,7 @@ def run_ensemble(
     return ends, Work(work.strides, work.events, work.steps, work.places, work.evaluations)
 
 
-def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[object, list]:
+def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Struct, list[object]]:
     """The cases as the library takes them, and what has to live as long."""
     made = ffi.new("tdmf_ensemble_case[]", len(cases))
     kept: list[object] = []
@@ -153,7 +159,7 @@ def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[obj
     return made, kept
 
 
-def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
+def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.intc]:
     given = np.asarray(case_of)
     numbers = given.astype(np.intc) if given.dtype.kind in "iu" else None
     if numbers is None or given.shape != (runners,) or not np.all((given >= 0) & (given < cases)):
@@ -161,7 +167,7 @@ def _case_numbers(case_of: np.ndarray, runners: int, cases: int) -> np.ndarray:
     return np.ascontiguousarray(numbers)
 
 
-def _apices(name: str, given: object) -> np.ndarray:
+def _apices(name: str, given: object) -> NDArray[np.float64]:
     try:
         apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
     except (TypeError, ValueError) as problem:
@@ -171,37 +177,33 @@ def _apices(name: str, given: object) -> np.ndarray:
     return apices
 
 
-def _within(name: str, value: float, low: float, high: float) -> float:
-    if not isinstance(value, Real) or not low < value < high:
+def _within(name: str, value: object, low: float, high: float) -> float:
+    if not is_number(value) or not low < value < high:
         raise InputError(f"{name} = {value!r}: allowed: a number above {low:g} and below {high:g}")
     return float(value)
 
 
-def _whole(name: str, value: int) -> int:
-    if not isinstance(value, Real) or not 1 <= value < 2**31 or value % 1:
+def _whole(name: str, value: object) -> int:
+    if not is_number(value) or not 1 <= value < 2**31 or value % 1:
         raise InputError(f"{name} = {value!r}: allowed: a whole number from 1 to {2**31 - 1}")
     return int(value)
 
 
-def _name(number: int) -> str:
-    return ffi.string(c.tdmf_instructions_name(number)).decode()
-
-
 def _number(instructions: str | None) -> int:
     if instructions is None:
-        return c.TDMF_BEST_INSTRUCTIONS
-    known = {_name(number): number for number in range(1, c.TDMF_INSTRUCTIONS_COUNT)}
+        best: int = c.TDMF_BEST_INSTRUCTIONS
+        return best
     if instructions not in instruction_sets():
         raise InputError(f"instructions {instructions}: allowed here: {', '.join(instruction_sets())}")
-    return known[instructions]
+    return _INSTRUCTIONS[instructions]
 
 
-def _dtype_of(name: str) -> np.dtype:
+def _dtype_of(name: str) -> np.dtype[np.void]:
     """A C struct of numbers and arrays of numbers as NumPy sees it."""
     struct = ffi.typeof(name)
     codes = {"int": "i4", "double": "f8"}
 
-    def code(kind: object) -> object:
+    def code(kind: Any) -> Any:
         return (codes[kind.item.cname], kind.length) if kind.kind == "array" else codes[kind.cname]
 
     return np.dtype(
@@ -215,3 +217,8 @@ def _dtype_of(name: str) -> np.dtype:
 
 
 END = _dtype_of("tdmf_ensemble_end")
+"""Of a row that `run_ensemble` gives."""
+_INSTRUCTIONS: Mapping[str, int] = {
+    text_of(c.tdmf_instructions_name(number)): number for number in range(1, c.TDMF_INSTRUCTIONS_COUNT)
+}
+"""All that the library knows, by name."""

@@ -3,20 +3,29 @@
 The C library does the work: one stride with its exact Jacobian, and Newton's method on it.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..checks import check_kind
 from ..errors import InputError, RunError
+from ..unit.unit import FRICTION
 from .binding import c, ffi
-from .return_map import derivatives, direction, end_text, section_of
-from .runner import STATES, Runner
+from .return_map import derivatives, direction, end_text
+from .runner import Runner, text_of
+from .section import Apex, checked_apex
+from .structs import EventLog, FoundOrbit
 
 SETTLING_STRIDES = 400
-LETTERS = {2: "0", 3: "+", 4: "-"}
+LETTERS: Mapping[int, str] = {
+    c.TDMF_CONTACT_STICK: "0",
+    c.TDMF_CONTACT_SLIP_POSITIVE: "+",
+    c.TDMF_CONTACT_SLIP_NEGATIVE: "-",
+}
 """Of the gait word, by contact mode."""
 STRIDE_QUANTITIES = (
     "period",
@@ -32,6 +41,8 @@ STRIDE_QUANTITIES = (
     "peak_force",
 )
 LOSSES = ("damper_loss", "friction_loss", "impact_loss")
+TOLD = ("period", "length", "speed", "work", "cost_of_transport")
+"""Of the quantities of a stride, those that a gait is told by."""
 
 
 @dataclass(frozen=True)
@@ -39,87 +50,107 @@ class Event:
     """An event within a stride."""
 
     time: float
+    """s since the apex at which the stride begins."""
     guard: int
+    """Which guard fired, by the library's number."""
     contact_before: int
+    """Contact mode, by the library's number; as the following."""
     contact_after: int
     state: tuple[float, ...]
+    """Before the event, in the library's order."""
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A letter of a gait word: a contact mode in which the ground bears the foot."""
+
+    letter: str
+    duration: float
+    """s that the mode lasts."""
 
 
 @dataclass(frozen=True)
 class Orbit:
-    """A periodic gait and its stride; units as in the model description."""
+    """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner
-    apex: np.ndarray
-    """Section, in the order of `section.COORDINATES`."""
+    """Whose gait it is: parameters and inputs; where the runner starts does not matter."""
+    apex: NDArray[np.float64]
+    """Section, shape (6,), in the order of `COORDINATES`."""
     word: str
+    """The gait word: `+`, `0` or `-` for each contact mode in the order of the stance."""
     liftoff_angle: float
+    """Of the leg at lift-off, rad."""
     stride: Mapping[str, float]
     """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
-    jacobian: np.ndarray
-    """Of the return map; [i, k] is the change of coordinate i by coordinate k."""
+    jacobian: NDArray[np.float64]
+    """Of the return map, shape (6, 6); [i, k] is the change of coordinate i by coordinate k."""
     along: str | None
     """The parameter or input by which the next apex is differentiated, too; None: by none."""
-    by_parameter: np.ndarray | None
-    """Change of the next apex along it; None where none was asked for."""
+    by_parameter: NDArray[np.float64] | None
+    """Change of the next apex along it, shape (6,); None where none was asked for."""
     error: float
     """What is left of apex minus next apex, over the coordinates' scales."""
     iterations: int
+    """Of Newton's method."""
     events: tuple[Event, ...] = field(repr=False)
+    """Of the stride, in their order."""
 
     @property
     def friction(self) -> float:
         """Of the ground."""
-        return self.runner.values["ground.friction"]
+        return self.runner.values[FRICTION]
 
     @property
     def period(self) -> float:
-        """Of the stride."""
+        """Of the stride, s."""
         return self.stride["period"]
 
     @cached_property
     def start_values(self) -> dict[str, float]:
         """Everything a run of the unit needs to begin at this gait's apex."""
-        state = ffi.new("double[]", c.TDMF_STATE_COUNT)
-        c.tdmf_section_state(self.runner.model, ffi.new("double[6]", list(self.apex)), state)
-        return {**self.runner.values, **dict(zip(STATES, state, strict=False))}
+        return self.runner.start_values(self.apex)
 
     @cached_property
-    def eigenvalues(self) -> np.ndarray:
-        """Of the Jacobian, the largest first."""
-        found = np.linalg.eigvals(self.jacobian)
+    def eigenvalues(self) -> NDArray[np.float64] | NDArray[np.complex128]:
+        """Of the Jacobian, shape (6,), the largest first; complex where any is."""
+        found: NDArray[Any] = np.linalg.eigvals(self.jacobian)
         return found[np.argsort(-np.abs(found), kind="stable")]
+
+    @property
+    def lambda_max(self) -> float:
+        """Size of the largest eigenvalue."""
+        return float(abs(self.eigenvalues[0]))
 
     @property
     def stable(self) -> bool:
         """All eigenvalues are inside the unit circle."""
-        return bool(abs(self.eigenvalues[0]) < 1.0)
+        return self.lambda_max < 1.0
 
     @cached_property
-    def letters(self) -> tuple[tuple[str, float], ...]:
+    def letters(self) -> tuple[Letter, ...]:
         """Letters of the word with how long each mode lasts; graze and flight add none."""
-        found: list[tuple[str, float]] = []
+        found: list[Letter] = []
         flown = True
         for event, following in zip(self.events, self.events[1:], strict=False):
             letter = LETTERS.get(event.contact_after)
-            flown = flown or event.contact_after == 1
+            flown = flown or event.contact_after == c.TDMF_CONTACT_FLIGHT
             if letter is None:
                 continue
             duration = following.time - event.time
-            if found and found[-1][0] == letter and not flown:
-                found[-1] = letter, found[-1][1] + duration
+            if found and found[-1].letter == letter and not flown:
+                found[-1] = Letter(letter, found[-1].duration + duration)
             else:
-                found.append((letter, duration))
+                found.append(Letter(letter, duration))
             flown = False
         return tuple(found)
 
     def as_json(self) -> dict[str, object]:
         """The gait as a plain object, eigenvalues as [re, im], start values for a run that begins on it."""
-        names = ("period", "length", "speed", "work", "cost_of_transport")
         return {
             "friction": self.friction,
             "word": self.word,
-            **{name: self.stride[name] for name in names},
+            **{name: self.stride[name] for name in TOLD},
             "liftoff_angle": self.liftoff_angle,
             "apex": [float(value) for value in self.apex],
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
@@ -130,6 +161,13 @@ class Orbit:
 
 def check_orbit(given: object, what: str) -> None:
     """Refuse what is no gait of the return map.
+
+    Parameters
+    ----------
+    given : object
+        What was given as one.
+    what : str
+        The argument, for the message.
 
     Raises
     ------
@@ -154,52 +192,79 @@ def check_has_gaits(friction: float) -> None:
         )
 
 
-def find_orbit(
-    runner: Runner | Mapping[str, object],
-    guess: Sequence[float] | None = None,
-    *,
-    along: str | None = None,
-) -> Orbit:
+def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbit:
     """The periodic gait near a guess, by Newton's method.
 
     Parameters
     ----------
-    runner : Runner or mapping of str to object
-        Whose gait; start values stand for the runner that they make.
-    guess : Sequence[float], optional
-        An apex near the gait's; without one the runner runs from its start values first, to settle.
+    runner : Runner
+        Whose gait.
+    guess : sequence of float, shape (6,)
+        An apex near the gait's, in the order of `COORDINATES`.
     along : str, optional
         A parameter or input by which the next apex is differentiated, too.
+
+    Returns
+    -------
+    Orbit
+        The gait to rounding, unless it is very sensitive.
 
     Raises
     ------
     InputError
-        The guess is no apex, the start values are not in flight, `along` is unknown, or the friction is 0.
+        The guess is no apex, `along` is unknown, or the friction is 0.
     RunError
         The runner falls, no gait is near, the solver does not get through a stride, or the gait has no
         derivatives.
     """
-    runner = Runner.of(runner)
-    check_has_gaits(runner.values["ground.friction"])
-    log = ffi.new("tdmf_event_log *")
-    solver = runner.solver(log)
-    section = section_of(runner.start_apex() if guess is None else guess)
-    ran = SETTLING_STRIDES
-    if guess is None:
-        ran = c.tdmf_settle(solver, runner.model, runner.inputs, SETTLING_STRIDES, section)
-    found = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, direction(along))
+    return _search(runner, checked_apex(guess), 0, along)
+
+
+def settled_orbit(runner: Runner, *, along: str | None = None) -> Orbit:
+    """The periodic gait that a runner settles on from its start, at the end by Newton's method.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait, and where it starts.
+    along : str, optional
+        A parameter or input by which the next apex is differentiated, too.
+
+    Returns
+    -------
+    Orbit
+        The gait near where the runner is after `SETTLING_STRIDES` strides.
+
+    Raises
+    ------
+    InputError
+        The start values are refused or not in flight, `along` is unknown, or the friction is 0.
+    RunError
+        As in `orbit_near`.
+    """
+    check_has_gaits(runner.values[FRICTION])
+    return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
+
+
+def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: str | None) -> Orbit:
+    """By Newton's method, after so many strides."""
+    check_has_gaits(runner.values[FRICTION])
+    change = direction(along)
+    log: EventLog = ffi.new("tdmf_event_log *")
+    solver, section = runner.solver(log), ffi.new("double[6]", list(apex))
+    ran = settling and c.tdmf_settle(solver, runner.model, runner.inputs, settling, section)
+    found: FoundOrbit = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, change)
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise RunError(_why_not(runner, found, ran))
+        raise RunError(_why_not(runner, found, ran < settling, ran))
     log.count = 0
     c.tdmf_return_map(solver, runner.model, runner.inputs, found.section, np.inf, False, ffi.NULL, 0)
     return _orbit(runner, found, log, along)
 
 
-def _why_not(runner: Runner, found: object, ran: int) -> str:
-    where = f"no gait at friction {runner.values['ground.friction']:g}"
+def _why_not(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str:
+    where = f"no gait at friction {runner.values[FRICTION]:g}"
     if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
         why = end_text(found.stride)
-        settling = ran < SETTLING_STRIDES
         return f"{where}: " + (
             f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
         )
@@ -209,7 +274,7 @@ def _why_not(runner: Runner, found: object, ran: int) -> str:
     )
 
 
-def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orbit:
+def _orbit(runner: Runner, found: FoundOrbit, log: EventLog, along: str | None) -> Orbit:
     stride = found.stride
     jacobian, by_parameter = derivatives(runner, stride)
     quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
@@ -220,7 +285,7 @@ def _orbit(runner: Runner, found: object, log: object, along: str | None) -> Orb
     return Orbit(
         runner=runner,
         apex=np.array(list(found.section)),
-        word=ffi.string(stride.stride.word).decode(),
+        word=text_of(stride.stride.word),
         liftoff_angle=stride.liftoff_angle,
         stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},
         jacobian=jacobian,

@@ -1,79 +1,118 @@
 """The return map: one stride from apex to apex, with its exact derivatives."""
 
-import reprlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
-from ..unit.section import COORDINATES
+from ..errors import RunError
+from ..unit.unit import FRICTION
+from ..unit.variable import Given
 from .binding import c, ffi
-from .runner import Runner, assign, check_varied
+from .members import INPUTS, PARAMETERS, check_varied
+from .runner import Runner, text_of
+from .section import COORDINATES, Apex, checked_apex
+from .structs import Return, Struct
 
 
 def stride_from(
-    runner: Runner | Mapping[str, object], apex: Sequence[float], along: str
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """One stride from an apex: the next apex, the Jacobian, and the next apex's change along a parameter.
+    runner: Runner | Mapping[str, Given], apex: Apex, along: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """One stride from an apex: the next apex, and how it changes.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Who makes the stride, or start values by name.
+    apex : sequence of float, shape (6,)
+        In the order of `COORDINATES`.
+    along : str
+        A parameter or input by which the next apex is differentiated, too.
+
+    Returns
+    -------
+    next_apex : ndarray of float, shape (6,)
+        Where the stride closes.
+    jacobian : ndarray of float, shape (6, 6)
+        [i, k] is the change of coordinate i of the next apex by coordinate k of this one.
+    by_parameter : ndarray of float, shape (6,)
+        The next apex's change along the parameter.
+
+    Raises
+    ------
+    InputError
+        Not an apex, or not a parameter or input.
+    RunError
+        No stride closes from there, or it has no derivatives.
+    """
+    runner, section = Runner.of(runner), list(checked_apex(apex))
+    stride: Return = c.tdmf_return_map(
+        runner.solver(), runner.model, runner.inputs, section, np.inf, True, direction(along), 1
+    )
+    if not stride.outcome.closed:
+        raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {end_text(stride)}")
+    return np.array(list(stride.apex)), *derivatives(runner, stride)
+
+
+def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The Jacobian of a stride, and the next apex's change along the parameter asked for, else zero.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose stride it is, for the message.
+    stride : Return
+        Closed, with its derivatives.
+
+    Returns
+    -------
+    jacobian : ndarray of float, shape (6, 6)
+        As in `stride_from`.
+    by_parameter : ndarray of float, shape (6,)
+        As in `stride_from`.
 
     Raises
     ------
     RunError
-        No stride closes from there, or it has no derivatives.
+        The stride has none.
     """
-    runner, section = Runner.of(runner), section_of(apex)
-    stride = c.tdmf_return_map(
-        runner.solver(), runner.model, runner.inputs, section, np.inf, True, direction(along), 1
-    )
-    if not stride.outcome.closed:
-        friction = runner.values["ground.friction"]
-        raise RunError(f"no stride closes at friction {friction:g}: {end_text(stride)}")
-    return np.array(list(stride.apex)), *derivatives(runner, stride)
-
-
-def derivatives(runner: Runner, stride: object) -> tuple[np.ndarray, np.ndarray]:
-    """The Jacobian, and the next apex's change along the parameter asked for, else zero."""
     jacobian = np.array([list(stride.by_section[k].apex) for k in range(len(COORDINATES))]).T
     by_parameter = np.array(list(stride.by_parameter[0].apex))
     if not (np.isfinite(jacobian).all() and np.isfinite(by_parameter).all()):
         raise RunError(
-            f"at friction {runner.values['ground.friction']:g} a stride is on the edge of an event or of a "
-            "law, where it has no derivatives"
+            f"at friction {runner.values[FRICTION]:g} a stride is on the edge of an event or of a law, where "
+            "it has no derivatives"
         )
     return jacobian, by_parameter
 
 
-def direction(along: str | None) -> object:
-    """The unit direction of a parameter or input."""
-    if along is None:
-        return ffi.NULL
-    check_varied(along, "along")
-    change = ffi.new("tdmf_change *")
-    assign(change.parameters, {along: 1.0})
-    assign(change.inputs, {along: 1.0})
+def direction(along: str | None) -> Struct:
+    """The unit direction of a parameter or input as the library's `tdmf_change *`; NULL for none.
+
+    Parameters
+    ----------
+    along : str, optional
+        Its name.
+
+    Raises
+    ------
+    InputError
+        There is no such parameter or input.
+    """
+    change: Struct = ffi.NULL if along is None else ffi.new("tdmf_change *")
+    if along is not None:
+        check_varied(along, "along")
+        for members, part in ((PARAMETERS, "parameters"), (INPUTS, "inputs")):
+            for member in members:
+                if member.name == along:
+                    member.write(getattr(change, part), 1.0)
     return change
 
 
-def end_text(stride: object) -> str:
+def end_text(stride: Return) -> str:
     """What ended a stride that has not closed: a fall, or what the solver met."""
     if not stride.began_at_apex:
         return "there is no apex above the ground"
     if stride.outcome.outcome == c.TDMF_ARRIVED:
         return "no stride closes in the time that it may take"
-    return ffi.string(c.tdmf_outcome_text(stride.outcome.outcome)).decode()
-
-
-def section_of(apex: Sequence[float]) -> object:
-    """An apex as the C library takes it.
-
-    Raises
-    ------
-    InputError
-        It is not one.
-    """
-    if np.shape(apex) != (len(COORDINATES),):
-        raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(COORDINATES)}")
-    try:
-        return ffi.new("double[6]", [float(value) for value in apex])
-    except (TypeError, ValueError):
-        raise InputError(f"an apex {reprlib.repr(apex)}: allowed: six numbers") from None
+    return text_of(c.tdmf_outcome_text(stride.outcome.outcome))

@@ -1,57 +1,37 @@
 """A runner: parameters, inputs and a start, as the C library takes them."""
 
-import difflib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from numbers import Real
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..checks import check_kind
+from ..checks import check_kind, is_number, near_matches
 from ..errors import InputError
-from ..unit.section import apex_of
 from ..unit.unit import Unit, load
+from ..unit.variable import Given
 from .binding import c, ffi
+from .members import INPUTS, PARAMETERS, STATES, VARIED
+from .section import Apex, checked_apex
+from .structs import Center, EventLog, Refusal, Solver, Struct
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
 so is the gait itself, unless it is very sensitive, as near a fold."""
-STATES = (
-    "foot.x",
-    "foot.y",
-    "leg.length",
-    "leg.angle",
-    "foot.vx",
-    "foot.vy",
-    "leg.length_rate",
-    "leg.angle_rate",
-)
-"""The mechanical states in the library's order."""
-
-
-def _members(struct: object, group: str = "") -> Iterator[str]:
-    """Paths of the numbers in a C struct, which are the unit's names."""
-    for name, member in struct.fields:
-        if member.type.kind == "struct":
-            yield from _members(member.type, f"{group}{name}.")
-        else:
-            yield group + name
-
-
-VARIED = (*_members(ffi.typeof("tdmf_parameters")), *_members(ffi.typeof("tdmf_inputs")))
-"""Parameters and inputs: what a runner's motion depends on, beside its start."""
 
 
 @dataclass(frozen=True)
 class Runner:
     """Parameters, inputs and a start, as the C library takes them.
 
-    Values are in the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`.
+    `Runner.of` makes one of the values that are given and the unit's own.
     """
 
     values: Mapping[str, float]
+    """In the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`."""
     relative_tolerance: float = TOLERANCE
+    """Of the native solver, for each step; above 0 and below 1."""
 
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
@@ -61,10 +41,22 @@ class Runner:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 
     @classmethod
-    def of(cls, given: "Runner | Mapping[str, object] | None" = None, unit: Unit | None = None) -> "Runner":
+    def of(cls, given: "Runner | Mapping[str, Given] | None" = None, unit: Unit | None = None) -> "Runner":
         """The unit's own start values, and over them those given; a runner is given back as it is.
 
         What concerns runs of the unit only, as `solver.method` does, is left out.
+
+        Parameters
+        ----------
+        given : Runner or mapping of str to float, optional
+            Start values by the unit's names and in its units.
+        unit : Unit, optional
+            Whose start values and ranges hold; by default that of `fmu_path`.
+
+        Returns
+        -------
+        Runner
+            With every value that the library asks for.
 
         Raises
         ------
@@ -75,31 +67,45 @@ class Runner:
             return given
         check_kind(given or {}, Mapping, "runner", "a Runner, or start values by name")
         unit = load(unit)
-        checked = unit.start_values(given or {}, "start values")
+        checked = unit.start_values(given or {}, "start values")  # type: ignore[arg-type] # no runner any more
         names = [n for n, v in unit.variables.items() if v.settable and v.type == "Real"]
         return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
 
-    def but(self, name: str, value: float | str) -> "Runner":
-        """The same runner with another value, a number or a text like `40 deg`.
+    def but(self, name: str, value: float) -> "Runner":
+        """The same runner with another value.
+
+        Parameters
+        ----------
+        name : str
+            Of a parameter, an input or a state.
+        value : float
+            In the unit's unit.
+
+        Returns
+        -------
+        Runner
+            This one stays as it is.
 
         Raises
         ------
         InputError
-            The runner has no such value, or it is neither.
+            The runner has no such value, or it is no number.
         """
         if name not in self.values:
-            raise InputError(f"{name!r} is not a name in the runner's values{_near(name, self.values)}")
-        if not isinstance(value, Real):
-            value = load().find(name, "runner").value_of(value, "runner")
+            raise InputError(
+                f"{name!r} is not a name in the runner's values{near_matches(name, self.values)}"
+            )
+        if not is_number(value):
+            raise InputError(f"{name} = {value!r} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: float(value)})
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float]]:
         """Without what the C library has made of it, which is of use in this process only."""
         return type(self), (dict(self.values), self.relative_tolerance)
 
     @cached_property
-    def model(self) -> object:
-        """The C model of the parameters.
+    def model(self) -> Struct:
+        """The parameters as the library's `tdmf_model *`.
 
         Raises
         ------
@@ -107,54 +113,98 @@ class Runner:
             A parameter is refused.
         """
         parameters = ffi.new("tdmf_parameters *")
-        assign(parameters, self.values)
-        model = ffi.new("tdmf_model *")
+        for member in PARAMETERS:
+            member.write(parameters, self.values[member.name])
+        model: Struct = ffi.new("tdmf_model *")
         _check(c.tdmf_model_create(model, parameters))
         return model
 
     @cached_property
-    def inputs(self) -> object:
-        """The C inputs.
+    def inputs(self) -> Struct:
+        """The inputs as the library's `tdmf_inputs *`.
 
         Raises
         ------
         InputError
             An input is refused.
         """
-        inputs = ffi.new("tdmf_inputs *")
-        assign(inputs, self.values)
+        inputs: Struct = ffi.new("tdmf_inputs *")
+        for member in INPUTS:
+            member.write(inputs, self.values[member.name])
         _check(c.tdmf_check_inputs(inputs))
         return inputs
 
     @cached_property
-    def scales(self) -> np.ndarray:
-        """Scales of the section's coordinates."""
+    def scales(self) -> NDArray[np.float64]:
+        """Scales of the section, shape (6,): l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m)."""
         scales = ffi.new("double[6]")
         c.tdmf_section_scales(self.model, scales)
         return np.array(list(scales))
 
-    def solver(self, log: object = ffi.NULL) -> object:
-        """A native solver, noting its events in `log`."""
-        solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
-        if not isinstance(self.relative_tolerance, Real) or not 0 < self.relative_tolerance < 1:
+    def solver(self, log: EventLog | None = None) -> Solver:
+        """A native solver.
+
+        Parameters
+        ----------
+        log : EventLog, optional
+            Where it notes its events.
+
+        Returns
+        -------
+        Solver
+            The library's `tdmf_solver *`.
+
+        Raises
+        ------
+        InputError
+            The runner's tolerance is out of range.
+        """
+        solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
+        if not is_number(self.relative_tolerance) or not 0 < self.relative_tolerance < 1:
             raise InputError(
                 f"relative_tolerance = {self.relative_tolerance!r} is not allowed; allowed: above 0, below 1"
             )
         solver.relative_tolerance = self.relative_tolerance
-        solver.log = log
+        solver.log = ffi.NULL if log is None else log
         return solver
 
-    def start_apex(self) -> np.ndarray:
+    def apex(self) -> NDArray[np.float64]:
+        """The apex section that has the height, the forward speed and the leg of the start values.
+
+        The vertical velocity is left out.
+
+        Returns
+        -------
+        ndarray of float, shape (6,)
+            In the order of `COORDINATES`.
+
+        Raises
+        ------
+        InputError
+            A parameter is refused.
+        """
+        motion = ffi.new("tdmf_motion *")
+        motion.state[0 : len(STATES)] = [self.values[name] for name in STATES]
+        center: Center = c.tdmf_center_of_mass(self.model, motion.state)
+        leg = (self.values[name] for name in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate"))
+        return np.array([center.y, center.vx, *leg])
+
+    def start_apex(self) -> NDArray[np.float64]:
         """The section at the start values; a vertical velocity, which other masses make, is left out.
+
+        Returns
+        -------
+        ndarray of float, shape (6,)
+            In the order of `COORDINATES`.
 
         Raises
         ------
         InputError
             They are refused, or the foot is not above the ground.
         """
-        section = apex_of(self.values)
+        apex = self.apex()
         motion = ffi.new("tdmf_motion *")
-        c.tdmf_section_state(self.model, ffi.new("double[6]", section), motion.state)
+        c.tdmf_section_state(self.model, ffi.new("double[6]", list(apex)), motion.state)
         mode, record = ffi.addressof(motion.mode), ffi.addressof(motion.record)
         _check(c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record))
         if not motion.record.open.began_at_apex:
@@ -162,41 +212,59 @@ class Runner:
                 f"start values: foot.y = {self.values['foot.y']:g}: the search for a gait begins in flight; "
                 "allowed: above 0"
             )
-        return np.array(section)
+        return apex
+
+    def state_at(self, apex: Apex) -> dict[str, float]:
+        """The mechanical states at an apex; the foot is above x = 0.
+
+        Parameters
+        ----------
+        apex : sequence of float, shape (6,)
+            In the order of `COORDINATES`.
+
+        Returns
+        -------
+        dict of str to float
+            By the names in `STATES`.
+
+        Raises
+        ------
+        InputError
+            Not six coordinates, or a parameter is refused.
+        """
+        state = ffi.new("double[]", c.TDMF_STATE_COUNT)
+        c.tdmf_section_state(self.model, ffi.new("double[6]", list(checked_apex(apex))), state)
+        return dict(zip(STATES, state, strict=False))
+
+    def start_values(self, apex: Apex) -> dict[str, float]:
+        """Everything that a run of the unit needs to begin at an apex: the runner's values, and `state_at`.
+
+        Parameters
+        ----------
+        apex : sequence of float, shape (6,)
+            In the order of `COORDINATES`.
+
+        Returns
+        -------
+        dict of str to float
+            By the unit's names.
+
+        Raises
+        ------
+        InputError
+            Not six coordinates, or a parameter is refused.
+        """
+        return {**self.values, **self.state_at(apex)}
 
 
-def check_varied(name: object, what: str) -> None:
-    """Refuse a name that a gait cannot be followed along.
-
-    Raises
-    ------
-    InputError
-        It is that of neither a parameter nor an input of the model.
-    """
-    if name not in VARIED:
-        raise InputError(
-            f"{what} {name!r} is not allowed; allowed: a parameter or input of the model{_near(name, VARIED)}"
-        )
-
-
-def _near(name: object, names: Iterable[str]) -> str:
-    """A hint at names that may have been meant."""
-    near = difflib.get_close_matches(str(name), names, n=3, cutoff=0.5)
-    return f"; near matches: {', '.join(near)}" if near else ""
-
-
-def assign(struct: object, values: Mapping[str, float]) -> None:
-    """Write values into the members of a struct whose paths are their names; others are left out."""
-    for name, value in values.items():
-        owner, (*path, member) = struct, name.split(".")
-        for step in path:
-            owner = getattr(owner, step, None)
-        if hasattr(owner, member):
-            setattr(owner, member, value)
-
-
-def _check(refusal: object) -> None:
+def _check(refusal: Refusal) -> None:
     if refusal.variable != ffi.NULL:
         text = ffi.new("char[256]")
         c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
-        raise InputError(ffi.string(text).decode())
+        raise InputError(text_of(text))
+
+
+def text_of(characters: object) -> str:
+    """A text of the library, a `char *`."""
+    text: bytes = ffi.string(characters)
+    return text.decode()

@@ -14,7 +14,6 @@ from ..analysis.sweep import Sweep, sweep
 from ..library import classic_slip
 from ..library.orbit import Orbit
 from ..library.runner import Runner
-from ..unit.unit import FRICTION
 
 WORDS: Mapping[float, str] = {10.0: "0+", 1.2: "+0+", 0.6: "+0-0+", 0.43: "+0-", 0.2: "+-"}
 """Friction and gait word of the periodic solutions in the paper's figures 5 to 8."""
@@ -50,9 +49,9 @@ class Evidence:
     """What the claims are judged by."""
 
     sweep: Sweep
-    slip: classic_slip.Gait
+    slip: classic_slip.FixedPoint
     """The stable gait of the classic SLIP at 40 degrees."""
-    fold: classic_slip.Gait
+    fold: classic_slip.FixedPoint
 
 
 def gather(runner: Runner, show_progress: bool = False) -> Evidence:
@@ -80,12 +79,8 @@ def claims(evidence: Evidence) -> list[Claim]:
     ]
 
 
-def _largest(orbit: Orbit) -> float:
-    return float(abs(orbit.eigenvalues[0]))
-
-
 def _stability(orbits: Sequence[Orbit]) -> list[Claim]:
-    values = [_largest(orbit) for orbit in orbits]
+    values = [orbit.lambda_max for orbit in orbits]
     lowest = min(orbit.friction for orbit in orbits)
     small = max(int(np.sum(np.abs(orbit.eigenvalues) < 1e-2)) for orbit in orbits)
     falls = sum(after < before - ROUNDING for before, after in pairwise(values))
@@ -206,10 +201,10 @@ def recorded(evidence: Evidence) -> list[tuple[str, float, float, float]]:
         (f"border {before} to {after}", borders.get((before, after), math.nan), value, 5e-5)
         for (before, after), value in RECORDED_BORDERS.items()
     ]
-    by_friction = {orbit.runner.values[FRICTION]: orbit for orbit in evidence.sweep.orbits}
+    by_friction = {orbit.friction: orbit for orbit in evidence.sweep.orbits}
     return [
         *rows,
-        ("lambda_max at mu = 10", _largest(by_friction[SWEPT[0]]), 0.811488219, 1e-8),
+        ("lambda_max at mu = 10", by_friction[SWEPT[0]].lambda_max, 0.811488219, 1e-8),
         ("SLIP apex at 40°", evidence.slip.height, 1.03696, 1e-5),
         ("SLIP slope at 40°", evidence.slip.slope, -0.0603, 1e-4),
         ("SLIP fold", math.degrees(evidence.fold.angle), 44.59, 5e-3),

@@ -1,20 +1,40 @@
 """The recorded reference gaits, and how far a computed gait is from them."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..unit.section import COORDINATES, scales
+from ..library.orbit import TOLD
+from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..unit.unit import Unit
-from .settling import QUANTITIES, Gait
+from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
 QUANTITY_TOLERANCE = 1e-6
 """Relative, for a stride's quantities."""
 APEX_TOLERANCE = 1e-5
 """Over the coordinates' scales."""
+
+
+@dataclass(frozen=True)
+class ReferenceGait:
+    """A recorded gait of the paper's runner."""
+
+    friction: float
+    word: str
+    period: float
+    length: float
+    speed: float
+    work: float
+    cost_of_transport: float
+    liftoff_angle: float
+    apex: Sequence[float]
+    """In the order of `COORDINATES`."""
+    events: Sequence[object]
+    """Of the stride, as they were recorded."""
 
 
 @dataclass(frozen=True)
@@ -37,21 +57,34 @@ class Drift:
 
 
 @cache
-def gaits() -> tuple[Mapping[str, object], ...]:
-    """The reference gaits: friction, word, stride quantities, apex, events."""
-    return tuple(json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
+def gaits() -> tuple[ReferenceGait, ...]:
+    """All reference gaits."""
+    return tuple(ReferenceGait(**gait) for gait in json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
 
 
-def drifts(gait: Gait, reference: Mapping[str, object], unit: Unit) -> list[Drift]:
-    """All recorded values of a gait beside their references."""
-    mu = gait.friction
-    found = [Drift(mu, "word", gait.word, reference["word"], float(gait.word != reference["word"]), 0.0)]
-    for name in QUANTITIES:
-        computed, wanted = getattr(gait, name), reference[name]
+def drifts(run: SettledRun, reference: ReferenceGait, unit: Unit) -> list[Drift]:
+    """All recorded values of a gait beside their references.
+
+    Parameters
+    ----------
+    run : SettledRun
+        Of the unit, on the gait.
+    reference : ReferenceGait
+        Of the same friction.
+    unit : Unit
+        Whose start values hold where the run has none.
+
+    Returns
+    -------
+    list of Drift
+        The word, the stride's quantities, and the coordinates of the apex.
+    """
+    mu, scales = run.friction, Runner.of(run.start_values, unit).scales
+    found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0)]
+    for name in TOLD:
+        computed, wanted = getattr(run, name), getattr(reference, name)
         found.append(Drift(mu, name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE))
-    for name, computed, wanted, scale in zip(
-        COORDINATES, gait.apex, reference["apex"], scales(unit, gait.start_values), strict=True
-    ):
-        deviation = abs(computed - wanted) / scale
+    for name, computed, wanted, scale in zip(COORDINATES, run.apex, reference.apex, scales, strict=True):
+        deviation = float(abs(computed - wanted) / scale)
         found.append(Drift(mu, f"apex {name}", computed, wanted, deviation, APEX_TOLERANCE))
     return found

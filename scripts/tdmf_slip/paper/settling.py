@@ -1,18 +1,22 @@
-"""Periodic gaits, found by running until the strides repeat."""
+"""Runs of the unit until its strides repeat: what the gaits of the return map are held against."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_whole
 from ..errors import RunError
+from ..library.orbit import TOLD
+from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..terminal import progress
-from ..unit.instance import Experiment, Instance, opened
-from ..unit.section import COORDINATES, scales, start_values
+from ..unit.instance import Experiment, Instance, Recorder, opened
 from ..unit.simulation import MOST_STRIDES as MOST_OF_ALL
 from ..unit.simulation import TOLERANCES, longest_time, time_unit
-from ..unit.unit import Unit, load
+from ..unit.unit import FRICTION, Unit, load
+from ..unit.variable import Given, Value
 
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
@@ -20,13 +24,11 @@ WINDOW = 20
 MOST_SPREAD = 20.0
 """How far strides may be from their mean, over what the mean itself may move; noise takes a tenth of that."""
 MOST_STRIDES = 2000
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
-"""Of the unit's group `stride`."""
 
 
 @dataclass(frozen=True)
-class Gait:
-    """A periodic gait, by its last stride. Units as in the model description."""
+class SettledRun:
+    """A run of the unit that settled on a gait, by its last stride. Units as in the model description."""
 
     friction: float
     word: str
@@ -37,8 +39,8 @@ class Gait:
     cost_of_transport: float
     liftoff_angle: float
     apex: tuple[float, ...]
-    """Section at the apex, in the order of `section.COORDINATES`."""
-    start_values: Mapping[str, float | bool]
+    """Section at the apex, in the order of `COORDINATES`."""
+    start_values: Mapping[str, Value]
     """Everything a run needs to begin at this gait's apex: parameters, friction and state."""
     strides: int
     """How many were run."""
@@ -46,39 +48,44 @@ class Gait:
     """How far the mean apex moved from the last window of strides but one to the last, over its scales."""
 
     def as_json(self) -> dict[str, object]:
-        """The gait as a plain object."""
+        """The run as a plain object."""
         return {**asdict(self), "apex": list(self.apex), "start_values": dict(self.start_values)}
 
 
-def periodic_gait(
-    friction: float | None = None,
-    given: Mapping[str, object] | None = None,
+def settle_unit(
+    given: Mapping[str, Given] | None = None,
     *,
     relative_tolerance: float = DEFAULT_TOLERANCE,
     most_strides: int = MOST_STRIDES,
     show_progress: bool = False,
     unit: Unit | None = None,
-) -> Gait:
-    """Run the unit until its strides repeat: a stable periodic gait, or none.
+) -> SettledRun:
+    """Run the unit until its strides repeat: on a stable periodic gait, or never.
 
     Settled means: over the last twenty strides the word is one and the same, and the mean apex agrees with
     that of the twenty before within 1000 `relative_tolerance`, each coordinate over its scale, and no stride
     is farther from the mean than 20 times that, as in a gait that repeats after two strides only.
 
+    The gaits of the library, by `find_orbit`, are found faster and to rounding, unstable ones too: this is
+    how the unit is held against them.
+
     Parameters
     ----------
-    friction : float, optional
-        Start value of `ground.friction`; None for the unit's own or that in `given`.
-    given : mapping of str to object, optional
-        Further start values by name, numbers or texts like `40 deg`: parameters, and where to begin.
-    relative_tolerance : float, default DEFAULT_TOLERANCE
+    given : mapping of str to float, optional
+        Start values by name: parameters, and where to begin.
+    relative_tolerance : float, default 1e-10
         Of CVODE.
-    most_strides : int, default MOST_STRIDES
+    most_strides : int, default 2000
         Give up after so many.
     show_progress : bool, default False
         A bar on stderr.
     unit : Unit, optional
         The unit to run; by default that of `fmu_path`.
+
+    Returns
+    -------
+    SettledRun
+        The last stride, and what a run that begins with it starts from.
 
     Raises
     ------
@@ -89,36 +96,35 @@ def periodic_gait(
     """
     unit = load(unit)
     check_kind(given or {}, Mapping, "given", "start values by name")
-    wanted = {**(given or {}), **({} if friction is None else {"ground.friction": friction})}
-    starts = unit.start_values(wanted, "start values")
+    starts = unit.start_values(given or {}, "start values")
+    runner = Runner.of(starts, unit)
     most_strides = checked_whole("most_strides", most_strides, 2 * WINDOW, MOST_OF_ALL)
     relative_tolerance = checked("relative_tolerance", relative_tolerance, *TOLERANCES)
-    search = _Search(unit, starts, 1000.0 * relative_tolerance)
+    strides = _Strides(runner.scales, 1000.0 * relative_tolerance)
     experiment = Experiment(
         stop_time=longest_time(unit, starts, most_strides),
         relative_tolerance=relative_tolerance,
         output_interval=time_unit(unit, starts),
         start_values=starts,
     )
-    mu = starts.get("ground.friction", unit.start_of("ground.friction"))
     with (
         opened(unit) as instance,
-        progress.bar(f"gait at mu = {mu:g}", None, "strides", show_progress) as bar,
+        progress.bar(f"gait at mu = {runner.values[FRICTION]:g}", None, "strides", show_progress) as bar,
     ):
 
-        def step_finished(_time: float, _recorder: object) -> bool:
-            bar.update(instance.value("stride.count") - bar.n)
-            return search.goes_on(instance) and len(search.apexes) < most_strides
+        def step_finished(_time: float, _recorder: Recorder) -> bool:
+            bar.update(instance.integer("stride.count") - bar.n)
+            return strides.goes_on(instance) and len(strides.apexes) < most_strides
 
         instance.simulate(experiment, step_finished)
-        return _gait(unit, starts, search, instance, mu)
+        return _settled_run(starts, runner, strides, instance)
 
 
-class _Search:
+class _Strides:
     """The apexes so far, and whether they have settled."""
 
-    def __init__(self, unit: Unit, starts: Mapping[str, float | bool], tolerance: float) -> None:
-        self.scales = np.array(scales(unit, starts))
+    def __init__(self, scales: NDArray[np.float64], tolerance: float) -> None:
+        self.scales = scales
         self.tolerance = tolerance
         self.apexes: list[list[float]] = []
         self.words: list[str] = []
@@ -144,9 +150,9 @@ class _Search:
 
     def goes_on(self, instance: Instance) -> bool:
         """Take the apex, if one more stride has closed; False once the gait has settled."""
-        if instance.value("stride.count") > len(self.apexes):
-            self.apexes.append(list(instance.read(f"apex.{name}" for name in COORDINATES).values()))
-            self.words.append(instance.value("stride.word"))
+        if instance.integer("stride.count") > len(self.apexes):
+            self.apexes.append([instance.real(f"apex.{name}") for name in COORDINATES])
+            self.words.append(instance.text("stride.word"))
             self._measure()
         return not self.settled
 
@@ -158,24 +164,25 @@ class _Search:
             self.spread = float(np.max(np.abs(windows[1] - last)))
 
 
-def _gait(unit: Unit, starts: Mapping, search: _Search, instance: Instance, friction: float) -> Gait:
-    count = len(search.apexes)
-    if instance.value("status.fallen"):
+def _settled_run(
+    starts: Mapping[str, Value], runner: Runner, strides: _Strides, instance: Instance
+) -> SettledRun:
+    count, friction = len(strides.apexes), runner.values[FRICTION]
+    if instance.boolean("status.fallen"):
         raise RunError(f"no gait at friction {friction:g}: the runner fell after {count} strides")
-    if not search.settled:
+    if not strides.settled:
         raise RunError(
             f"no gait at friction {friction:g}: not settled after {count} strides; over the last {WINDOW} "
-            f"{search.obstacle}"
+            f"{strides.obstacle}"
         )
-    apex = tuple(search.apexes[-1])
-    quantities = {name: instance.value(f"stride.{name}") for name in QUANTITIES}
-    return Gait(
+    apex = strides.apexes[-1]
+    return SettledRun(
         friction=friction,
-        word=search.words[-1],
-        **quantities,
-        liftoff_angle=instance.value("hip.liftoff_angle"),
-        apex=apex,
-        start_values={**starts, "ground.friction": friction, **start_values(unit, apex, starts)},
+        word=strides.words[-1],
+        **{name: instance.real(f"stride.{name}") for name in TOLD},
+        liftoff_angle=instance.real("hip.liftoff_angle"),
+        apex=tuple(apex),
+        start_values={**starts, FRICTION: friction, **runner.state_at(apex)},
         strides=count,
-        change=search.change,
+        change=strides.change,
     )

@@ -1,6 +1,7 @@
 """One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,8 +9,10 @@ from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
+from numpy.typing import NDArray
 
 from ..files.whole import whole
+from ..unit.events import SLIPS
 from . import style
 from .runner import Runner, bare, pose
 from .stride import Stride
@@ -30,7 +33,7 @@ FORCE_SCALE = 1.5
 """Length of a force arrow, over l0, for a force k l0."""
 
 
-def frame_times(stride: Stride, frames: int = FRAMES) -> np.ndarray:
+def frame_times(stride: Stride, frames: int = FRAMES) -> NDArray[np.float64]:
     """Times of the frames: evenly spaced but for the stance, which is slowed down, and without the end.
 
     Returns
@@ -84,7 +87,7 @@ class _Scene:
         self.speed = self._text(0.02, 0.95, "left", size=11, color=style.FAINT)
         self.letters = self._word()
 
-    def _text(self, x: float, y: float, align: str, **how: object) -> Text:
+    def _text(self, x: float, y: float, align: str, **how: Any) -> Text:
         return self.axes.text(x, y, "", transform=self.axes.transAxes, ha=align, va="center", **how)
 
     def _ground(self) -> None:
@@ -114,7 +117,7 @@ class _Scene:
         """Move everything to a time of the stride."""
         stride, mode = self.stride, self.stride.mode_at(time)
         colour = style.MODE_COLOURS[mode]
-        middle = float(stride.at("com.x", time))
+        middle = stride.at("com.x", time)
         self.axes.set_xlim(middle - HALF_WIDTH, middle + HALF_WIDTH)
         where = pose(stride, time)
         self.runner.place(where, colour)
@@ -138,14 +141,14 @@ class _Scene:
         if self.stride.mode_at(time) not in style.LOADED:
             self.force.set_visible(False)
             return
-        x, y = (FORCE_SCALE * float(self.stride.at(name, time)) for name in ("contact.fx", "contact.fy"))
+        x, y = (FORCE_SCALE * self.stride.at(name, time) for name in ("contact.fx", "contact.fy"))
         self.force.set_visible(True)
         self.force.set_positions(foot, (foot[0] + x, foot[1] + y))
         self.force.set_color(colour)
 
     def _leave_streaks(self, time: float) -> None:
         """Where the foot has slipped so far; also those of the stride before, so that the loop closes."""
-        slips = [piece for piece in self.stride.pieces if piece.mode.startswith("slip")]
+        slips = [piece for piece in self.stride.pieces if piece.mode in SLIPS]
         for streak in self.streaks:
             streak.set_data([], [])
         free = iter(self.streaks)

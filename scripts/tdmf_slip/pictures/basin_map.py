@@ -6,6 +6,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import Colormap, ListedColormap
 from matplotlib.figure import Figure
@@ -13,8 +14,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
 
-from ..unit.section import COORDINATES
+from ..library.ensemble import FATES, SETTLED
+from ..library.section import COORDINATES
 from . import style
 
 NAMES = {
@@ -47,25 +50,24 @@ SMALLEST, RIM = 3.2, 1.0
 
 def draw(path: Path, data: xarray.Dataset) -> None:
     """Draw the map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
-    vertical, horizontal = data["fate"].dims
+    vertical, horizontal = map(str, data["fate"].dims)
     edges = _edges(data[horizontal].values), _edges(data[vertical].values)
-    meanings = data["fate"].attrs["flag_meanings"].split()
     fate, strides = data["fate"].values, data["strides"].values
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
         axes.set_xlim(min(edges[0]), max(edges[0]))
         axes.set_ylim(min(edges[1]), max(edges[1]))
-        axes.set_title(_title(data, fate == meanings.index("settled")))
+        axes.set_title(_title(data, fate == SETTLED))
         style.label(axes, _label(data, horizontal), _label(data, vertical))
         for name, (colours, label) in COUNTED.items():
-            shown = np.ma.masked_where(fate != meanings.index(name), strides)
+            shown = np.ma.masked_where(fate != FATES.index(name), strides)
             if shown.count():
                 most = max(1, shown.max())
                 mesh = axes.pcolormesh(*edges, shown, cmap=_without_palest(colours), vmin=0, vmax=most)
                 figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
         cross = _cross(axes, data, horizontal, vertical)
-        handles = [cross]
-        chosen = {name: fate == number for number, name in enumerate(meanings) if name in OTHERS}
+        handles: list[Artist] = [cross]
+        chosen = {name: fate == number for number, name in enumerate(FATES) if name in OTHERS}
         chosen = {name: where for name, where in chosen.items() if where.any()}
         for name in chosen:
             colour, label = OTHERS[name]
@@ -78,10 +80,11 @@ def draw(path: Path, data: xarray.Dataset) -> None:
         style.save(figure, path)
 
 
-def _edges(values: np.ndarray) -> np.ndarray:
+def _edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Between values, and as far beyond the outer ones; around a single one."""
     if len(values) == 1:
-        return values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
+        around: NDArray[np.float64] = values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
+        return around
     between = 0.5 * (values[1:] + values[:-1])
     return np.concatenate([[2.0 * values[0] - between[0]], between, [2.0 * values[-1] - between[-1]]])
 
@@ -90,7 +93,7 @@ def _without_palest(name: str) -> Colormap:
     return ListedColormap(plt.get_cmap(name)(np.linspace(0.0, PALEST, 256)))
 
 
-def _title(data: xarray.Dataset, settled: np.ndarray) -> str:
+def _title(data: xarray.Dataset, settled: NDArray[np.bool_]) -> str:
     friction, word = data.attrs["ground.friction"], style.word(data.attrs["word"])
     return f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
 
@@ -115,7 +118,9 @@ def _cross(axes: Axes, data: xarray.Dataset, horizontal: str, vertical: str) -> 
     return cross
 
 
-def _mark_small(figure: Figure, axes: Axes, data: xarray.Dataset, where: np.ndarray, colour: str) -> None:
+def _mark_small(
+    figure: Figure, axes: Axes, data: xarray.Dataset, where: NDArray[np.bool_], colour: str
+) -> None:
     """Mark starts that are too small to be seen by themselves."""
     extent, points = axes.get_window_extent(), 72.0 / figure.dpi
     rows, columns = where.shape

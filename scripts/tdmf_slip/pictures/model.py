@@ -1,16 +1,19 @@
 """The model, as in figure 4(b): body, leg with spring and damper, foot, hip torque, ground forces."""
 
-from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, FancyArrowPatch
+from numpy.typing import NDArray
 
 from . import style
 from .runner import spring
 
+Point: TypeAlias = tuple[float, float] | NDArray[np.float64]
+"""A place, x and y."""
 ANGLE = np.radians(33.0)
 LENGTH = 1.0
 FOOT = np.array([0.0, 0.0])
@@ -52,7 +55,7 @@ def _ground(axes: Axes) -> None:
 def _leg(axes: Axes) -> None:
     """Spring and damper side by side, between two cross bars."""
     low, high, apart = FOOT + 0.22 * ALONG, FOOT + 0.74 * ALONG, 0.075 * ACROSS
-    line = {"color": style.INK, "linewidth": 2.0, "solid_capstyle": "round"}
+    line: dict[str, Any] = {"color": style.INK, "linewidth": 2.0, "solid_capstyle": "round"}
     for a, b in ((FOOT, low), (high, BODY), (low - apart, low + apart), (high - apart, high + apart)):
         axes.plot(*zip(a, b, strict=True), **line)
     axes.plot(*spring(tuple(low + apart), tuple(high + apart), 0.045), **line)
@@ -61,7 +64,7 @@ def _leg(axes: Axes) -> None:
     _name(axes, FOOT + 0.44 * ALONG - 0.185 * ACROSS, "$c$")
 
 
-def _damper(axes: Axes, low: np.ndarray, high: np.ndarray, line: dict) -> None:
+def _damper(axes: Axes, low: NDArray[np.float64], high: NDArray[np.float64], line: dict[str, Any]) -> None:
     """A cylinder, open above, with a piston in it."""
     along, side = high - low, 0.042 * ACROSS
     bottom, top, piston = low + 0.32 * along, low + 0.68 * along, low + 0.52 * along
@@ -77,10 +80,12 @@ def _damper(axes: Axes, low: np.ndarray, high: np.ndarray, line: dict) -> None:
 
 
 def _masses(axes: Axes) -> None:
-    axes.add_patch(Circle(BODY, 0.095, facecolor=style.BODY, zorder=5))
+    axes.add_patch(Circle(_pair(BODY), 0.095, facecolor=style.BODY, zorder=5))
     _name(axes, BODY, "$m$", "white")
     _name(axes, BODY + np.array([-0.24, -0.02]), "$(x_m, y_m)$", style.FAINT, -2)
-    axes.add_patch(Circle(FOOT, 0.055, facecolor="white", edgecolor=style.INK, linewidth=2.0, zorder=5))
+    axes.add_patch(
+        Circle(_pair(FOOT), 0.055, facecolor="white", edgecolor=style.INK, linewidth=2.0, zorder=5)
+    )
     _name(axes, (-0.13, 0.0), "$m_f$")
     _name(axes, (0.145, -0.175), "$(x, y)$", style.FAINT, -2)
 
@@ -117,22 +122,35 @@ def _forces(axes: Axes) -> None:
     _name(axes, (0.42, -0.175), r"friction $\mu$", size=-3)
 
 
-def _name(axes: Axes, place: Sequence[float], text: str, colour: str = style.INK, size: int = 0) -> None:
+def _name(axes: Axes, place: Point, text: str, colour: str = style.INK, size: int = 0) -> None:
     """A text centred at a place; `size` is in points over the usual one."""
-    axes.text(*place, text, size=TEXT + size, color=colour, ha="center", va="center", zorder=6)
+    x, y = place
+    axes.text(x, y, text, size=TEXT + size, color=colour, ha="center", va="center", zorder=6)
 
 
 def _arrow(
     axes: Axes,
-    start: Sequence[float],
-    end: Sequence[float],
+    start: Point,
+    end: Point,
     colour: str,
     head: str = "-|>",
     width: float = 1.6,
     bend: float = 0.0,
 ) -> None:
     arrow = FancyArrowPatch(
-        start, end, arrowstyle=head, mutation_scale=15, color=colour, linewidth=width, shrinkA=0, shrinkB=0
+        _pair(start),
+        _pair(end),
+        arrowstyle=head,
+        mutation_scale=15,
+        color=colour,
+        linewidth=width,
+        shrinkA=0,
+        shrinkB=0,
     )
     arrow.set_connectionstyle("arc3", rad=bend)
     axes.add_patch(arrow)
+
+
+def _pair(place: Point) -> tuple[float, float]:
+    x, y = place
+    return float(x), float(y)

@@ -32,7 +32,7 @@ def draw(path: Path, run: Run, unit: Unit) -> None:
     InputError
         The run did not record what is drawn, or nothing can be written there.
     """
-    missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.table.dtype.names)
+    missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.names)
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
     with style.styled():

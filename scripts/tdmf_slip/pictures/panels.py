@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
 from . import style
 from .stride import Stride
@@ -31,7 +32,9 @@ def mark_mid_stance(axes: Axes, stride: Stride) -> None:
         axes.axvline(time, **style.MID_STANCE_LINE)
 
 
-def modes(axes: Axes, stride: Stride, values: np.ndarray, shown: float, wanted: Collection[str]) -> None:
+def modes(
+    axes: Axes, stride: Stride, values: NDArray[np.float64], shown: float, wanted: Collection[str]
+) -> None:
     """A curve over time in the colours of the contact modes: slip dashed, all else solid.
 
     Parameters
@@ -40,11 +43,11 @@ def modes(axes: Axes, stride: Stride, values: np.ndarray, shown: float, wanted: 
         Where to draw.
     stride : Stride
         Whose time and modes.
-    values : ndarray
+    values : ndarray of float, shape (rows,)
         One per row of the stride.
     shown : float
         Length of time that the axes will show.
-    wanted : Collection[str]
+    wanted : collection of str
         The modes to draw.
     """
     for piece in stride.pieces:

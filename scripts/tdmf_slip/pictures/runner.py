@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
+from numpy.typing import NDArray
 
 from . import style
 from .stride import Stride
@@ -25,28 +26,28 @@ class Pose:
 def pose(stride: Stride, time: float) -> Pose:
     """The runner's pose at a time of a stride."""
     body_x, body_y, foot_x, foot_y = (
-        float(stride.at(name, time)) for name in ("body.x", "body.y", "foot.x", "foot.y")
+        stride.at(name, time) for name in ("body.x", "body.y", "foot.x", "foot.y")
     )
     return Pose((body_x, body_y), (foot_x, foot_y))
 
 
 def spring(
     foot: tuple[float, float], body: tuple[float, float], width: float = 0.055
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """A coil spring from foot to body, straight at both ends.
 
     Parameters
     ----------
-    foot : tuple[float, float]
+    foot : pair of float
         One end.
-    body : tuple[float, float]
+    body : pair of float
         The other end.
     width : float, default 0.055
         Half the coil's width.
 
     Returns
     -------
-    tuple[ndarray, ndarray]
+    pair of ndarray, shape (points,)
         X and y of a line to draw.
     """
     start, end = np.array(foot), np.array(body)

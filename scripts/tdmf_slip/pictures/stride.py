@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..library.orbit import Orbit
 from ..unit.events import MODE
@@ -45,18 +46,19 @@ class Stride:
         run = simulate(gait.start_values, strides=1, output_interval=gait.period / POINTS, unit=unit)
         self.events = run.events
         self._table = run.table
-        self._length = run.final["leg.free_length"]
-        self._mass = run.final["body.mass"]
-        self._time = math.sqrt(self._mass / run.final["leg.stiffness"])
-        self.rho = self._mass / (self._mass + run.final["foot.mass"])
+        values = gait.runner.values
+        self._length = values["leg.free_length"]
+        self._mass = values["body.mass"]
+        self._time = math.sqrt(self._mass / values["leg.stiffness"])
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
         length, time, mass = DIMENSIONS.get(self.unit.variables[name].unit, (0, 0, 0))
-        return self._table[name] / (self._length**length * self._time**time * self._mass**mass)
+        rows: NDArray[np.float64] = self._table[name]
+        return rows / (self._length**length * self._time**time * self._mass**mass)
 
     @cached_property
-    def time(self) -> np.ndarray:
+    def time(self) -> NDArray[np.float64]:
         """Time since the apex."""
         return self["time"]
 
@@ -95,9 +97,9 @@ class Stride:
         change_x, change_y = (self[name][after] - self[name][after - 1] for name in ("foot.vx", "foot.vy"))
         return float(change_x / change_y)
 
-    def at(self, name: str, times: np.ndarray) -> np.ndarray:
-        """A variable at given times, interpolated between rows."""
-        return np.interp(times, self.time, self[name])
+    def at(self, name: str, time: float) -> float:
+        """A variable at a time, interpolated between rows."""
+        return float(np.interp(time, self.time, self[name]))
 
     def mode_at(self, time: float) -> str:
         """Contact mode at a time."""

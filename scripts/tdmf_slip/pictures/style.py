@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any, Literal, TypeAlias
 
 import matplotlib
 
@@ -13,6 +14,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..files.whole import whole
+from ..unit.events import SLIPS
+
+LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
 INK = "#22303c"
 FAINT = "#8a97a3"
@@ -42,9 +46,9 @@ MODE_NAMES: Mapping[str, str] = {
 LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
 """Of the gait word."""
 
-STANCE_LINE = {"color": FAINT, "linestyle": (0, (5, 3)), "linewidth": 1.0, "zorder": 1}
-MID_STANCE_LINE = {"color": FAINT, "linestyle": "-.", "linewidth": 1.0, "zorder": 1}
-LIMIT_LINE = {"color": INK, "linestyle": (0, (4, 2)), "linewidth": 0.9, "zorder": 1}
+STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": (0, (5, 3)), "linewidth": 1.0, "zorder": 1}
+MID_STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": "-.", "linewidth": 1.0, "zorder": 1}
+LIMIT_LINE: Mapping[str, Any] = {"color": INK, "linestyle": (0, (4, 2)), "linewidth": 0.9, "zorder": 1}
 SLIP_DASHES = (0, (3.0, 1.4))
 
 LOADED = ("stick", "slip_positive", "slip_negative")
@@ -52,7 +56,7 @@ LOADED = ("stick", "slip_positive", "slip_negative")
 
 DOTS_PER_INCH = 150
 
-SETTINGS = {
+SETTINGS: dict[Any, Any] = {
     "font.size": 9.5,
     "font.family": "DejaVu Sans",
     "mathtext.fontset": "dejavusans",
@@ -100,9 +104,9 @@ def label(axes: Axes, horizontal: str, vertical: str) -> None:
     axes.set_ylabel(vertical)
 
 
-def dashes(mode: str) -> str | tuple:
+def dashes(mode: str) -> LineStyle:
     """Line style of a contact mode: slip dashed, all else solid."""
-    return SLIP_DASHES if mode.startswith("slip") else "-"
+    return SLIP_DASHES if mode in SLIPS else "-"
 
 
 def word(letters: str) -> str:

@@ -5,14 +5,14 @@ import dataclasses
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from multiprocessing import resource_tracker
+from types import FrameType
 
 
 @dataclasses.dataclass
 class Interrupt:
     """One that may come while it is held back."""
 
-    handler: Callable[[int, None], object]
+    handler: Callable[[int, FrameType | None], object] | int | None
     came: threading.Event = dataclasses.field(default_factory=threading.Event)
 
     def note(self, _number: int, _frame: object) -> None:
@@ -23,7 +23,8 @@ class Interrupt:
         """Do what would have been done without this, if one came: by default, raise KeyboardInterrupt."""
         if self.came.is_set():
             self.came.clear()
-            self.handler(signal.SIGINT, None)
+            if callable(self.handler):
+                self.handler(signal.SIGINT, None)
 
 
 @contextlib.contextmanager
@@ -48,6 +49,8 @@ def kept_from_children() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
+    from multiprocessing import resource_tracker  # slow to load, and seldom needed
+
     resource_tracker.ensure_running()  # or it begins with the first process, and unblocks the signal
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:

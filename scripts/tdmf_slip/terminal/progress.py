@@ -2,15 +2,19 @@
 
 import sys
 import threading
+from typing import NoReturn, TypeAlias
 
 from tqdm import tqdm
+
+Bar: TypeAlias = "tqdm[NoReturn]"
+"""A progress bar; it is moved on by its `update`."""
 
 # By default tqdm makes a semaphore of the system, which a process that is killed would leave behind; each bar
 # is drawn by one process.
 tqdm.set_lock(threading.RLock())
 
 
-def bar(what: str, total: float | None, unit: str, show: bool = True) -> tqdm:
+def bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
     """A progress bar on stderr; rare lines where stderr is not a terminal.
 
     Parameters

@@ -1,1 +1,1 @@
-"""The unit TDMF_SLIP.fmu: its variables, parameter files, the apex section, and runs of it through FMPy."""
+"""The unit TDMF_SLIP.fmu: its variables, parameter files, and runs of it through FMPy."""

@@ -12,13 +12,14 @@ from ..errors import InputError, TdmfSlipError
 from ..terminal import progress
 from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
 from .unit import Unit, load
+from .variable import Given, Value
 
 
 @dataclass(frozen=True)
 class Job:
     """A run: a block of work."""
 
-    values: Mapping[str, object]
+    values: Mapping[str, Value]
     strides: int
     relative_tolerance: float
     interface: str
@@ -28,11 +29,14 @@ class Job:
 class Result:
     """How a run ended."""
 
-    stride: Mapping[str, object]
+    stride: Mapping[str, float | int | str]
     """The last completed stride, by the unit's names in the group `stride`."""
     fallen: bool
     problem: str
     """Why there is no result, or nothing."""
+
+
+NOT_RUN = Result({}, False, "")
 
 
 def run_one(job: Job) -> Result:
@@ -50,7 +54,7 @@ def run_one(job: Job) -> Result:
 
 
 def run_batch(
-    table: Sequence[Mapping[str, object]],
+    table: Sequence[Mapping[str, Given]],
     *,
     strides: int,
     relative_tolerance: float = DEFAULT_TOLERANCE,
@@ -64,11 +68,11 @@ def run_batch(
 
     Parameters
     ----------
-    table : Sequence[Mapping[str, object]]
+    table : sequence of mappings of str to float
         Start values by the unit's names, one mapping for each run; all with the same names.
     strides : int
         How many each run makes.
-    relative_tolerance : float, default DEFAULT_TOLERANCE
+    relative_tolerance : float, default 1e-9
         As in `simulate`.
     interface : str, default 'cs'
         `me` or `cs`.
@@ -104,7 +108,7 @@ def run_batch(
         Job(unit.start_values(row, f"row {number}"), strides, relative_tolerance, interface)
         for number, row in enumerate(table)
     ]
-    results: list[Result | None] = [None] * len(jobs)
+    results = [NOT_RUN] * len(jobs)
     with (
         progress.bar("batch", len(jobs), "runs", show_progress) as bar,
         run_blocks(run_one, jobs, scheduler=scheduler, workers=workers) as finished,
@@ -125,10 +129,9 @@ def _dataset(
         },
         coords={name: ("run", [job.values[name] for job in jobs]) for name in names},
     )
-    for full in unit.group("stride"):
-        name = full.removeprefix("stride.")
-        values = [result.stride.get(name, "" if name == "word" else np.nan) for result in results]
-        data[name] = "run", np.array(values, dtype=object if name == "word" else float)
-        variable = unit.variables[full]
+    for variable in unit.group("stride"):
+        name, is_text = variable.member, variable.type == "String"
+        values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
+        data[name] = "run", np.array(values, dtype=object if is_text else float)
         data[name].attrs = {"units": variable.unit or "1", "long_name": variable.description}
     return data

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .unit import Unit
 
@@ -22,7 +23,7 @@ class Event:
     """touchdown, slip_onset, slip_velocity_zero, liftoff, liftoff_into_graze, graze_end, midstance, apex."""
 
 
-def events_of(table: np.ndarray, unit: Unit) -> list[Event]:
+def events_of(table: NDArray[np.void], unit: Unit) -> list[Event]:
     """Events in order, from rows recorded before and after each.
 
     What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:

@@ -3,25 +3,40 @@
 import csv
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_kind
 from ..errors import InputError, reason
 from .unit import Unit
-from .variable import Variable
+from .variable import Value, Variable
 
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
 """By name of an input: times in s, ascending, and values. Values in between are interpolated linearly; a time
 given twice is a jump. Before and after the table its first and last value hold."""
 
 
-def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, float | bool]) -> np.ndarray | None:
+def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) -> NDArray[np.void] | None:
     """All inputs on one time grid, as FMPy wants them; None without tables.
 
     FMPy's CVODE applies inputs where it looks for events, not at each evaluation of the right-hand side: a
     ramp is followed within one solver step. Jumps are exact.
+
+    Parameters
+    ----------
+    unit : Unit
+        Whose inputs.
+    tables : InputTables
+        By name of an input.
+    start_values : mapping of str to float
+        Of inputs without a table.
+
+    Returns
+    -------
+    structured ndarray, shape (times,), or None
+        `time` and a column for each input.
 
     Raises
     ------
@@ -48,6 +63,18 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
     A value is a number in its input's unit, or has a unit after a space.
+
+    Parameters
+    ----------
+    path : Path or str
+        Of the file.
+    unit : Unit
+        Whose inputs.
+
+    Returns
+    -------
+    InputTables
+        Checked, as `simulate` takes them.
 
     Raises
     ------
@@ -93,7 +120,7 @@ def _number(cell: str, variable: Variable, where: str) -> float:
 
 def _checked(
     unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike], where: str
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     variable = unit.find(name, where)
     if variable.causality != "input":
         raise InputError(f"{where}: {name} is no input; inputs: {', '.join(unit.names('input'))}")
@@ -112,14 +139,16 @@ def _checked(
     return times, values
 
 
-def _grid(all_times: list[np.ndarray]) -> np.ndarray:
+def _grid(all_times: list[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Every time of any table; twice where any table jumps."""
     times = np.unique(np.concatenate(all_times))
     jumps = np.concatenate([table[1:][np.diff(table) == 0] for table in all_times])
     return np.repeat(times, np.where(np.isin(times, jumps), 2, 1))
 
 
-def _on_grid(grid: np.ndarray, times: np.ndarray, values: np.ndarray) -> np.ndarray:
+def _on_grid(
+    grid: NDArray[np.float64], times: NDArray[np.float64], values: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Values on the grid; at a time that it has twice, the limits from the left and from the right."""
     right = np.array([_limit(t, times, values, "right") for t in grid])
     first = np.append(np.diff(grid) == 0, False)
@@ -127,7 +156,9 @@ def _on_grid(grid: np.ndarray, times: np.ndarray, values: np.ndarray) -> np.ndar
     return right
 
 
-def _limit(t: float, times: np.ndarray, values: np.ndarray, side: str) -> float:
+def _limit(
+    t: float, times: NDArray[np.float64], values: NDArray[np.float64], side: Literal["left", "right"]
+) -> float:
     after = int(np.searchsorted(times, t, side=side))
     if after == 0:
         return float(values[0])

@@ -4,15 +4,18 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Protocol
 
 import fmpy
 import fmpy.simulation
 import numpy as np
 from fmpy.fmi1 import FMICallException
+from numpy.typing import NDArray
 
 from ..errors import InputError, RunError, TdmfSlipError
 from ..terminal import interrupts
 from .unit import Unit
+from .variable import Value
 
 # FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.
 for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
@@ -29,11 +32,19 @@ class Experiment:
     stop_time: float
     relative_tolerance: float
     output_interval: float
-    start_values: Mapping[str, float | bool]
-    inputs: np.ndarray | None = None
+    start_values: Mapping[str, Value]
+    inputs: NDArray[np.void] | None = None
     """Structured array: `time` and one column per input."""
     variables: tuple[str, ...] = ()
     """Names to record beside time."""
+
+
+class Recorder(Protocol):
+    """FMPy's recorder of a run."""
+
+    def sample(self, time: float) -> None:
+        """Record a row."""
+        ...
 
 
 class Instance:
@@ -59,39 +70,54 @@ class Instance:
         """Present values by name: Real float, Integer and Enumeration int, Boolean bool, String str."""
         return {name: self.value(name) for name in names}
 
+    def real(self, name: str) -> float:
+        """Present value of a Real variable."""
+        return float(self._fmu.getReal([self.unit.variables[name].reference])[0])
+
+    def integer(self, name: str) -> int:
+        """Present value of an Integer or Enumeration variable."""
+        return int(self._fmu.getInteger([self.unit.variables[name].reference])[0])
+
+    def boolean(self, name: str) -> bool:
+        """Present value of a Boolean variable."""
+        return bool(self._fmu.getBoolean([self.unit.variables[name].reference])[0])
+
+    def text(self, name: str) -> str:
+        """Present value of a String variable."""
+        value: bytes = self._fmu.getString([self.unit.variables[name].reference])[0]
+        return value.decode("utf-8")
+
     def value(self, name: str) -> float | int | bool | str:
         """Present value of one variable."""
-        variable = self.unit.variables[name]
-        getter = {
-            "Real": self._fmu.getReal,
-            "Integer": self._fmu.getInteger,
-            "Enumeration": self._fmu.getInteger,
-            "Boolean": self._fmu.getBoolean,
-            "String": self._fmu.getString,
-        }[variable.type]
-        value = getter([variable.reference])[0]
-        if variable.type == "Boolean":
-            return bool(value)
-        return value.decode("utf-8") if isinstance(value, bytes) else value
+        getters: Mapping[str, Callable[[str], float | int | bool | str]] = {
+            "Real": self.real,
+            "Integer": self.integer,
+            "Enumeration": self.integer,
+            "Boolean": self.boolean,
+            "String": self.text,
+        }
+        return getters[self.unit.variables[name].type](name)
 
-    def simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
+    def simulate(
+        self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
+    ) -> NDArray[np.void]:
         """Run through FMPy: Model Exchange with CVODE, recording before and after each event.
+
+        An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
+        with the numbers that they were about to give.
 
         Parameters
         ----------
         experiment : Experiment
             What to run.
-        step_finished : Callable[[float, object], bool]
+        step_finished : callable
             Called with the time and FMPy's recorder after each output interval and each event, except a fall;
             False ends the run.
 
         Returns
         -------
-        ndarray
-            Structured array of what was recorded: `time` and the experiment's variables.
-
-        An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
-        with the numbers that they were about to give.
+        structured ndarray, shape (rows,)
+            What was recorded: `time` and the experiment's variables.
 
         Raises
         ------
@@ -102,15 +128,17 @@ class Instance:
         """
         with interrupts.held() as interrupt:
 
-            def step(time: float, recorder: object) -> bool:
+            def step(time: float, recorder: Recorder) -> bool:
                 interrupt.deliver()
                 return step_finished(time, recorder)
 
             return self._simulate(experiment, step)
 
-    def _simulate(self, experiment: Experiment, step_finished: Callable[[float, object], bool]) -> np.ndarray:
+    def _simulate(
+        self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
+    ) -> NDArray[np.void]:
         try:
-            return fmpy.simulate_fmu(
+            rows: NDArray[np.void] = fmpy.simulate_fmu(
                 self.unit.folder,
                 model_description=self.unit.description,
                 fmu_instance=self._fmu,
@@ -124,6 +152,7 @@ class Instance:
                 step_finished=step_finished,
                 terminate=False,
             )
+            return rows
         except Exception as problem:  # FMPy raises bare Exceptions
             raise self._account_of(problem) from problem
 

@@ -2,16 +2,15 @@
 
 import json
 import os
-import sys
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 from ..checks import check_kind
 from ..errors import InputError, reason
 
 PRESETS = Path(__file__).parent / "presets"
-GAIT = "what `tdmf-slip gait --json` prints"
 
 
 def preset_names() -> list[str]:
@@ -19,7 +18,7 @@ def preset_names() -> list[str]:
     return sorted(path.stem for path in PRESETS.glob("*.toml"))
 
 
-def read_parameters(name: str | Path) -> dict[str, object]:
+def read_parameters(name: str | Path) -> dict[str, Any]:
     """Start values from a file, or from one of the package's presets.
 
     The keys are names of the unit's variables, either whole (`"leg.stiffness"`) or nested by their groups
@@ -31,6 +30,11 @@ def read_parameters(name: str | Path) -> dict[str, object]:
     name : str or Path
         Path of a .toml or .json file, or a preset's name.
 
+    Returns
+    -------
+    dict of str to float, bool or str
+        By the variables' whole names.
+
     Raises
     ------
     InputError
@@ -38,7 +42,7 @@ def read_parameters(name: str | Path) -> dict[str, object]:
     """
     check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
-    readers = {".toml": tomllib.loads, ".json": _loads_json}
+    readers: Mapping[str, Callable[[str], object]] = {".toml": tomllib.loads, ".json": loads_json}
     if path.is_dir():
         raise InputError(f"parameters {name}: is a folder; allowed: a .toml or .json file")
     if path.suffix not in readers:
@@ -46,39 +50,13 @@ def read_parameters(name: str | Path) -> dict[str, object]:
             f"parameters {name}: neither a preset ({', '.join(preset_names())}) nor a .toml or .json file"
         )
     try:
-        content = _parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
+        content = parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
         return _keys_once(list(_flat(content)))  # a name may be given whole and nested
     except (OSError, ValueError) as problem:
         raise InputError(f"parameters {path}: {reason(problem)}") from None
 
 
-def read_gait(name: str) -> dict[str, object]:
-    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints.
-
-    Parameters
-    ----------
-    name : str
-        Path of the file; `-` is standard input.
-
-    Raises
-    ------
-    InputError
-        Unreadable, or no such gait.
-    """
-    where = "standard input" if name == "-" else name
-    try:
-        if name == "-" and sys.stdin is None:
-            raise ValueError("is closed")
-        text = sys.stdin.read() if name == "-" else Path(name).read_text(encoding="utf-8")
-        content = _parsed(text, _loads_json, GAIT)
-    except (OSError, ValueError) as problem:
-        raise InputError(f"gait of {where}: {reason(problem)}") from None
-    if not isinstance(content.get("start_values"), Mapping):
-        raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
-    return dict(content["start_values"])
-
-
-def _parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping:
+def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:
     """The names and values of a text, which is to be what `allowed` says.
 
     Raises
@@ -97,12 +75,12 @@ def _parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping:
     return content
 
 
-def _loads_json(text: str) -> object:
+def loads_json(text: str) -> object:
     """As TOML, without leave to give a key twice."""
     return json.loads(text, object_pairs_hook=_keys_once)
 
 
-def _keys_once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+def _keys_once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     names = [name for name, _ in pairs]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
@@ -110,7 +88,7 @@ def _keys_once(pairs: list[tuple[str, object]]) -> dict[str, object]:
     return dict(pairs)
 
 
-def _flat(content: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
+def _flat(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
     for key, value in content.items():
         if isinstance(value, Mapping):
             yield from _flat(value, f"{prefix}{key}.")

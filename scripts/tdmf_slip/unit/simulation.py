@@ -5,14 +5,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError, RunError
 from ..terminal import progress
 from .events import MODE, PHASE, Event, events_of
 from .inputs import InputTables, signals
-from .instance import Experiment, Instance, opened
+from .instance import Experiment, Instance, Recorder, opened
 from .unit import Unit, load
+from .variable import Given, Value
 
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
@@ -28,13 +30,19 @@ LONGEST_STRIDE = 20.0
 """A stride that takes longer than this many sqrt(l0/g) + sqrt(m/k) is taken for none."""
 MOST_ROWS = 10_000_000
 FALLEN = "status.fallen"
+ONLY_IN: Mapping[str, str] = {
+    "status.terminate_on_fall": "me",
+    "solver.method": "cs",
+    "solver.relative_tolerance": "cs",
+}
+"""Settings that have a meaning in one interface only, and in which."""
 
 
 @dataclass(frozen=True)
 class Run:
     """What a run gave. All values are in the units of the model description, see `units`."""
 
-    table: np.ndarray
+    table: NDArray[np.void]
     """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
     units: Mapping[str, str]
     """Unit of each field."""
@@ -47,22 +55,24 @@ class Run:
     messages: list[str] = field(default_factory=list)
     """What the unit had to say."""
 
-    @property
-    def stride(self) -> dict[str, float | int | str]:
-        """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
-        return self._group("stride")
+    stride: Mapping[str, float | int | str] = field(default_factory=dict)
+    """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
+    apex: Mapping[str, float] = field(default_factory=dict)
+    """The section at the last apex: `time`, `com_height` and so on."""
 
     @property
-    def apex(self) -> dict[str, float]:
-        """The section at the last apex: `time`, `com_height` and so on."""
-        return self._group("apex")
+    def names(self) -> tuple[str, ...]:
+        """Of the table's fields, `time` first."""
+        return tuple(self.units)
 
-    def _group(self, group: str) -> dict:
-        return {n.split(".", 1)[1]: v for n, v in self.final.items() if n.startswith(group + ".")}
+    @property
+    def strides(self) -> int:
+        """How many were completed."""
+        return int(self.final["stride.count"])
 
 
 def simulate(
-    start_values: Mapping[str, object] | None = None,
+    start_values: Mapping[str, Given] | None = None,
     *,
     stop_time: float | None = None,
     strides: int | None = None,
@@ -79,21 +89,21 @@ def simulate(
 
     Parameters
     ----------
-    start_values : mapping of str to object, optional
+    start_values : mapping of str to float, bool or str, optional
         By variable name, a number in the variable's unit or a text like `40 deg`.
     stop_time : float, optional
-        S; the run begins at 0.
+        Seconds; the run begins at 0.
     strides : int, optional
         End at the apex that closes this many strides, in Co-Simulation at the next recorded row. With
         `stop_time`, whichever comes first; with neither, ten strides.
-    relative_tolerance : float, default DEFAULT_TOLERANCE
+    relative_tolerance : float, default 1e-9
         Of CVODE, whose absolute tolerances follow from the unit's nominal values; in Co-Simulation the
         tighter of it and `solver.relative_tolerance` holds.
     output_interval : float, optional
-        S between recorded rows; by default a tenth of sqrt(m/k).
+        Seconds between recorded rows; by default a tenth of sqrt(m/k).
     inputs : InputTables, optional
         Tables by input name, see `inputs.InputTables`.
-    variables : Iterable[str], optional
+    variables : iterable of str, optional
         Names to record; by default every numeric input and output.
     record_events : bool, default True
         Keep the rows before and after each event (Model Exchange), not the regular ones only.
@@ -103,6 +113,11 @@ def simulate(
         A bar on stderr.
     unit : Unit, optional
         The unit to run; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Run
+        The recorded rows, the end, the events, and what the unit had to say.
 
     Raises
     ------
@@ -127,22 +142,22 @@ def simulate(
     _check_rows(experiment, _least_duration(unit, starts, stop_time, strides))
     with opened(unit, interface) as instance:
         table = _run(instance, experiment, stop_time, strides, show_progress)
-        run = _result(instance, table, recorded, None if record_events else experiment.output_interval)
-    if strides is not None and stop_time is None and not run.fallen and run.stride["count"] < strides:
+        run = _result(instance, experiment, table, recorded, not record_events)
+    if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
-            f"only {run.stride['count']} of {strides} strides closed within {experiment.stop_time:g} s, "
+            f"only {run.strides} of {strides} strides closed within {experiment.stop_time:g} s, "
             "and the runner did not fall; give a stop time to see what it does"
         )
     return run
 
 
-def time_unit(unit: Unit, starts: Mapping[str, float | bool]) -> float:
+def time_unit(unit: Unit, starts: Mapping[str, Value]) -> float:
     """The paper's unit of time, sqrt(m/k), in s."""
     mass, stiffness = (starts.get(name, unit.start_of(name)) for name in ("body.mass", "leg.stiffness"))
     return math.sqrt(mass / stiffness)
 
 
-def longest_time(unit: Unit, starts: Mapping[str, float | bool], strides: int) -> float:
+def longest_time(unit: Unit, starts: Mapping[str, Value], strides: int) -> float:
     """A time, in s, in which so many strides have closed if they close at all."""
     length, gravity = (starts.get(name, unit.start_of(name)) for name in ("leg.free_length", "gravity"))
     return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(unit, starts))
@@ -162,19 +177,23 @@ def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
     return [variable.name for variable in found if variable.causality != "independent"]
 
 
-def _stop_time(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
+def _stop_time(
+    unit: Unit, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
+) -> float:
+    """The time that is given, or one in which the strides have closed if they do at all."""
+    longest = math.inf
     if strides is not None:
-        strides = checked_whole("strides", strides, 1, MOST_STRIDES)
-    if stop_time is not None:
-        return checked("stop_time", stop_time, *TIMES)
-    return longest_time(unit, starts, strides)
+        longest = longest_time(unit, starts, checked_whole("strides", strides, 1, MOST_STRIDES))
+    return longest if stop_time is None else checked("stop_time", stop_time, *TIMES)
 
 
-def _interval(unit: Unit, starts: Mapping, interval: float | None) -> float:
+def _interval(unit: Unit, starts: Mapping[str, Value], interval: float | None) -> float:
     return time_unit(unit, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
 
 
-def _least_duration(unit: Unit, starts: Mapping, stop_time: float | None, strides: int | None) -> float:
+def _least_duration(
+    unit: Unit, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
+) -> float:
     """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
     by_strides = math.inf if strides is None else strides * time_unit(unit, starts)
     return min(by_strides, math.inf if stop_time is None else stop_time)
@@ -192,12 +211,12 @@ def _check_rows(experiment: Experiment, duration: float) -> None:
 
 def _run(
     instance: Instance, experiment: Experiment, stop_time: float | None, strides: int | None, show: bool
-) -> np.ndarray:
+) -> NDArray[np.void]:
     total, unit = (strides, "strides") if stop_time is None else (stop_time, "s")
     with progress.bar("simulate", total, unit, show) as bar:
 
-        def step_finished(time: float, recorder: object) -> bool:
-            closed = instance.value("stride.count") if strides is not None else 0
+        def step_finished(time: float, recorder: Recorder) -> bool:
+            closed = instance.integer("stride.count") if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
             if time > MOST_ROWS * experiment.output_interval:
                 raise RunError(
@@ -211,16 +230,23 @@ def _run(
         return instance.simulate(experiment, step_finished)
 
 
-def _result(instance: Instance, table: np.ndarray, recorded: list[str], interval: float | None) -> Run:
+def _result(
+    instance: Instance,
+    experiment: Experiment,
+    table: NDArray[np.void],
+    recorded: list[str],
+    regular: bool,
+) -> Run:
     unit = instance.unit
-    fallen = instance.value(FALLEN)
+    fallen = instance.boolean(FALLEN)
     if fallen and not table[FALLEN][-1]:  # FMPy stops before it records the row in which the runner falls
-        last = (table["time"][-1], *instance.read(table.dtype.names[1:]).values())
+        _, *names = table.dtype.names or ()
+        last = (table["time"][-1], *instance.read(names).values())
         table = np.append(table, np.array([last], dtype=table.dtype))
     fall_time = float(table["time"][np.argmax(table[FALLEN])]) if fallen else None
     events = events_of(table, unit)
-    if interval is not None:
-        table = _regular_rows(table, interval)
+    if regular:
+        table = _regular_rows(table, experiment.output_interval)
     names = ["time", *recorded]
     return Run(
         table=np.array(table[names], dtype=[(name, table.dtype[name]) for name in names]),
@@ -230,13 +256,16 @@ def _result(instance: Instance, table: np.ndarray, recorded: list[str], interval
         final=instance.read(unit.variables),
         events=events,
         messages=list(instance.messages),
+        stride={variable.member: instance.value(variable.name) for variable in unit.group("stride")},
+        apex={variable.member: instance.real(variable.name) for variable in unit.group("apex")},
     )
 
 
-def _regular_rows(table: np.ndarray, interval: float) -> np.ndarray:
+def _regular_rows(table: NDArray[np.void], interval: float) -> NDArray[np.void]:
     """Rows on the grid of output points, the later one where an event fell on a point, and the last row."""
     steps = table["time"] / interval
     regular = np.abs(steps - np.round(steps)) < 1e-6
     later = np.append(np.diff(table["time"]) > 0, True)
     regular[-1] = True
-    return table[regular & later]
+    kept: NDArray[np.void] = table[regular & later]
+    return kept

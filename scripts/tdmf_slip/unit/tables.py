@@ -27,7 +27,7 @@ def write_table(path: Path | str, run: Run, unit: Unit) -> None:
 def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(run.table.dtype.names)
+        writer.writerow(run.names)
         writer.writerows(run.table.tolist())
 
 
@@ -36,7 +36,7 @@ def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
 
     dataset = new_netcdf()
     dataset.createDimension("row", len(run.table))
-    for name in run.table.dtype.names:
+    for name in run.names:
         column = run.table[name]
         variable = dataset.createVariable(
             name, "i4" if column.dtype == bool else column.dtype, ("row",), zlib=True
@@ -45,7 +45,7 @@ def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
         variable.setncatts(_attributes(unit, name))
     dataset.title = f"TDMF-SLIP run, unit version {unit.version}"
     dataset.fallen = int(run.fallen)
-    for name in [*unit.names("parameter"), *unit.group("stride")]:
+    for name in [*unit.names("parameter"), *(variable.name for variable in unit.group("stride"))]:
         dataset.setncattr(name, _plain(run.final[name]))
     path.write_bytes(dataset.close())
 

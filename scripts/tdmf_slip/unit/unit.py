@@ -5,7 +5,6 @@ here repeats them.
 """
 
 import atexit
-import difflib
 import functools
 import os
 import shutil
@@ -17,9 +16,9 @@ from types import NoneType
 import fmpy
 from fmpy.model_description import ModelDescription
 
-from ..checks import check_kind
+from ..checks import check_kind, near_matches
 from ..errors import InputError, RunError
-from .variable import Variable, variable_of
+from .variable import Given, Value, Variable, variable_of
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
 FILES = {2: "TDMF_SLIP.fmu", 3: "TDMF_SLIP_FMI3.fmu"}
@@ -30,10 +29,20 @@ INTERFACES = {"me": "ModelExchange", "cs": "CoSimulation"}
 
 
 def fmu_path(fmi: int = 2) -> Path:
-    """Path of the unit for an FMI version: TDMF_SLIP.fmu (2) or TDMF_SLIP_FMI3.fmu (3).
+    """Path of the unit for an FMI version.
 
-    The environment variable TDMF_SLIP_FMU gives the path of the former, the latter lies beside it; without
+    The environment variable TDMF_SLIP_FMU gives the path of TDMF_SLIP.fmu, the other lies beside it; without
     it, both are in this package.
+
+    Parameters
+    ----------
+    fmi : int, default 2
+        Version 2 for TDMF_SLIP.fmu, or 3 for TDMF_SLIP_FMI3.fmu.
+
+    Returns
+    -------
+    Path
+        Of a file that is there.
 
     Raises
     ------
@@ -58,19 +67,15 @@ def fmu_path(fmi: int = 2) -> Path:
 
 
 class Unit:
-    """A unit that has been read and unpacked; use `load`."""
+    """A unit whose description has been read; use `load`."""
 
     def __init__(self, path: Path) -> None:
-        """Read and unpack the unit at `path`; the unpacked copy goes when Python ends."""
+        """Read the description of the unit at `path`."""
         self.path = path
         try:
             self.description: ModelDescription = fmpy.read_model_description(str(path))
-            self.folder: str = self._unpacked()
-        except RunError:
-            raise
         except Exception as problem:  # FMPy raises bare Exceptions, and zipfile's, for a bad file
             raise RunError(f"{path}: not a usable FMU: {problem}") from problem
-        atexit.register(shutil.rmtree, self.folder, ignore_errors=True)
         factors = {
             unit.name: {other.name: float(other.factor) for other in unit.displayUnits}
             for unit in self.description.unitDefinitions
@@ -79,16 +84,35 @@ class Unit:
             v.name: variable_of(v, factors) for v in self.description.modelVariables
         }
 
-    def _unpacked(self) -> str:
+    @functools.cached_property
+    def folder(self) -> str:
+        """Where the unit is unpacked, to be run; the copy goes when Python ends.
+
+        Raises
+        ------
+        RunError
+            It cannot be unpacked.
+        """
         try:
-            return fmpy.extract(str(self.path))
+            folder = str(fmpy.extract(str(self.path)))
         except OSError as problem:
             raise RunError(
                 f"{self.path}: cannot be unpacked into {tempfile.gettempdir()}: {problem.strerror or problem}"
             ) from problem
+        except Exception as problem:  # FMPy raises bare Exceptions, and zipfile's, for a bad file
+            raise RunError(f"{self.path}: not a usable FMU: {problem}") from problem
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        return folder
 
     def find(self, name: str, where: str) -> Variable:
         """The variable called `name`.
+
+        Parameters
+        ----------
+        name : str
+            As in the unit's description.
+        where : str
+            Where it was given, for the message.
 
         Raises
         ------
@@ -98,12 +122,22 @@ class Unit:
         check_kind(name, str, where, "a variable's name")
         if name in self.variables:
             return self.variables[name]
-        near = difflib.get_close_matches(name, self.variables, n=3, cutoff=0.5)
-        hint = f"; near matches: {', '.join(near)}" if near else ""
-        raise InputError(f"{where}: the unit has no variable {name!r}{hint}")
+        raise InputError(f"{where}: the unit has no variable {name!r}{near_matches(name, self.variables)}")
 
-    def start_values(self, given: Mapping[str, object], where: str) -> dict[str, float | bool]:
-        """Checked start values, each in the variable's unit, from names and numbers or texts.
+    def start_values(self, given: Mapping[str, Given], where: str) -> dict[str, Value]:
+        """Start values, checked.
+
+        Parameters
+        ----------
+        given : mapping of str to float, bool or str
+            By the variables' names; a text may have a unit, as in `40 deg`.
+        where : str
+            Where they were given, for the message.
+
+        Returns
+        -------
+        dict of str to float or bool
+            Each in the variable's unit.
 
         Raises
         ------
@@ -120,16 +154,18 @@ class Unit:
         return checked
 
     def start_of(self, name: str) -> float:
-        """The start value that the unit itself gives to `name`."""
-        return self.variables[name].start
+        """The start value that the unit itself gives to a number."""
+        start = self.variables[name].start
+        assert start is not None, name
+        return float(start)
 
     def names(self, causality: str) -> list[str]:
         """Names of all numeric variables of a causality, in the unit's order."""
         return [v.name for v in self.variables.values() if v.causality == causality and v.type != "String"]
 
-    def group(self, group: str) -> list[str]:
-        """Names of all variables of a group, such as `stride`."""
-        return [name for name in self.variables if name.startswith(group + ".")]
+    def group(self, group: str) -> list[Variable]:
+        """All variables of a group, such as `stride`."""
+        return [variable for variable in self.variables.values() if variable.group == group]
 
     def require_interface(self, interface: str) -> str:
         """FMPy's name of an interface, `me` or `cs`.
@@ -157,9 +193,17 @@ class Unit:
 
 
 def load(path: Path | str | Unit | None = None) -> Unit:
-    """The unit at `path`, or the one that `fmu_path` finds; read again only where the file has changed.
+    """The unit at a path; read again only where the file has changed.
 
-    A unit that is loaded already is given back as it is.
+    Parameters
+    ----------
+    path : Path, str or Unit, optional
+        Of the FMU; by default the one that `fmu_path` finds. A unit that is loaded is given back as it is.
+
+    Returns
+    -------
+    Unit
+        With its variables.
 
     Raises
     ------

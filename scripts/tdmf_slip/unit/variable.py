@@ -2,13 +2,24 @@
 
 import math
 import reprlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from fmpy.model_description import ModelVariable
+from numpy.typing import NDArray
 
 from ..errors import InputError
+
+Value: TypeAlias = float | bool
+"""A start value that is checked, in the variable's unit; of an enumeration, its number."""
+Given: TypeAlias = float | bool | str
+"""A start value as it may be given: a number in the variable's unit, or a text like `40 deg`."""
+
+
+Values: TypeAlias = Sequence[float] | NDArray[np.float64]
+"""Numbers in a row, in the variable's unit."""
 
 
 @dataclass(frozen=True)
@@ -27,11 +38,21 @@ class Variable:
     """A start value is accepted."""
     minimum: float
     maximum: float
-    start: float | bool | None
+    start: Value | None
     items: Mapping[int, str]
     """Names of an enumeration's values."""
     display_units: Mapping[str, float]
     """Other units of the same quantity, and how many of each make one `unit`."""
+
+    @property
+    def group(self) -> str:
+        """What its name begins with, as `stride` in `stride.period`; empty where it is in no group."""
+        return self.name.rpartition(".")[0]
+
+    @property
+    def member(self) -> str:
+        """What it is called in its group, as `period` in `stride.period`."""
+        return self.name.rpartition(".")[2]
 
     @property
     def allowed(self) -> str:
@@ -43,16 +64,21 @@ class Variable:
         unit = f" {self.unit}" if self.unit not in ("", "1") else ""
         return f"{self.minimum:g} to {self.maximum:g}{unit}"
 
-    def value_of(self, given: object, where: str) -> float | bool:
-        """A start value for this variable from a number or a text like `40 deg`, checked against its range.
+    def value_of(self, given: Given, where: str) -> Value:
+        """A start value for this variable, checked against its range.
 
         Parameters
         ----------
-        given : object
-            Number, bool, or text: a number, alone or followed by the unit or a display unit; of an
-            enumeration also a name.
+        given : float, bool or str
+            A number, or a text: a number, alone or followed by the unit or a display unit; of an enumeration
+            also a name.
         where : str
             Where the value was given, for the message.
+
+        Returns
+        -------
+        float or bool
+            In the variable's unit.
 
         Raises
         ------
@@ -61,63 +87,99 @@ class Variable:
         """
         if self.type == "Boolean":
             return self._boolean(given, where)
-        value = self._number(given, where)
+        value = self._parsed(given, where) if isinstance(given, str) else self._number(given, given, where)
         if not self.minimum <= value <= self.maximum or (self.items and value not in self.items):
             raise self._refusal(given, where)
         return value
 
-    def values_of(self, given: object, where: str) -> np.ndarray:
-        """One or more values for this variable, each as `value_of` takes it, in an array.
+    def values_of(self, given: object, where: str) -> NDArray[np.float64]:
+        """One or more numbers for this variable, checked against its range.
+
+        Parameters
+        ----------
+        given : sequence of float, shape (n,)
+            In the variable's unit.
+        where : str
+            Where they were given, for the message.
+
+        Returns
+        -------
+        ndarray of float, shape (n,)
+            The same numbers.
 
         Raises
         ------
         InputError
-            Not a row of such values.
+            Not a row of such numbers.
         """
+        refusal = InputError(
+            f"{where} = {reprlib.repr(given)} is not allowed; allowed: a row of values of {self.name}"
+        )
+        if isinstance(given, str | Mapping):
+            raise refusal
         try:
-            if isinstance(given, str | Mapping):
-                raise TypeError
-            values = np.array([self.value_of(value, where) for value in given], dtype=float)
+            row = list(given)  # type: ignore[call-overload] # what is no row is refused
+            values = np.array([self._in_row(value, where) for value in row], dtype=float)
         except TypeError:
-            raise InputError(
-                f"{where} = {reprlib.repr(given)} is not allowed; allowed: a row of values of {self.name}"
-            ) from None
+            raise refusal from None
         if not len(values):
             raise InputError(f"{where}: no values of {self.name}; allowed: one or more")
         return values
+
+    def _in_row(self, value: Given, where: str) -> Value:
+        if isinstance(value, str):
+            raise self._refusal(value, where)
+        return self.value_of(value, where)
 
     def _refusal(self, given: object, where: str, hint: str = "") -> InputError:
         shown = given if str(given).isprintable() else repr(given)
         return InputError(f"{where}: {self.name} = {shown} is not allowed; allowed: {self.allowed}{hint}")
 
-    def _boolean(self, given: object, where: str) -> bool:
+    def _boolean(self, given: Given, where: str) -> bool:
         values = {"true": True, "false": False, "1": True, "0": False}
         try:
             return values[str(given).lower()]
         except KeyError:
             raise self._refusal(given, where) from None
 
-    def _number(self, given: object, where: str) -> float:
-        if isinstance(given, str) and given in self.items.values():
-            given = next(value for value, name in self.items.items() if name == given)
-        number, _, unit = given.strip().partition(" ") if isinstance(given, str) else (given, "", "")
+    def _parsed(self, text: str, where: str) -> float:
+        """The number that a text stands for, in the variable's unit."""
+        if text in self.items.values():
+            return next(float(value) for value, name in self.items.items() if name == text)
+        number, _, unit = text.strip().partition(" ")
         factors = {"": 1.0, self.unit: 1.0, **self.display_units}
         if unit.strip() not in factors:
             known = ", ".join(u for u in factors if u)
-            raise InputError(f"{where}: {self.name} = {given}: unknown unit {unit.strip()!r}; known: {known}")
+            raise InputError(f"{where}: {self.name} = {text}: unknown unit {unit.strip()!r}; known: {known}")
+        hint = ", a unit after a space" if self.unit not in ("", "1") else ""
+        return self._number(number, text, where, hint) / factors[unit.strip()]
+
+    def _number(self, number: Given, given: Given, where: str, hint: str = "") -> float:
+        """A finite number, by what was given as one."""
         try:
-            value = float(number) / factors[unit.strip()]
+            value = float(number)
         except (TypeError, ValueError, OverflowError):
-            has_unit = self.unit not in ("", "1")
-            hint = ", a unit after a space" if isinstance(given, str) and has_unit else ""
             raise self._refusal(given, where, hint) from None
-        if isinstance(given, bool | np.bool_ | bytes) or not math.isfinite(value):
+        if isinstance(number, bool | np.bool_ | bytes) or not math.isfinite(value):
             raise self._refusal(given, where)
         return value
 
 
 def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, float]]) -> Variable:
-    """A variable as the unit's description has it, with display units by their unit."""
+    """A variable as the unit's description has it.
+
+    Parameters
+    ----------
+    variable : ModelVariable
+        As FMPy read it.
+    factors : mapping of str to mapping of str to float
+        By unit: its display units, and how many of each make one.
+
+    Returns
+    -------
+    Variable
+        With its declared type folded in.
+    """
     declared = variable.declaredType
     unit = variable.unit or (declared.unit if declared is not None else None) or ""
     items = getattr(declared, "items", None) or []
@@ -137,7 +199,7 @@ def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, floa
     )
 
 
-def _start(variable: ModelVariable) -> float | bool | None:
+def _start(variable: ModelVariable) -> Value | None:
     if variable.start is None or variable.type == "String":
         return None
-    return variable.start == "true" if variable.type == "Boolean" else float(variable.start)
+    return bool(variable.start == "true") if variable.type == "Boolean" else float(variable.start)

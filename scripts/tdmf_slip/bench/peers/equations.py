@@ -4,6 +4,9 @@ Table 1 in units m = k = l0 = 1. The sequence of modes is given, which spares a 
 """
 
 import math
+from collections.abc import Callable, Sequence
+from types import ModuleType
+from typing import Any, TypeAlias
 
 BODY, FOOT = 1.0, 0.1
 STIFFNESS, DAMPING, GRAVITY = 1.0, 0.2, 0.01
@@ -11,26 +14,33 @@ STANCE_TORQUE, KP, KD, LIFTOFF_FACTOR = 0.2, 0.1, 0.1, 1.2
 TOUCHDOWN_ANGLE = math.radians(40.0)
 FRICTION = 0.6
 STATES = ("x", "y", "r", "theta", "vx", "vy", "r_rate", "theta_rate")
+Number: TypeAlias = Any
+"""What a peer reckons with: a float, an array of them, or a symbol."""
+State: TypeAlias = Sequence[Number]
+"""The eight mechanical states, in the order of `STATES`."""
+Function: TypeAlias = Callable[[Number], Number]
 ARMED = 1e-13
 """Offset of a guard that starts at zero."""
 
 
-def accelerations(mode, state, torque, friction, sin, cos):
+def accelerations(
+    mode: str, state: State, torque: Number, friction: Number, sin: Function, cos: Function
+) -> tuple[Number, Number, Number, Number]:
     """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols.
 
     Parameters
     ----------
-    mode
+    mode : str
         Flight, stick, slip or graze.
-    state
+    state : State
         The eight mechanical states, in the order of `STATES`.
-    torque
+    torque : number
         Of the hip, but in graze.
-    friction
+    friction : number
         With the sign of the foot's velocity; in slip.
-    sin
+    sin : callable
         The sine to use.
-    cos
+    cos : callable
         The cosine to use.
     """
     _, _, r, theta, _, _, r_rate, theta_rate = state
@@ -48,7 +58,7 @@ def accelerations(mode, state, torque, friction, sin, cos):
     return ax, ay, r_acceleration, theta_acceleration
 
 
-def sticking_force(state, torque, sin, cos):
+def sticking_force(state: State, torque: Number, sin: Function, cos: Function) -> tuple[Number, Number]:
     """Ground force (f_x, f_y) on a foot that stays in place."""
     _, _, r, theta, _, _, r_rate, _ = state
     axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
@@ -56,18 +66,18 @@ def sticking_force(state, torque, sin, cos):
     return -axial * sine - torque / r * cosine, axial * cosine - torque / r * sine + FOOT * GRAVITY
 
 
-def servo(state, target):
+def servo(state: State, target: Number) -> Number:
     """Torque of the flight law towards an angle."""
     return -KP * (state[3] - target) - KD * state[7]
 
 
-def rise(state, sin, cos):
+def rise(state: State, sin: Function, cos: Function) -> Number:
     """Vertical velocity of the centre of mass."""
     _, _, r, theta, _, vy, r_rate, theta_rate = state
     return vy + BODY / (BODY + FOOT) * (r_rate * cos(theta) - r * theta_rate * sin(theta))
 
 
-def impact(state, maths=math):
+def impact(state: State, maths: ModuleType = math) -> list[Number]:
     """The state after an impact that slips forward. `maths` has sin and cos for what the state is made of."""
     x, _, r, theta, vx, vy, r_rate, theta_rate = state
     sine, cosine = maths.sin(theta), maths.cos(theta)
@@ -79,7 +89,7 @@ def impact(state, maths=math):
     return [x, 0.0 * r, r, theta, foot_vx, 0.0 * r, along, across / r]
 
 
-def apex(state, maths=math):
+def apex(state: State, maths: ModuleType = math) -> list[Number]:
     """Section of an apex: height and speed of the centre of mass, and the leg."""
     _, y, r, theta, vx, _, r_rate, theta_rate = state
     share = BODY / (BODY + FOOT)
@@ -87,7 +97,7 @@ def apex(state, maths=math):
     return [y + share * r * maths.cos(theta), speed, r, theta, r_rate, theta_rate]
 
 
-def start(section, maths=math):
+def start(section: State, maths: ModuleType = math) -> list[Number]:
     """The state at an apex."""
     height, speed, r, theta, r_rate, theta_rate = section
     share = BODY / (BODY + FOOT)

@@ -2,15 +2,18 @@
 
 import time
 from collections.abc import Sequence
+from typing import Any
 
 import heyoka as hy
 import numpy as np
+from numpy.typing import NDArray
 
+from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 
 
-def _system(name: str) -> tuple[list, list]:
+def _system(name: str) -> tuple[list[Any], list[Any]]:
     """Equations of motion and guards of a mode."""
     state = hy.make_vars(*eq.STATES)
     parameters = [hy.par[i] for i in range(sequence.PARAMETERS)]
@@ -30,7 +33,9 @@ class Peer:
         """Compile them."""
         self.seconds = 0.0
         """Spent in integrators so far."""
-        self._integrators = {}
+        self.evaluations: int | None = None
+        """Not told."""
+        self._integrators: dict[str, Any] = {}
         for name in sequence.MOVING:
             system, guards = _system(name)
             events = [hy.t_event(guard, direction=hy.event_direction.negative) for guard in guards]
@@ -54,9 +59,9 @@ class Peer:
             reached[i] = value
         return reached, -outcome - 1
 
-    def stride(self, section: Sequence[float]) -> np.ndarray:
+    def stride(self, section: Apex) -> NDArray[np.float64]:
         """The apex after one stride from an apex."""
-        return sequence.stride(section, self._run)
+        return sequence.stride(list(section), self._run)
 
 
 class BatchPeer:
@@ -69,7 +74,9 @@ class BatchPeer:
         """Compile them."""
         self.seconds = 0.0
         """Spent in integrators so far."""
-        self._integrators = {}
+        self.evaluations: int | None = None
+        """Not told."""
+        self._integrators: dict[str, Any] = {}
         for name in sequence.MOVING:
             system, guards = _system(name)
             events = [hy.t_event_batch(guard, direction=hy.event_direction.negative) for guard in guards]
@@ -78,7 +85,9 @@ class BatchPeer:
                 system, start, t_events=events, tol=tolerance, compact_mode=False
             )
 
-    def _run(self, name: str, state: Sequence, parameters: Sequence) -> tuple[list, np.ndarray]:
+    def _run(
+        self, name: str, state: Sequence[Any], parameters: Sequence[Any]
+    ) -> tuple[list[Any], NDArray[np.int64]]:
         """States at each runner's first event of a mode, and which it was."""
         integrator, moving = self._integrators[name], sequence.MOVING[name]
         integrator.set_time([0.0] * self.lanes)
@@ -102,6 +111,6 @@ class BatchPeer:
             reached[i] = integrator.state[row].copy()
         return reached, guards
 
-    def strides(self, sections: np.ndarray) -> np.ndarray:
+    def strides(self, sections: NDArray[np.float64]) -> NDArray[np.float64]:
         """The apices after one stride, one to a row; as many as there are lanes."""
-        return sequence.stride(sections.T, self._run, np).T
+        return sequence.stride(list(sections.T), self._run, np).T

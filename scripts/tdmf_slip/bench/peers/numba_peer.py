@@ -5,11 +5,14 @@ event: simple, and what most people do.
 """
 
 from collections.abc import Sequence
+from typing import Any, TypeAlias
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
+from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 
@@ -22,16 +25,18 @@ SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
 CLOSE = 1e-14
 """Of a step: as near the secant method comes to an event."""
 
+Vector: TypeAlias = NDArray[np.float64]
+
 _jit = numba.njit(cache=False, error_model="numpy", fastmath=False)
 
 
-def _compiled_modes() -> tuple[object, object]:
+def _compiled_modes() -> tuple[Any, Any]:
     """Right-hand side and guards by the number of the mode in `NAMES`."""
     body, foot, stiffness, damping, gravity = eq.BODY, eq.FOOT, eq.STIFFNESS, eq.DAMPING, eq.GRAVITY
     kp, kd, armed = eq.KP, eq.KD, eq.ARMED
 
     @_jit
-    def rates(mode: int, s: np.ndarray, p: np.ndarray, out: np.ndarray) -> None:
+    def rates(mode: int, s: Vector, p: Vector, out: Vector) -> None:
         sine, cosine = np.sin(s[3]), np.cos(s[3])
         axial = stiffness * (1.0 - s[2]) - damping * s[6]
         flies = mode <= 1
@@ -52,7 +57,7 @@ def _compiled_modes() -> tuple[object, object]:
         out[7] = (turn - 2.0 * s[6] * s[7]) / s[2]
 
     @_jit
-    def guards(mode: int, s: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
+    def guards(mode: int, s: Vector, p: Vector, out: Vector) -> int:
         sine, cosine = np.sin(s[3]), np.cos(s[3])
         axial = stiffness * (1.0 - s[2]) - damping * s[6]
         servo = -kp * (s[3] - p[1]) - kd * s[7]
@@ -83,7 +88,14 @@ _rates, _guards = _compiled_modes()
 
 
 @_jit
-def _step(mode: int, s: np.ndarray, p: np.ndarray, h: float, k: np.ndarray, reached: np.ndarray) -> None:
+def _step(
+    mode: int,
+    s: Vector,
+    p: Vector,
+    h: float,
+    k: Vector,
+    reached: Vector,
+) -> None:
     """One step of length h; k[0] holds the rates at its start."""
     for stage in range(1, STAGES):
         for i in range(8):
@@ -99,7 +111,7 @@ def _step(mode: int, s: np.ndarray, p: np.ndarray, h: float, k: np.ndarray, reac
 
 
 @_jit
-def _error(s: np.ndarray, reached: np.ndarray, k: np.ndarray, h: float, tolerance: float) -> float:
+def _error(s: Vector, reached: Vector, k: Vector, h: float, tolerance: float) -> float:
     """As in SciPy's DOP853."""
     fifth, third = 0.0, 0.0
     for i in range(8):
@@ -112,11 +124,11 @@ def _error(s: np.ndarray, reached: np.ndarray, k: np.ndarray, h: float, toleranc
         third += (e3 / scale) ** 2
     if fifth == 0.0 and third == 0.0:
         return 0.0
-    return abs(h) * fifth / np.sqrt((fifth + 0.01 * third) * 8.0)
+    return float(abs(h) * fifth / np.sqrt((fifth + 0.01 * third) * 8.0))
 
 
 @_jit
-def _first_fallen(before: np.ndarray, after: np.ndarray, count: int) -> int:
+def _first_fallen(before: Vector, after: Vector, count: int) -> int:
     for i in range(count):
         if before[i] > 0.0 and after[i] <= 0.0:
             return i
@@ -124,7 +136,7 @@ def _first_fallen(before: np.ndarray, after: np.ndarray, count: int) -> int:
 
 
 @_jit
-def _run_mode(mode: int, s: np.ndarray, p: np.ndarray, tolerance: float, longest: float) -> tuple[int, int]:
+def _run_mode(mode: int, s: Vector, p: Vector, tolerance: float, longest: float) -> tuple[int, int]:
     """Takes s to the first guard that falls to zero; which, and how many steps that took."""
     k = np.empty((STAGES + 1, 8))
     reached, before, after = np.empty(8), np.empty(4), np.empty(4)
@@ -156,13 +168,13 @@ def _run_mode(mode: int, s: np.ndarray, p: np.ndarray, tolerance: float, longest
 @_jit
 def _end_at_event(
     mode: int,
-    s: np.ndarray,
-    p: np.ndarray,
+    s: Vector,
+    p: Vector,
     h: float,
-    k: np.ndarray,
-    reached: np.ndarray,
-    before: np.ndarray,
-    after: np.ndarray,
+    k: Vector,
+    reached: Vector,
+    before: Vector,
+    after: Vector,
     count: int,
 ) -> int:
     """Repeats the step until it ends just past its first event, by the Illinois method."""
@@ -200,7 +212,8 @@ class Peer:
     def __init__(self, tolerance: float) -> None:
         """Compiled at the first stride."""
         self._tolerance = tolerance
-        self.evaluations = 0
+        self.seconds = 0.0
+        self.evaluations: int | None = 0
         """Of the right-hand side so far, event location left out."""
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
@@ -208,9 +221,9 @@ class Peer:
         guard, steps = _run_mode(
             NAMES.index(name), now, np.array(parameters, dtype=float), self._tolerance, sequence.LONGEST
         )
-        self.evaluations += STAGES * steps
+        self.evaluations = (self.evaluations or 0) + STAGES * steps
         return now.tolist(), guard
 
-    def stride(self, section: Sequence[float]) -> np.ndarray:
+    def stride(self, section: Apex) -> Vector:
         """The apex after one stride from an apex."""
-        return sequence.stride(section, self._run)
+        return sequence.stride(list(section), self._run)

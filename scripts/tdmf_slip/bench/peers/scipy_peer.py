@@ -2,11 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 
@@ -19,26 +22,28 @@ class Peer:
     def __init__(self, tolerance: float) -> None:
         """At a relative tolerance; the absolute one is the same, in units of Table 1."""
         self._tolerance = tolerance
-        self.evaluations = 0
+        self.seconds = 0.0
+        self.evaluations: int | None = 0
         """Of the right-hand side so far."""
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
         mode = sequence.mode_of(name)
 
-        def rates(_: float, now: np.ndarray) -> list[float]:
-            now = now.tolist()
-            torque = sequence.torque_of(name, now, parameters)
+        def rates(_: float, now: NDArray[np.float64]) -> list[float]:
+            at = now.tolist()
+            torque = sequence.torque_of(name, at, parameters)
             return [
-                *now[4:],
-                *eq.accelerations(mode, now, torque, parameters[1], math.sin, math.cos),
+                *at[4:],
+                *eq.accelerations(mode, at, torque, parameters[1], math.sin, math.cos),
             ]
 
-        def guard(number: int) -> object:
-            def value(_: float, now: np.ndarray) -> float:
+        def guard(number: int) -> Any:
+            def value(_: float, now: NDArray[np.float64]) -> Any:
                 return sequence.guards_of(name, now.tolist(), parameters, math.sin, math.cos)[number]
 
-            value.terminal, value.direction = True, -1.0
-            return value
+            event: Any = value
+            event.terminal, event.direction = True, -1.0
+            return event
 
         count = len(sequence.guards_of(name, state, parameters, math.sin, math.cos))
         run = solve_ivp(
@@ -50,10 +55,10 @@ class Peer:
             atol=self._tolerance,
             events=[guard(number) for number in range(count)],
         )
-        self.evaluations += run.nfev
+        self.evaluations = (self.evaluations or 0) + int(run.nfev)
         fired = next(number for number, times in enumerate(run.t_events) if len(times))
         return run.y[:, -1].tolist(), fired
 
-    def stride(self, section: Sequence[float]) -> np.ndarray:
+    def stride(self, section: Apex) -> NDArray[np.float64]:
         """The apex after one stride from an apex."""
-        return sequence.stride(section, self._run)
+        return sequence.stride(list(section), self._run)

@@ -1,12 +1,18 @@
 """The modes of the stride `+0-0+` in their order, which every peer is told."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from types import ModuleType
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import equations as eq
+from .equations import Function, Number, State
+
+Run: TypeAlias = Callable[[str, State, State], tuple[list[Number], Number]]
+"""Takes a mode's name, a state and parameters to the first guard; returns the state and which."""
 
 MOVING = {
     "place": range(8),
@@ -38,7 +44,7 @@ def mode_of(name: str) -> str:
     return "flight" if name in ("place", "retract") else name
 
 
-def torque_of(name: str, state: Sequence, parameters: Sequence) -> object:
+def torque_of(name: str, state: State, parameters: State) -> Number:
     """Of the hip.
 
     In flight the parameters are gain, target and rate gain, and the sign of the clamp's argument; on the
@@ -49,7 +55,7 @@ def torque_of(name: str, state: Sequence, parameters: Sequence) -> object:
     return parameters[0]
 
 
-def guards_of(name: str, state: Sequence, parameters: Sequence, sin: Callable, cos: Callable) -> list:
+def guards_of(name: str, state: State, parameters: State, sin: Function, cos: Function) -> list[Number]:
     """What falls to zero at the end of a mode."""
     if name == "place":
         return [state[1]]
@@ -64,16 +70,16 @@ def guards_of(name: str, state: Sequence, parameters: Sequence, sin: Callable, c
     return [parameters[1] * press - pull, parameters[1] * press + pull, upright, press]
 
 
-def stride(section: Sequence, run: Callable, maths: ModuleType = math) -> np.ndarray:
+def stride(section: State, run: Run, maths: ModuleType = math) -> NDArray[np.float64]:
     """The apex after one stride from an apex.
 
     Parameters
     ----------
-    section : Sequence
+    section : State
         Its coordinates; arrays of them for several runners.
-    run : Callable
+    run : Run
         Takes a mode's name, a state and parameters to the first guard; returns the state and which.
-    maths : ModuleType, default math
+    maths : module, default math
         Has sin and cos for what the section is made of.
     """
     state, _ = run("place", eq.start(section, maths), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))

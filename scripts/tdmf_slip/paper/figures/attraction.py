@@ -11,6 +11,7 @@ from ...analysis.attraction import FARTHEST, Attraction
 from ...analysis.sweep import Sweep
 from ...pictures import style
 from . import figure_9
+from .columns import Columns
 
 DISTURBANCES = {
     "step_down": ("step down  / l₀", "#1f5fa8"),
@@ -19,7 +20,7 @@ DISTURBANCES = {
 """Names and colours of the disturbances that are shown."""
 
 
-def table(measured: Sequence[Attraction]) -> dict[str, list]:
+def table(measured: Sequence[Attraction]) -> Columns:
     """The figure's data, by column; a disturbance beyond the largest tried is inf."""
     return {
         "friction": [one.friction for one in measured],
@@ -44,7 +45,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
         _draw_share(axes[0], data)
         axes[1].plot(
             [orbit.friction for orbit in sweep.orbits],
-            [abs(orbit.eigenvalues[0]) for orbit in sweep.orbits],
+            [orbit.lambda_max for orbit in sweep.orbits],
             color=style.CURVE,
         )
         axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
@@ -56,7 +57,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
         style.save(figure, path)
 
 
-def _draw_share(axes: Axes, data: dict[str, list]) -> None:
+def _draw_share(axes: Axes, data: Columns) -> None:
     axes.fill_between(
         data["friction"],
         data["attracted_share_low"],
@@ -75,7 +76,7 @@ def _draw_share(axes: Axes, data: dict[str, list]) -> None:
     axes.legend(loc="lower left")
 
 
-def _draw_disturbances(axes: Axes, data: dict[str, list]) -> None:
+def _draw_disturbances(axes: Axes, data: Columns) -> None:
     for name, (label, colour) in DISTURBANCES.items():
         axes.plot(
             data["friction"], np.minimum(data[name], FARTHEST), "o-", markersize=3, color=colour, label=label

@@ -1,7 +1,6 @@
 """All figures of the paper, remade, and what it could not show: PNG and SVG, with the data beside as CSV."""
 
-import csv
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -9,15 +8,14 @@ from pathlib import Path
 import numpy as np
 
 from ...analysis.attraction import Attraction, measure_all
+from ...analysis.search import find_orbit
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
-from ...files.whole import whole
-from ...library.orbit import find_orbit
 from ...library.runner import Runner
 from ...pictures.stride import Stride
 from ...terminal import progress
 from ...unit.parameters import read_parameters
-from ...unit.unit import Unit
+from ...unit.unit import FRICTION, Unit
 from . import (
     attraction,
     energy,
@@ -31,6 +29,7 @@ from . import (
     figure_8,
     figure_9,
 )
+from .columns import Columns, write_columns
 
 FORMATS = (".png", ".svg")
 SWEPT = np.geomspace(10.0, 0.05, 200)
@@ -56,7 +55,7 @@ class Figure:
     """How a figure is drawn into a file, and its data by column."""
 
     draw: Callable[[Path], None]
-    table: Callable[[], Mapping[str, Sequence]]
+    table: Callable[[], Columns]
 
 
 def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bool = False) -> list[Path]:
@@ -75,7 +74,7 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
 
     Returns
     -------
-    list[Path]
+    list of Path
         The files written.
 
     Raises
@@ -86,7 +85,7 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
     known = _figures(unit)
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
     if not chosen:
-        raise InputError(f"--only {only}: no such figure; allowed: {', '.join(known)}")
+        raise InputError(f"only {only}: no such figure; allowed: {', '.join(known)}")
     folder.mkdir(exist_ok=True)
     written = []
     with progress.bar("figures", len(chosen), "figures", show_progress) as bar:
@@ -100,20 +99,12 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
     return written
 
 
-def write_columns(path: Path, columns: Mapping[str, Sequence]) -> None:
-    """Write columns of equal length as CSV, whole or not at all."""
-    with whole(path) as beside, beside.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(columns)
-        writer.writerows(zip(*columns.values(), strict=True))
-
-
 def _figures(unit: Unit) -> dict[str, Figure]:
     runner = Runner.of(read_parameters("paper"), unit)
 
     @cache
     def stride(friction: float) -> Stride:
-        return Stride(find_orbit(runner.but("ground.friction", friction)), unit)
+        return Stride(find_orbit(runner.but(FRICTION, friction)), unit)
 
     @cache
     def gaits() -> Sweep:
@@ -153,7 +144,7 @@ def _of_stride(
     return Figure(lambda path: drawing(path, stride(friction)), lambda: _stride_table([stride(friction)]))
 
 
-def _stride_table(strides: Sequence[Stride]) -> dict[str, np.ndarray]:
+def _stride_table(strides: Sequence[Stride]) -> Columns:
     """Recorded rows of one or more strides, normalised, with the gait's friction first."""
     rows = {"friction": np.concatenate([np.full(len(s.time), s.gait.friction) for s in strides])}
     return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}

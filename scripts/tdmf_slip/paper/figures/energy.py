@@ -1,6 +1,7 @@
 """Why slipping pays: where the hip's work of a stride goes, over the friction, by weight and length."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from ...analysis.sweep import Sweep
 from ...pictures import style
 from . import figure_9
+from .columns import Columns
 
 SHARES = {
     "impact_loss": ("impact", "#1f5fa8"),
@@ -17,9 +19,9 @@ SHARES = {
 """Names and colours of what takes energy, from below."""
 
 
-def table(sweep: Sweep) -> dict[str, list]:
+def table(sweep: Sweep) -> Columns:
     """The figure's data, by column: energies of a stride over weight and length."""
-    columns: dict[str, list] = {
+    columns: dict[str, list[Any]] = {
         "friction": [],
         "word": [],
         "cost_of_transport": [],

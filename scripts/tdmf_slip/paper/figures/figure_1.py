@@ -9,13 +9,14 @@ import numpy as np
 from ...library import classic_slip
 from ...pictures import style
 from . import slip_path
+from .columns import Columns
 
 ANGLE = math.radians(40.0)
 SHOWN = (0, 1, 2, 3, 4)
 """Snapshots in stance, of five."""
 
 
-def table() -> dict[str, object]:
+def table() -> Columns:
     """The path of the mass, by column; the foot stands at x = 0."""
     path = _path()
     return {"time": path.time, "x": path.x, "y": path.y, "phase": path.phase}

@@ -3,14 +3,16 @@
 import math
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
 from ...library import classic_slip
-from ...library.binding import c
 from ...pictures import style
+from .columns import Columns
 
 ANGLES = (38.0, 40.0, 42.0, 44.0)
 """Of the maps, degrees."""
@@ -20,22 +22,22 @@ SWEPT = 44.588 - 8.588 * np.linspace(1.0, 0.0, 80) ** 2
 """Angles of the gaits, degrees, closer towards the fold, which follows."""
 
 
-def map_table() -> dict[str, list]:
+def map_table() -> Columns:
     """The return maps, by column: from apex height to apex height, m."""
-    columns: dict[str, list] = {"angle_degrees": [], "height": [], "next_height": [], "forwards": []}
+    columns: dict[str, list[Any]] = {"angle_degrees": [], "height": [], "next_height": [], "forwards": []}
     for angle in ANGLES:
         parameters = classic_slip.slip(math.radians(angle))
         for height in classic_slip.heights(parameters, POINTS):
             step = classic_slip.step(parameters, height)
-            if step.outcome in (c.TDMF_CLASSIC_FLIES, c.TDMF_CLASSIC_TURNS_BACK):
-                forwards = step.outcome == c.TDMF_CLASSIC_FLIES
+            if step.outcome in (classic_slip.FLIES, classic_slip.TURNS_BACK):
+                forwards = step.outcome == classic_slip.FLIES
                 for name, value in zip(columns, (angle, height, step.next_height, forwards), strict=True):
                     columns[name].append(value)
     return columns
 
 
 @cache
-def gait_table() -> dict[str, list]:
+def gait_table() -> Columns:
     """Gaits over the angle, by column."""
     gaits = [g for angle in SWEPT for g in classic_slip.fixed_points(math.radians(angle))]
     gaits.append(classic_slip.fold())
@@ -73,11 +75,11 @@ def draw_maps(path: Path) -> None:
         style.save(figure, path)
 
 
-def _cut(values: np.ndarray, at: np.ndarray) -> np.ndarray:
+def _cut(values: NDArray[np.float64], at: NDArray[np.float64]) -> NDArray[np.float64]:
     """A gap where the curve is not one piece."""
-    gaps = np.flatnonzero(np.diff(at) > 2.0 * np.median(np.diff(at))) + 1 if len(at) > 1 else []
     cut = values.copy()
-    cut[gaps] = np.nan
+    if len(at) > 1:
+        cut[np.flatnonzero(np.diff(at) > 2.0 * np.median(np.diff(at))) + 1] = np.nan
     return cut
 
 
@@ -88,7 +90,7 @@ def _diagonal(axes: Axes) -> None:
     axes.set_ylim(0.5, 8.0)
 
 
-def branches(data: dict[str, list]) -> list[tuple[str, np.ndarray]]:
+def branches(data: Columns) -> list[tuple[str, NDArray[np.float64]]]:
     """Rows of the stable and of the unstable gaits, each from the fold on."""
     slope = np.array(data["slope"])
     fold = len(slope) - 1

@@ -9,8 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
 from ...library import classic_slip
+from ...library.structs import ClassicStep
 from ...pictures import style
 from . import slip_path
+from .columns import Columns
 
 TOUCHDOWN_ANGLE = math.radians(40.0)
 STANCE_ANGLE = math.radians(30.0)
@@ -22,14 +24,14 @@ COMPRESSED = 0.85
 """Length of the leg in (a), a little after touchdown, so that what the foot does can be seen."""
 
 
-def _early() -> tuple[float, object]:
+def _early() -> tuple[float, ClassicStep]:
     """A friction that ends the stance early, and the step."""
     needed = classic_slip.step(classic_slip.slip(STANCE_ANGLE), HEIGHT).stance_friction
     friction = MARGIN * needed
     return friction, classic_slip.step(classic_slip.slip(STANCE_ANGLE, friction), HEIGHT)
 
 
-def table() -> dict[str, list]:
+def table() -> Columns:
     """What the three panels show, by column."""
     friction, early = _early()
     touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)

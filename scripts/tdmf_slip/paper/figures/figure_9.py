@@ -13,6 +13,8 @@ from matplotlib.patches import Patch
 
 from ...analysis.sweep import Sweep
 from ...pictures import style
+from ...unit.variable import Values
+from .columns import Columns
 
 NARROW = 1.02
 """Ratio of two borders of friction between which no word can be written."""
@@ -22,13 +24,13 @@ TINT = "#eef3e6"
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def table(sweep: Sweep) -> dict[str, list]:
+def table(sweep: Sweep) -> Columns:
     """The figure's data, by column."""
     orbits = sweep.orbits
     return {
         "friction": [orbit.friction for orbit in orbits],
         "word": [orbit.word for orbit in orbits],
-        "lambda_max": [float(abs(orbit.eigenvalues[0])) for orbit in orbits],
+        "lambda_max": [orbit.lambda_max for orbit in orbits],
         "speed": [orbit.stride["speed"] for orbit in orbits],
         "cost_of_transport": [orbit.stride["cost_of_transport"] for orbit in orbits],
     }
@@ -55,7 +57,7 @@ def draw(path: Path, sweep: Sweep) -> None:
         style.save(figure, path)
 
 
-def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Sequence[float]) -> None:
+def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) -> None:
     """Tint what the paper's figure does not show."""
     edge = min(frictions)
     for low, high in shown:
@@ -78,8 +80,8 @@ def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
     for word, high, low in zip(words, edges, edges[1:], strict=False):
         centre = (high * low) ** 0.5
         if high > NARROW * low:
-            position = {"xy": (centre, 1.02), "xycoords": ("data", "axes fraction")}
-            axes.annotate(style.word(word), **position, ha="center", fontsize=9)
+            top = ("data", "axes fraction")
+            axes.annotate(style.word(word), (centre, 1.02), xycoords=top, ha="center", fontsize=9)
         else:
             axes.annotate(
                 style.word(word),
@@ -92,7 +94,7 @@ def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
             )
 
 
-def friction_axis(axes: Axes, frictions: Sequence[float]) -> None:
+def friction_axis(axes: Axes, frictions: Values) -> None:
     """A logarithmic axis of friction with plain numbers."""
     axes.set_xscale("log")
     axes.set_xlim(min(frictions), max(frictions))

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from ...library.orbit import find_orbit
+from ...analysis.search import find_orbit
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
@@ -28,7 +28,7 @@ def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
 
     Returns
     -------
-    list[Path]
+    list of Path
         The files written.
 
     Raises

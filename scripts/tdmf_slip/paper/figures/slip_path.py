@@ -2,11 +2,14 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
 from ...library import classic_slip
+from ...library.structs import Classic
 from ...pictures import style
 
 COILS = 7
@@ -17,14 +20,14 @@ POINTS = 60
 class Path:
     """One step from apex to apex; the foot stands at x = 0."""
 
-    time: np.ndarray
-    x: np.ndarray
-    y: np.ndarray
+    time: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
     phase: list[str]
     """fall, stance or rise."""
 
 
-def of_step(parameters: object, height: float) -> Path:
+def of_step(parameters: Classic, height: float) -> Path:
     """The path of the mass from an apex, over the stance, to the next apex."""
     step = classic_slip.step(parameters, height)
     gravity = parameters.gravity
@@ -48,7 +51,7 @@ def of_step(parameters: object, height: float) -> Path:
 
 
 def leg(
-    axes: Axes, foot: tuple[float, float], mass: tuple[float, float], colour: str = style.INK, **line
+    axes: Axes, foot: tuple[float, float], mass: tuple[float, float], colour: str = style.INK, **line: Any
 ) -> None:
     """A spring from foot to mass, and the mass."""
     (x0, y0), (x1, y1) = foot, mass

@@ -1,0 +1,71 @@
+"""The command `variables`: every variable of the unit."""
+
+import math
+
+import click
+
+from ..terminal.text import table
+from ..unit.unit import load
+from ..unit.variable import Variable
+from .options import JSON_OPTION, Command
+from .output import json_text
+
+
+@click.command("variables", cls=Command)
+@JSON_OPTION
+def variables_command(as_json_object: bool) -> None:
+    """Every variable of the unit with its unit, range, default and meaning."""
+    variables = load().variables.values()
+    if as_json_object:
+        print(json_text({"variables": [_object(variable) for variable in variables]}))
+    else:
+        print(table(("name", "unit", "range", "default", "causality", "meaning"), list(map(_row, variables))))
+
+
+def _object(variable: Variable) -> dict[str, object]:
+    """A variable as a plain object; None where there is no such thing, or no bound."""
+    return {
+        "name": variable.name,
+        "type": variable.type,
+        "unit": variable.unit or None,
+        "minimum": variable.minimum,
+        "maximum": variable.maximum,
+        "items": {name: number for number, name in variable.items.items()} or None,
+        "default": variable.start,
+        "causality": variable.causality,
+        "settable": variable.settable,
+        "meaning": variable.description,
+    }
+
+
+def _row(variable: Variable) -> tuple[str, str, str, str, str, str]:
+    unit = "" if variable.unit == "1" else variable.unit
+    return (
+        variable.name,
+        unit,
+        _range(variable),
+        _default(variable),
+        variable.causality,
+        variable.description,
+    )
+
+
+def _range(variable: Variable) -> str:
+    """What the value may be; empty where it may be anything."""
+    if variable.items:
+        return ", ".join(variable.items.values())
+    low, high = variable.minimum, variable.maximum
+    if math.isinf(low) and math.isinf(high):
+        return ""
+    above = "" if math.isinf(low) else f"{low:g}"
+    return f"{above} to {high:g}" if math.isfinite(high) else f"from {above}"
+
+
+def _default(variable: Variable) -> str:
+    if variable.start is None:
+        return ""
+    if isinstance(variable.start, bool):
+        return "true" if variable.start else "false"
+    if variable.items:
+        return variable.items[int(variable.start)]
+    return f"{variable.start:.12g}"

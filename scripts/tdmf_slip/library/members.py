@@ -1,0 +1,76 @@
+"""Numbers in the C library's structs, by the unit's names: parameters, inputs and states."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ..checks import near_matches
+from ..errors import InputError
+from .binding import ffi
+
+STATES = (
+    "foot.x",
+    "foot.y",
+    "leg.length",
+    "leg.angle",
+    "foot.vx",
+    "foot.vy",
+    "leg.length_rate",
+    "leg.angle_rate",
+)
+"""The mechanical states in the library's order."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """A number in a C struct."""
+
+    name: str
+    """The unit's name of it, as in `leg.stiffness`."""
+    path: tuple[str, ...]
+    """Members to go through, the last one the number itself."""
+
+    def write(self, struct: Any, value: float) -> None:
+        """Give it a value in a struct."""
+        for step in self.path[:-1]:
+            struct = getattr(struct, step)
+        setattr(struct, self.path[-1], value)
+
+
+def _members(struct: Any, path: tuple[str, ...] = ()) -> Iterator[Member]:
+    """All numbers of a C struct type."""
+    for name, member in struct.fields:
+        if member.type.kind == "struct":
+            yield from _members(member.type, (*path, name))
+        else:
+            yield Member(".".join((*path, name)), (*path, name))
+
+
+PARAMETERS = tuple(_members(ffi.typeof("tdmf_parameters")))
+"""Where the library's parameters are in their struct."""
+INPUTS = tuple(_members(ffi.typeof("tdmf_inputs")))
+"""Where its inputs are."""
+VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS))
+"""Parameters and inputs: what a runner's motion depends on, beside its start."""
+
+
+def check_varied(name: object, what: str) -> None:
+    """Refuse a name that a gait cannot be followed along.
+
+    Parameters
+    ----------
+    name : object
+        What was given as one.
+    what : str
+        The argument, for the message.
+
+    Raises
+    ------
+    InputError
+        It is that of neither a parameter nor an input of the model.
+    """
+    if name not in VARIED:
+        raise InputError(
+            f"{what} {name!r} is not allowed; allowed: a parameter or input of the model"
+            f"{near_matches(name, VARIED)}"
+        )

@@ -1,0 +1,133 @@
+"""Structs of the C library as Python sees them: by the members that are read or written here.
+
+Types only: what the library gives is told by its headers, see `binding`. Arrays in a struct are sequences.
+"""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+
+class Struct(Protocol):
+    """A struct, or a pointer to structs, that is only handed on to the library."""
+
+    def __getitem__(self, index: int, /) -> "Struct":
+        """The struct that a pointer points to."""
+        ...
+
+
+class Center(Protocol):
+    """`tdmf_point`: place, m, and velocity, m/s, of a centre of mass."""
+
+    x: float
+    y: float
+    vx: float
+    vy: float
+
+
+class StrideOutcome(Protocol):
+    """`tdmf_stride_outcome`: how the solver's call ended, a `tdmf_outcome`, and whether the stride closed."""
+
+    outcome: int
+    closed: bool
+
+
+class StrideChange(Protocol):
+    """`tdmf_stride_change`: how the next apex changes with something."""
+
+    apex: Sequence[float]
+
+
+class Stride(Protocol):
+    """`tdmf_stride`: a completed stride; its quantities are read by their names."""
+
+    word: object
+
+
+class Return(Protocol):
+    """`tdmf_return`: what became of a stride from an apex."""
+
+    outcome: StrideOutcome
+    began_at_apex: bool
+    apex: Sequence[float]
+    stride: Stride
+    liftoff_angle: float
+    by_section: Sequence[StrideChange]
+    by_parameter: Sequence[StrideChange]
+
+
+class FoundOrbit(Protocol):
+    """`tdmf_orbit`: a gait, or where the search for it ended."""
+
+    outcome: int
+    iterations: int
+    error: float
+    section: Sequence[float]
+    stride: Return
+
+
+class Mode(Protocol):
+    """`tdmf_mode`: a contact mode, by the library's number."""
+
+    contact: int
+
+
+class NotedEvent(Protocol):
+    """`tdmf_event`: an event that the solver took."""
+
+    time: float
+    guard: int
+    before: Mode
+    after: Mode
+    state: Sequence[float]
+
+
+class EventLog(Protocol):
+    """`tdmf_event_log *`: events that the solver noted."""
+
+    count: int
+    events: Sequence[NotedEvent]
+
+
+class Solver(Protocol):
+    """`tdmf_solver *`: the native solver's settings."""
+
+    relative_tolerance: float
+    log: EventLog
+
+
+class Refusal(Protocol):
+    """`tdmf_refusal`: why a value was refused."""
+
+    variable: object
+
+
+class Classic(Protocol):
+    """`tdmf_classic *`: parameters of the classic SLIP."""
+
+    mass: float
+    gravity: float
+    free_length: float
+    touchdown_angle: float
+    friction: float
+
+
+class ClassicPoint(Protocol):
+    """`tdmf_classic_point`: the mass as seen from the foot, m and m/s."""
+
+    x: float
+    y: float
+    vx: float
+    vy: float
+
+
+class ClassicStep(Protocol):
+    """`tdmf_classic_step`: one step of the classic SLIP."""
+
+    outcome: int
+    touchdown: ClassicPoint
+    take_off: ClassicPoint
+    stance_time: float
+    stance_friction: float
+    impact_friction: float
+    next_height: float
+    slope: float

@@ -1,0 +1,72 @@
+"""Docstrings tell of the arguments that there are: what the documentation is rendered from."""
+
+import importlib
+import inspect
+import pathlib
+import re
+
+import pytest
+import tdmf_slip
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
+NEEDS_A_PEER = "bench.peers"
+SECTION = re.compile(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", re.MULTILINE | re.DOTALL)
+ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \w+)*) : \S", re.MULTILINE)
+TOP = [name for name in tdmf_slip.__all__ if inspect.isfunction(getattr(tdmf_slip, name))]
+
+
+def modules():
+    for path in PACKAGE.rglob("*.py"):
+        name = ".".join(path.relative_to(PACKAGE).with_suffix("").parts)
+        if not name.endswith("__init__") and not name.startswith(NEEDS_A_PEER) and name != "__main__":
+            yield importlib.import_module(f"tdmf_slip.{name}")
+
+
+def functions():
+    """Public functions and methods of all modules, each once."""
+    for module in modules():
+        for name, thing in vars(module).items():
+            if getattr(thing, "__module__", None) != module.__name__ or name.startswith("_"):
+                continue
+            if inspect.isfunction(thing):
+                yield f"{module.__name__}.{name}", thing
+            elif inspect.isclass(thing):
+                for member, value in vars(thing).items():
+                    function = value.__func__ if isinstance(value, classmethod) else value
+                    if inspect.isfunction(function) and not member.startswith("_"):
+                        yield f"{module.__name__}.{name}.{member}", function
+
+
+def sections(function):
+    return dict(SECTION.findall(inspect.getdoc(function) or ""))
+
+
+def arguments(function):
+    """Names of what is given, without the instance."""
+    return [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
+
+
+def documented(function):
+    entries = ENTRY.findall(sections(function).get("Parameters", ""))
+    return [name.strip() for entry in entries for name in entry.split(",")]
+
+
+def test_arguments_that_are_told_are_those_that_there_are():
+    compared = 0
+    for name, function in functions():
+        if "Parameters" in sections(function):
+            assert documented(function) == arguments(function), name
+            compared += 1
+    assert compared > 60
+
+
+@pytest.mark.parametrize("name", TOP)
+def test_what_users_call_first_is_told_in_full(name):
+    told = sections(getattr(tdmf_slip, name))
+    assert {"Parameters", "Returns", "Raises"} <= set(told), name
+    assert documented(getattr(tdmf_slip, name)) == arguments(getattr(tdmf_slip, name))
+
+
+def test_the_functions_that_users_want_first_are_at_the_top():
+    wanted = {"Runner", "find_orbit", "sweep", "basin", "run_ensemble", "run_batch", "simulate", "validate"}
+    assert wanted <= set(tdmf_slip.__all__) and len(TOP) >= 10

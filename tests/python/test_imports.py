@@ -1,0 +1,57 @@
+"""What is loaded is what is used: a command does not wait for what other commands need."""
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = {"dask", "distributed", "matplotlib", "netCDF4", "pandas", "scipy", "xarray", "numba", "heyoka"}
+OF_RUNS = {"fmpy.sundials", "fmpy.sundials.cvode", "fmpy.cross_check", "plotly"}
+"""What FMPy loads to run a unit, or to draw."""
+PROGRAM = """
+import sys
+sys.argv[0] = "tdmf-slip"
+from tdmf_slip.__main__ import main
+status = main()
+print(status, *sys.modules)
+import tdmf_slip
+print("folder" in vars(tdmf_slip.load()))
+"""
+
+
+def modules_after(*arguments):
+    """What is loaded once a command is done, and whether the unit was unpacked for it."""
+    done = subprocess.run([sys.executable, "-c", PROGRAM, *arguments], capture_output=True, text=True)
+    told, unpacked = done.stdout.splitlines()[-2:]
+    status, *modules = told.split()
+    assert status == "0", done.stderr
+    return set(modules), unpacked == "True"
+
+
+def test_a_gait_loads_what_it_needs():
+    modules, unpacked = modules_after("gait", "--friction", "0.6", "--json")
+    assert {"tdmf_slip.cli.gait", "tdmf_slip.library.orbit", "fmpy.model_description"} <= modules
+    assert modules & (HEAVY | OF_RUNS) == set()
+    parts = {name.split(".")[1] for name in modules if name.startswith("tdmf_slip.")}
+    assert parts == {"__main__", "analysis", "checks", "cli", "errors", "library", "terminal", "unit"}
+    assert not unpacked
+
+
+@pytest.mark.parametrize(
+    ("arguments", "loaded"),
+    [
+        (("sweep", "--friction", "0.6:0.7:2"), set()),
+        (("simulate", "--stop-time", "1"), {"fmpy.sundials.cvode"}),
+        (("basin", "--n", "2", "--samples", "0", "--workers", "1"), {"xarray"}),
+    ],
+)
+def test_other_commands_load_what_they_need(arguments, loaded):
+    """Seen by the same look, which sees what there is."""
+    modules, _ = modules_after(*arguments)
+    assert loaded <= modules
+    assert modules & {"matplotlib", "distributed", "numba", "heyoka"} == set()
+
+
+def test_help_is_quick():
+    modules, _ = modules_after("--help")
+    assert modules & HEAVY == set()
