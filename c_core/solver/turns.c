@@ -9,6 +9,7 @@ typedef struct {
     double c[SERIES_TERMS];
     int order;
     double zero;
+    bool is_monotone;
 } factor;
 
 static factor factor_of(const tdmf_step *step, const double *series, int order, double zero) {
@@ -38,8 +39,8 @@ static inline partial_sums with_term(partial_sums sums, double term) {
     return next;
 }
 
-static bool keep_sign(const partial_sums *sums) {
-    return sums->least > 0.0 || sums->most < 0.0;
+static bool keep_sign(partial_sums sums) {
+    return sums.least > 0.0 || sums.most < 0.0;
 }
 
 /* Of a series and of its derivative, times the size of the step. */
@@ -92,47 +93,66 @@ static bool has_no_torque(const tdmf_step *step) {
     return is_zero && step->chart->contact != TDMF_CONTACT_GRAZE;
 }
 
-static changing_factors factors_in_flight(const tdmf_step *step, double zero) {
-    const double *momentum = step->series.flight.momentum;
-    const double rate_zero = zero / step->chart->model->scales.time;
-    changing_factors changing = {.count = 0};
-    const series_sums sums = sums_of(step, momentum, step->order);
-    if (!keep_sign(&sums.value)) {
-        changing.of[changing.count++] = factor_of(step, momentum, step->order, zero);
+/* A monotone factor changes its sign at most once, and then it shows at the end, a share of the step. */
+static void note_factor(changing_factors *changing, const factor *f, double end) {
+    partial_sums rates = {f->c[1], f->c[1], f->c[1]};
+    for (int k = 2; k <= f->order; ++k) {
+        rates = with_term(rates, (double)k * f->c[k]);
     }
-    if (!keep_sign(&sums.rate)) {
-        changing.of[changing.count++] = derivative_of(step, momentum, step->order, rate_zero);
+    const bool is_monotone = keep_sign(rates);
+    if (is_monotone) {
+        const double start = fabs(f->c[0]) > f->zero ? f->c[0] : f->c[1];
+        if (start * series_at(f->c, f->order, end) > 0.0) {
+            return;
+        }
     }
-    return changing;
+    changing->of[changing->count] = *f;
+    changing->of[changing->count++].is_monotone = is_monotone;
 }
 
-static changing_factors factors_on_ground(const tdmf_step *step, double zero) {
+static void note_factors_in_flight(const tdmf_step *step, double zero, double end,
+                                   changing_factors *changing) {
+    const double *momentum = step->series.flight.momentum;
+    const series_sums sums = sums_of(step, momentum, step->order);
+    if (!keep_sign(sums.value)) {
+        const factor f = factor_of(step, momentum, step->order, zero);
+        note_factor(changing, &f, end);
+    }
+    if (!keep_sign(sums.rate)) {
+        const factor f = derivative_of(step, momentum, step->order, zero / step->chart->model->scales.time);
+        note_factor(changing, &f, end);
+    }
+}
+
+static void note_factors_on_ground(const tdmf_step *step, double zero, double end,
+                                   changing_factors *changing) {
     const ground_series *g = &step->series.ground;
-    const bool grazes = step->chart->contact == TDMF_CONTACT_GRAZE;
-    const int torque_order = grazes ? step->order - 1 : 1;
-    const double torque_zero = zero / step->chart->model->scales.time;
-    changing_factors changing = {.count = 0};
-    const partial_sums moment = sums_of(step, g->moment, step->order).value;
-    const partial_sums torque = sums_of(step, g->torque, torque_order).value;
-    if (!keep_sign(&moment)) {
-        changing.of[changing.count++] = factor_of(step, g->moment, step->order, zero);
+    const int torque_order = step->chart->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
+    if (!keep_sign(sums_of(step, g->moment, step->order).value)) {
+        const factor f = factor_of(step, g->moment, step->order, zero);
+        note_factor(changing, &f, end);
     }
-    if (!keep_sign(&torque)) {
-        changing.of[changing.count++] = factor_of(step, g->torque, torque_order, torque_zero);
+    if (!keep_sign(sums_of(step, g->torque, torque_order).value)) {
+        const factor f = factor_of(step, g->torque, torque_order, zero / step->chart->model->scales.time);
+        note_factor(changing, &f, end);
     }
-    return changing;
 }
 
 /* The first time after `from` at which the power changes its sign, or `end`. */
-static double next_turn(const tdmf_step *step, const changing_factors *changing, double from, double end) {
+static double next_turn(const tdmf_step *step, changing_factors *changing, double from, double end) {
     root first = {INFINITY, 0};
+    int turning = 0;
     for (int i = 0; i < changing->count; ++i) {
         const factor *f = &changing->of[i];
         const root found =
             first_sign_change(f->c, f->order, f->zero, from / step->size, end / step->size, choice_of(true));
         if (found.time < first.time || (found.time == first.time && found.is_root)) {
             first = found;
+            turning = i;
         }
+    }
+    if (first.is_root && changing->of[turning].is_monotone) {
+        changing->of[turning] = changing->of[--changing->count];
     }
     return first.is_root ? smaller(first.time * step->size, end) : end;
 }
@@ -144,9 +164,13 @@ double tdmf_positive_work(const tdmf_step *step, double end, double total) {
     }
     const tdmf_scales *scales = &step->chart->model->scales;
     const double zero = TDMF_ZERO_POWER * scales->length * scales->length / scales->time;
-    const changing_factors changing = step->chart->contact == TDMF_CONTACT_FLIGHT
-                                          ? factors_in_flight(step, zero)
-                                          : factors_on_ground(step, zero);
+    changing_factors changing;
+    changing.count = 0;
+    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
+        note_factors_in_flight(step, zero, end / step->size, &changing);
+    } else {
+        note_factors_on_ground(step, zero, end / step->size, &changing);
+    }
     if (changing.count == 0) {
         return larger(0.0, total);
     }
