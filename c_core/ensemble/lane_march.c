@@ -107,8 +107,9 @@ static lane_outcome step_crew(march *march, crew_kind kind) {
     crew *crew = &march->crews[kind];
     const int order = march->order;
     const double tolerance = march->tolerance;
-    const ground_case sticks = {false, false, true}, slips = {true, false, true},
-                      grazes = {false, true, true};
+    const ground_case sticks = {.turns = true}, sticks_and_coasts = {.turns = false};
+    const ground_case slips = {.slips = true, .turns = true}, slips_and_coasts = {.slips = true};
+    const ground_case grazes = {.grazes = true, .turns = true};
     flight_series *flight = &march->series.flight;
     ground_series *ground = &march->series.ground;
     switch (kind) {
@@ -118,8 +119,13 @@ static lane_outcome step_crew(march *march, crew_kind kind) {
         return step_flying(&crew->members.flying, crew->live, true, order, tolerance, flight);
     case CREW_STICK:
         return step_standing(&crew->members.standing, crew->live, sticks, order, tolerance, ground);
+    case CREW_STICK_AND_COAST:
+        return step_standing(&crew->members.standing, crew->live, sticks_and_coasts, order, tolerance,
+                             ground);
     case CREW_SLIP:
         return step_standing(&crew->members.standing, crew->live, slips, order, tolerance, ground);
+    case CREW_SLIP_AND_COAST:
+        return step_standing(&crew->members.standing, crew->live, slips_and_coasts, order, tolerance, ground);
     default:
         return step_standing(&crew->members.standing, crew->live, grazes, order, tolerance, ground);
     }

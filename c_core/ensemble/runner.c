@@ -2,6 +2,7 @@
 #include "runner.h"
 
 #include "events.h"
+#include "hip_law.h"
 #include "input_rates.h"
 #include "margins.h"
 #include "step_constants.h"
@@ -47,17 +48,24 @@ bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
     return its_case->rules.most_strides > 0;
 }
 
+static bool coasts(const tdmf_runner *runner) {
+    const tdmf_ensemble_case *its_case = runner->its_case;
+    const tdmf_hip_law law =
+        tdmf_stance_law(its_case->model, &its_case->inputs, &tdmf_held_inputs, &runner->motion.mode);
+    return law.torque == 0.0;
+}
+
 crew_kind tdmf_runner_crew(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
         return mode->phase == TDMF_PHASE_RETRACT ? CREW_RETRACT : CREW_PLACE;
     case TDMF_CONTACT_STICK:
-        return CREW_STICK;
+        return coasts(runner) ? CREW_STICK_AND_COAST : CREW_STICK;
     case TDMF_CONTACT_GRAZE:
         return CREW_GRAZE;
     default:
-        return CREW_SLIP;
+        return coasts(runner) ? CREW_SLIP_AND_COAST : CREW_SLIP;
     }
 }
 

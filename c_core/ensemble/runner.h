@@ -8,7 +8,16 @@
 #include "tdmf_slip/solver.h"
 
 /* Runners in the same kind of motion share a crew. */
-typedef enum { CREW_PLACE, CREW_RETRACT, CREW_STICK, CREW_SLIP, CREW_GRAZE, CREW_COUNT } crew_kind;
+typedef enum {
+    CREW_PLACE,
+    CREW_RETRACT,
+    CREW_STICK, /* with a torque */
+    CREW_STICK_AND_COAST,
+    CREW_SLIP,
+    CREW_SLIP_AND_COAST,
+    CREW_GRAZE,
+    CREW_COUNT
+} crew_kind;
 
 typedef struct {
     const tdmf_ensemble_case *its_case;
