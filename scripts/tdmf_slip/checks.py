@@ -33,7 +33,18 @@ def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed
 
 
 def is_number(given: object) -> TypeGuard[float]:
-    """Whether something is a real number, of whatever type."""
+    """Whether something is a real number, of whatever type.
+
+    Parameters
+    ----------
+    given : object
+        What was given.
+
+    Returns
+    -------
+    bool
+        False for a text, an array, None.
+    """
     return isinstance(given, Real)
 
 
@@ -48,6 +59,11 @@ def checked(name: str, value: object, low: float, high: float) -> float:
         What was given.
     low, high : float
         The range, both ends allowed.
+
+    Returns
+    -------
+    float
+        The number.
 
     Raises
     ------
@@ -71,6 +87,11 @@ def checked_whole(name: str, value: object, low: int, high: int) -> int:
     low, high : int
         The range, both ends allowed.
 
+    Returns
+    -------
+    int
+        The number.
+
     Raises
     ------
     InputError
@@ -82,6 +103,19 @@ def checked_whole(name: str, value: object, low: int, high: int) -> int:
 
 
 def near_matches(name: object, names: Iterable[str]) -> str:
-    """A hint at names that may have been meant, to follow in a message; empty where none is near."""
+    """A hint at names that may have been meant, to follow in a message; empty where none is near.
+
+    Parameters
+    ----------
+    name : object
+        What was given.
+    names : iterable of str
+        What there is.
+
+    Returns
+    -------
+    str
+        Beginning with a semicolon.
+    """
     near = difflib.get_close_matches(str(name), names, n=3, cutoff=0.5)
     return f"; near matches: {', '.join(near)}" if near else ""

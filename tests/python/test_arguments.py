@@ -4,7 +4,18 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Runner, find_orbit
-from tdmf_slip.analysis import attraction, basin, borders, continuation, fates, grid, search, sweep
+from tdmf_slip.analysis import (
+    attraction,
+    basin,
+    borders,
+    continuation,
+    fates,
+    grid,
+    robustness,
+    search,
+    sweep,
+    volume,
+)
 from tdmf_slip.blocks import running
 from tdmf_slip.cli import gait_file
 from tdmf_slip.library import ensemble, return_map
@@ -112,11 +123,11 @@ WRONG = [
     lambda r, o: basin.basin(r, AXES, RANGES, path="missing/map.nc"),
     lambda r, o: basin.basin(r, AXES, RANGES, path=3),
     lambda r, o: basin.range_around(r, "com_height"),
-    lambda r, o: attraction.volume(r, 10),
-    lambda r, o: attraction.volume(o, 1.5),
-    lambda r, o: attraction.volume(o, float("nan")),
-    lambda r, o: attraction.volume(o, 10, seed=-1),
-    lambda r, o: attraction.robustness(START),
+    lambda r, o: volume.volume(r, 10),
+    lambda r, o: volume.volume(o, 1.5),
+    lambda r, o: volume.volume(o, float("nan")),
+    lambda r, o: volume.volume(o, 10, seed=-1),
+    lambda r, o: robustness.robustness(START),
     lambda r, o: attraction.measure(r),
     lambda r, o: attraction.measure_all(o),
     lambda r, o: attraction.measure_all([START]),

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip.bench import crowd, one_runner, results, running
+from tdmf_slip.bench import one_runner, results, runners, running
 from tdmf_slip.cli import bench as command_module
 from tdmf_slip.library import ensemble
 
@@ -15,7 +15,7 @@ PEERS = ("native", "cvode", "heyoka", "numba", "scipy")
 def measured():
     """Judged by fewer starts than users have, which is faster."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(crowd, "JUDGED", 16)
+        patch.setattr(runners, "JUDGED", 16)
         return running.bench(effort=0.01)
 
 
@@ -53,7 +53,7 @@ def test_a_peer_that_is_missing_is_named(monkeypatch):
 
 
 def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
-    many = crowd.crowd(unit)
+    many = runners.runners_about_the_gait(unit)
     apex, others = many.judged[0], many.judged[1:]
     assert len(others) == 64
     np.testing.assert_array_equal(apex, many.gait.apex)
@@ -67,7 +67,7 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
 
 def test_a_tolerance_that_is_found_is_good_from_everywhere(unit):
     """The gait itself asks for less than its neighbours do."""
-    many = crowd.crowd(unit)
+    many = runners.runners_about_the_gait(unit)
     for found in one_runner.measure_unit(unit, many, "native", 0.01):
         assert found.error == one_runner.stride_error(unit, many, "native", found.tolerance) <= found.accuracy
         lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
@@ -76,7 +76,7 @@ def test_a_tolerance_that_is_found_is_good_from_everywhere(unit):
 
 @pytest.mark.parametrize("solver", ["native", "cvode"])
 def test_a_tighter_tolerance_errs_less(unit, solver):
-    many = crowd.crowd(unit)
+    many = runners.runners_about_the_gait(unit)
     assert one_runner.stride_error(unit, many, solver, 1e-10) < one_runner.stride_error(
         unit, many, solver, 1e-5
     )
@@ -84,7 +84,7 @@ def test_a_tighter_tolerance_errs_less(unit, solver):
 
 def test_the_ensemble_makes_the_gaits_word(unit):
     """Peers are told the sequence of modes; it has to be that of every start."""
-    many = crowd.crowd(unit)
+    many = runners.runners_about_the_gait(unit)
     ends, _ = ensemble.run_ensemble([many.case], many.starts, most_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 

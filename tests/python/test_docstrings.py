@@ -60,6 +60,18 @@ def test_arguments_that_are_told_are_those_that_there_are():
     assert compared > 60
 
 
+def test_functions_of_library_and_analysis_tell_what_they_take_and_give():
+    looked_at = 0
+    for name, function in functions():
+        part, is_method = name.split(".")[1], name.count(".") > 3
+        if part in ("library", "analysis") and not is_method:
+            told, gives = sections(function), inspect.signature(function).return_annotation
+            assert "Parameters" in told or not arguments(function), name
+            assert gives is None or {"Returns", "Yields"} & set(told), name
+            looked_at += 1
+    assert looked_at > 30
+
+
 @pytest.mark.parametrize("name", TOP)
 def test_what_users_call_first_is_told_in_full(name):
     told = sections(getattr(tdmf_slip, name))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_orbit
-from tdmf_slip.analysis import attraction, fates
+from tdmf_slip.analysis import fates, volume
 from tdmf_slip.library import binding, ensemble
 
 
@@ -48,7 +48,7 @@ def crowds(unit, size):
     cases = [ensemble.Case(Runner(gait.runner.values)) for gait in orbits]
     numbers = np.arange(size) % len(orbits)
     near = np.array([orbits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
-    low, high = np.array(list(attraction.BOX.values())).T
+    low, high = np.array(list(volume.BOX.values())).T
     yield "near", cases, near, numbers
     yield "box", cases, rng.uniform(low, high, (size, 6)), numbers
     others = []

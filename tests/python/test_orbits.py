@@ -18,8 +18,8 @@ from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.orbit import LETTERS
 from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.unit.unit import FRICTION
 

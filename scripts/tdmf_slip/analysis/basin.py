@@ -23,7 +23,7 @@ from ..library.section import COORDINATES
 from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
-from .fates import MOST_STRIDES, fates
+from .fates import MOST_STRIDES, STARTS_AT_ONCE, fates
 from .search import find_orbit
 
 NOT_YET = -1
@@ -36,8 +36,6 @@ STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
     NOT_YET: (0, 0),
 }
 """The least and the most that a fate may come after."""
-STARTS_AT_ONCE = 4096
-"""In a block."""
 
 
 @dataclass(frozen=True)
@@ -59,13 +57,36 @@ class Slice:
 
 
 def fates_of_slice(part: Slice) -> NDArray[np.void]:
-    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`."""
+    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`.
+
+    Parameters
+    ----------
+    part : Slice
+        The block.
+
+    Returns
+    -------
+    structured ndarray, shape (rows, columns)
+        As `run_ensemble` gives it.
+    """
     ends = fates(part.runner, part.apex, part.starts())
     return ends.reshape(len(part.rows), len(part.columns))
 
 
 def stable_gait(runner: Runner | Mapping[str, Given], unit: Unit | None = None) -> Orbit:
     """The gait of a runner, if it attracts anything.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Parameters and friction, or start values by name.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Orbit
+        Stable.
 
     Raises
     ------
@@ -82,6 +103,18 @@ def stable_gait(runner: Runner | Mapping[str, Given], unit: Unit | None = None) 
 
 def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
     """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
+
+    Parameters
+    ----------
+    gait : Orbit
+        Which gait.
+    axis : str
+        One of `COORDINATES`.
+
+    Returns
+    -------
+    pair of float
+        To six digits, in the coordinate's unit.
 
     Raises
     ------
@@ -103,6 +136,11 @@ def _rounded(value: float) -> float:
 
 def check_axes(axes: Sequence[str]) -> None:
     """Refuse names that are not those of coordinates of the section.
+
+    Parameters
+    ----------
+    axes : sequence of str
+        What was given as names.
 
     Raises
     ------

@@ -52,6 +52,13 @@ class Special:
 def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
     """What happens between two neighbouring points of a branch, in its order.
 
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    before, after : Point
+        Neighbours on it.
+
     Returns
     -------
     pair of lists, of Border and of Special

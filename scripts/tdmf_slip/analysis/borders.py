@@ -73,6 +73,19 @@ def borders_between(
 def crossings(family: Family, first: Orbit, last: Orbit) -> Iterator[tuple[Border, Orbit]]:
     """The borders of `borders_between` with the gaits just beyond.
 
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    first, last : Orbit
+        Gaits of the branch.
+
+    Yields
+    ------
+    border : Border
+    beyond : Orbit
+        The gait just beyond it.
+
     Raises
     ------
     RunError

@@ -63,6 +63,11 @@ class Family:
         guess : sequence of float, shape (6,)
             An apex near the gait's.
 
+        Returns
+        -------
+        Orbit
+            Differentiated by the parameter, too.
+
         Raises
         ------
         InputError
@@ -73,7 +78,18 @@ class Family:
         return orbit_near(self.runner.but(self.name, value), guess, along=self.name)
 
     def value_of(self, orbit: Orbit) -> float:
-        """Of the parameter."""
+        """Of the parameter.
+
+        Parameters
+        ----------
+        orbit : Orbit
+            A gait of the family.
+
+        Returns
+        -------
+        float
+            In the parameter's unit.
+        """
         return orbit.runner.values[self.name]
 
     def point(self, orbit: Orbit, along: NDArray[np.float64]) -> Point:
@@ -85,6 +101,11 @@ class Family:
             The gait.
         along : ndarray of float, shape (7,)
             Coordinates and parameter, over the scales.
+
+        Returns
+        -------
+        Point
+            With its tangent.
 
         Raises
         ------
@@ -101,7 +122,18 @@ class Family:
         return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
 
     def place(self, point: Point) -> NDArray[np.float64]:
-        """Apex and parameter over the scales."""
+        """Apex and parameter over the scales.
+
+        Parameters
+        ----------
+        point : Point
+            On a branch.
+
+        Returns
+        -------
+        ndarray of float, shape (7,)
+            Six coordinates, then the parameter.
+        """
         place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
         return place
 
@@ -114,6 +146,11 @@ class Family:
             Apex and parameter over the scales.
         normal : ndarray of float, shape (7,)
             A unit vector along the branch.
+
+        Returns
+        -------
+        Point
+            Where branch and plane meet.
 
         Raises
         ------
@@ -144,6 +181,18 @@ class Family:
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next.
 
+        Parameters
+        ----------
+        before, after : Point
+            On the branch.
+        share : float
+            From 0 at `before` to 1 at `after`.
+
+        Returns
+        -------
+        Point
+            On the branch.
+
         Raises
         ------
         RunError
@@ -153,5 +202,16 @@ class Family:
         return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
 
     def distance(self, before: Point, after: Point) -> float:
-        """Between two points, over the scales."""
+        """Between two points, over the scales.
+
+        Parameters
+        ----------
+        before, after : Point
+            On a branch.
+
+        Returns
+        -------
+        float
+            A pure number.
+        """
         return float(np.linalg.norm(self.place(after) - self.place(before)))

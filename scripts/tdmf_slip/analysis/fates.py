@@ -13,9 +13,11 @@ from ..unit.variable import Given
 TOLERANCE = 1e-5
 """Relative tolerance of a step for maps and volumes."""
 ACCURACY = 5e-4
-"""By which the apex after a stride then errs at the most, over the scales, from anywhere in `attraction.BOX`;
+"""By which the apex after a stride then errs at the most, over the scales, from anywhere in `volume.BOX`;
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
 MOST_STRIDES = 400
+STARTS_AT_ONCE = 4096
+"""In a block."""
 STARTS_IN_A_CALL = 512
 """Of the library, which hears of no interrupt until it returns."""
 

@@ -42,7 +42,20 @@ class Column:
 
 
 def attributes_of(unit: Unit, name: str) -> dict[str, str]:
-    """Unit and description of one of the unit's variables, by the names that CF gives them."""
+    """Unit and description of one of the unit's variables, by the names that CF gives them.
+
+    Parameters
+    ----------
+    unit : Unit
+        Which unit.
+    name : str
+        Of the variable.
+
+    Returns
+    -------
+    dict of str to str
+        `units` and `long_name`.
+    """
     variable = unit.variables[name]
     return {"units": variable.unit or "1", "long_name": variable.description}
 
@@ -251,7 +264,18 @@ class Row:
 
 
 def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
-    """The gait at each friction, None where it was not found; and why not, or ""."""
+    """The gait at each friction, None where it was not found; and why not, or "".
+
+    Parameters
+    ----------
+    row : Row
+        The block.
+
+    Returns
+    -------
+    pair of list of Orbit or None, and str
+        The gaits in the order of the frictions.
+    """
     try:
         found = sweep_row(row.runner, row.frictions)
     except TdmfSlipError as problem:  # also start values that go with other rows only

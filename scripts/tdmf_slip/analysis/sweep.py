@@ -87,7 +87,22 @@ def sweep(runner: Runner | Mapping[str, Given], frictions: Values, *, show_progr
 
 
 def sweep_row(runner: Runner, frictions: Values, show_progress: bool = False) -> Sweep:
-    """`sweep` over frictions that are checked already."""
+    """`sweep` over frictions that are checked already.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+    frictions : sequence of float
+        Values in order.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    Sweep
+        As `sweep` gives it.
+    """
     gaits: list[Orbit | None] = [None] * len(frictions)
     borders: list[Border] = []
     problems: list[str] = []
@@ -165,7 +180,15 @@ def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], lis
 
 
 def check_frictions(runner: Runner, frictions: Values) -> None:
-    """Refuse, before any work, frictions at which there is no gait to follow."""
+    """Refuse, before any work, frictions at which there is no gait to follow.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits are to be found.
+    frictions : sequence of float
+        At which.
+    """
     for friction in frictions:
         _ = runner.but(FRICTION, friction).inputs
         check_has_gaits(friction)

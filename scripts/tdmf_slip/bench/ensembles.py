@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 from ..library import ensemble
 from ..library.section import COORDINATES
 from .accuracy import REPEATS, fastest, loosest
-from .crowd import Crowd
 from .one_runner import STRIDES
 from .results import ALONE, MANY, Measurement
+from .runners import Runners
 
 if TYPE_CHECKING:
     from .peers.heyoka_peer import BatchPeer
 
 
-def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Measurement]:
+def measure_lanes(many: Runners, instructions: str, effort: float) -> Iterator[Measurement]:
     """Time the engine by one instruction set, in one thread."""
 
     def error_at(tolerance: float) -> float:
@@ -37,7 +37,7 @@ def measure_lanes(many: Crowd, instructions: str, effort: float) -> Iterator[Mea
         )
 
 
-def measure_batches(many: Crowd, effort: float) -> Iterator[Measurement]:
+def measure_batches(many: Runners, effort: float) -> Iterator[Measurement]:
     """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone.
 
     Raises
@@ -74,7 +74,7 @@ def _strides(peer: "BatchPeer", rounds: Sequence[NDArray[np.float64]]) -> None:
         peer.strides(batch)
 
 
-def measure_scaling(many: Crowd, threads: int, effort: float) -> float:
+def measure_scaling(many: Runners, threads: int, effort: float) -> float:
     """Strides a second of each of many threads, over those of one alone."""
     alone, _ = many.run(None, ensemble.TOLERANCE, 1, effort)
     together, _ = many.run(None, ensemble.TOLERANCE, threads, effort)

@@ -13,14 +13,14 @@ from ..terminal import interrupts
 from ..unit.instance import opened
 from ..unit.unit import Unit
 from .accuracy import REPEATS, TOLERANCES, fastest, loosest
-from .crowd import Crowd
 from .results import ALONE, ONE, Measurement
+from .runners import Runners
 
 STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
 """Timed in each repeat."""
 
 
-def starts(unit: Unit, many: Crowd, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
+def starts(unit: Unit, many: Runners, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
     """Start values of a run from an apex by a solver of the unit."""
     methods = unit.variables["solver.method"].items
     return {
@@ -30,7 +30,7 @@ def starts(unit: Unit, many: Crowd, solver: str, tolerance: float, apex: Apex) -
     }
 
 
-def stride_error(unit: Unit, many: Crowd, solver: str, tolerance: float) -> float:
+def stride_error(unit: Unit, many: Runners, solver: str, tolerance: float) -> float:
     """Error of the apex after one stride by a solver of the unit, from the worst start."""
     names = [f"apex.{name}" for name in COORDINATES]
     apices = []
@@ -42,7 +42,7 @@ def stride_error(unit: Unit, many: Crowd, solver: str, tolerance: float) -> floa
     return many.error(np.array(apices))
 
 
-def measure_unit(unit: Unit, many: Crowd, solver: str, effort: float) -> Iterator[Measurement]:
+def measure_unit(unit: Unit, many: Runners, solver: str, effort: float) -> Iterator[Measurement]:
     """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
     strides = max(1, round(effort * STRIDES[solver]))
     duration = strides * many.gait.period
@@ -83,7 +83,7 @@ def _strides(peer: Peer, apex: Apex, count: int) -> None:
         peer.stride(apex)
 
 
-def measure_peer(peer_of: type[Peer], many: Crowd, strides: int) -> Iterator[Measurement]:
+def measure_peer(peer_of: type[Peer], many: Runners, strides: int) -> Iterator[Measurement]:
     """Time a peer that makes one stride at a time."""
     apex = many.gait.apex
     with interrupts.held():  # a compiler may lose one

@@ -13,13 +13,13 @@ from ..library import ensemble
 from ..library.binding import c, ffi
 from ..terminal import progress
 from ..unit.unit import Unit, load
-from .crowd import Crowd, crowd
 from .ensembles import measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, measure_peer, measure_unit
 from .results import MANY, ONE, Bench, Measurement
+from .runners import Runners, runners_about_the_gait
 
 
-def _peers(many: Crowd, effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
+def _peers(many: Runners, effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
     """What may not be installed, by name."""
 
     def of(name: str) -> Iterator[Measurement]:
@@ -51,7 +51,7 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
     """
     checked("effort", effort, 1e-3, 1e3)
     unit = load(unit)
-    many = crowd(unit)
+    many = runners_about_the_gait(unit)
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(

@@ -29,7 +29,20 @@ async def kill_workers(cluster: "LocalCluster") -> None:
 
 @contextlib.contextmanager
 def client_of(scheduler: str | None, workers: int) -> "Iterator[Client]":
-    """A client whose end makes the scheduler forget what it has not done yet."""
+    """A client whose end makes the scheduler forget what it has not done yet.
+
+    Parameters
+    ----------
+    scheduler : str or None
+        Address of a Dask scheduler; None for a cluster of processes on this machine.
+    workers : int
+        How many processes that has.
+
+    Yields
+    ------
+    distributed.Client
+        Connected.
+    """
     from distributed import Client
     from distributed.utils import silence_logging_cmgr
 

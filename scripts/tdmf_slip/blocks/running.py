@@ -50,6 +50,11 @@ def run_blocks(
     workers : int, optional
         Processes of that cluster, by default one for each processor. One needs no cluster.
 
+    Yields
+    ------
+    iterator of (int, result)
+        The number of a block and what the work on it gave, as they come.
+
     Raises
     ------
     InputError

@@ -7,6 +7,8 @@ from typing import Any
 import click
 import numpy as np
 
+from ..analysis.robustness import DISTURBED, robustness
+from ..analysis.volume import volume
 from ..files.whole import check_place
 from ..library.ensemble import FATES
 from ..library.section import COORDINATES
@@ -92,8 +94,7 @@ def basin_command(
     Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
     recovers from.
     """
-    from ..analysis import attraction  # xarray is slow to load
-    from ..analysis.basin import basin, check_axes, range_around, stable_gait
+    from ..analysis.basin import basin, check_axes, range_around, stable_gait  # xarray is slow to load
 
     check_axes(axes)
     if output is not None:
@@ -122,7 +123,6 @@ def basin_command(
     if plot is not None:
         basin_map.draw(plot, data)
     fates = {name: int((data["fate"] == number).sum()) for number, name in enumerate(FATES)}
-    robustness = attraction.robustness(gait)
     result: dict[str, Any] = {
         "word": gait.word,
         "starts": data["fate"].size,
@@ -130,23 +130,21 @@ def basin_command(
         "strides": int(data["strides"].sum()),
         "settled_share": data.attrs["settled_share"],
         "settled_area": data.attrs["settled_area"],
-        "robustness": robustness.as_json(),
+        "robustness": robustness(gait).as_json(),
     }
     if samples:
-        volume = attraction.volume(gait, samples, scheduler=scheduler, workers=workers, show_progress=True)
-        result["volume"] = volume.as_json()
-    print(json_text(result) if as_json_object else _basin_text(result, axes, attraction.DISTURBED, unit))
+        found = volume(gait, samples, scheduler=scheduler, workers=workers, show_progress=True)
+        result["volume"] = found.as_json()
+    print(json_text(result) if as_json_object else _basin_text(result, axes, unit))
 
 
-def _basin_text(
-    result: Mapping[str, Any], axes: tuple[str, str], disturbed: Mapping[str, str], unit: Unit
-) -> str:
+def _basin_text(result: Mapping[str, Any], axes: tuple[str, str], unit: Unit) -> str:
     units = {axis: unit.variables[f"apex.{axis}"].unit for axis in COORDINATES}
     rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
     rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():
         rows[name] = (
-            "beyond the largest tried" if value is None else quantity(value, units[disturbed[name]], 4)
+            "beyond the largest tried" if value is None else quantity(value, units[DISTURBED[name]], 4)
         )
     if "volume" in result:
         found = result["volume"]

@@ -26,6 +26,13 @@ def new_netcdf() -> Dataset:
 def write_dataset(path: Path, data: xarray.Dataset) -> None:
     """A dataset as NetCDF.
 
+    Parameters
+    ----------
+    path : Path
+        Of the file; whole at the end, or as it was.
+    data : xarray.Dataset
+        All of it.
+
     Raises
     ------
     InputError
@@ -39,6 +46,16 @@ def write_dataset(path: Path, data: xarray.Dataset) -> None:
 
 def read_dataset(path: Path) -> xarray.Dataset:
     """A dataset from a NetCDF file, all of it.
+
+    Parameters
+    ----------
+    path : Path
+        Of the file.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory; the file is closed.
 
     Raises
     ------

@@ -25,6 +25,11 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
     what : str
         The work, as in `sweep`, for messages.
 
+    Returns
+    -------
+    xarray.Dataset
+        With what is done already.
+
     Raises
     ------
     InputError
@@ -45,6 +50,11 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
 
 def refuse_resumable(path: Path) -> None:
     """Refuse, before any work, to write something else over results on file, which have taken long.
+
+    Parameters
+    ----------
+    path : Path
+        Where something else is to be written.
 
     Raises
     ------
@@ -69,6 +79,11 @@ def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float =
         Whose variables are looked at.
     relative : float, default 0.0
         By how much of a variable's largest value, here, numbers may be off.
+
+    Returns
+    -------
+    bool
+        True where none differs.
     """
     return all(_close(found[name].values, wanted[name].values, relative) for name in wanted.data_vars)
 

@@ -21,6 +21,16 @@ def whole(path: Path) -> Iterator[Path]:
     Where `path` is a symbolic link, its target is written. A file that is replaced hands on its mode and its
     owner. An interrupt from the keyboard waits until the file is there.
 
+    Parameters
+    ----------
+    path : Path
+        Where the file is to be.
+
+    Yields
+    ------
+    Path
+        Where to write.
+
     Raises
     ------
     InputError
@@ -94,6 +104,15 @@ def destination(path: Path, what: str) -> Path:
 def check_place(path: Path | str, allowed: Iterable[str], what: str) -> Path:
     """Refuse, before any work, a path whose suffix names no format or that cannot be written.
 
+    Parameters
+    ----------
+    path : Path or str
+        Of a file that is to be written.
+    allowed : iterable of str
+        Suffixes, with their dots, in lower case.
+    what : str
+        The argument or option, for messages.
+
     Returns
     -------
     Path
@@ -120,6 +139,13 @@ def check_folder(folder: Path, what: str) -> None:
 
     One that is missing, in a folder that is there, is made, and goes again: if the work fails, nothing is
     left.
+
+    Parameters
+    ----------
+    folder : Path
+        Where files are to be written.
+    what : str
+        The argument or option, for messages.
 
     Raises
     ------

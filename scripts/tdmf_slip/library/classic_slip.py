@@ -110,12 +110,40 @@ def stance(
 
 
 def highest(parameters: Classic, energy: float = ENERGY) -> float:
-    """Apex height, m, at which all energy, J, is potential."""
+    """Apex height, m, at which all energy, J, is potential.
+
+    Parameters
+    ----------
+    parameters : Classic
+        Of the SLIP.
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    float
+        m.
+    """
     return energy / (parameters.mass * parameters.gravity)
 
 
 def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
-    """So many apex heights, m, from that of touchdown to the highest, both left out."""
+    """So many apex heights, m, from that of touchdown to the highest, both left out.
+
+    Parameters
+    ----------
+    parameters : Classic
+        Of the SLIP.
+    count : int
+        How many.
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    ndarray of float, shape (count,)
+        By rising height, m.
+    """
     low = parameters.free_length * math.cos(parameters.touchdown_angle)
     return np.linspace(low, highest(parameters, energy), count + 2)[1:-1]
 
@@ -151,7 +179,18 @@ def fixed_points(angle: float, energy: float = ENERGY) -> list[FixedPoint]:
 
 
 def fold(energy: float = ENERGY) -> FixedPoint:
-    """Where the stable and the unstable gait of an energy, J, meet and vanish."""
+    """Where the stable and the unstable gait of an energy, J, meet and vanish.
+
+    Parameters
+    ----------
+    energy : float, default 6000
+        J.
+
+    Returns
+    -------
+    FixedPoint
+        With slope 1.
+    """
     angle, height = ffi.new("double *", math.radians(44.0)), ffi.new("double *", 2.0)
     c.tdmf_classic_fold(slip(angle[0]), energy, angle, height)
     return _fixed_point(slip(angle[0]), angle[0], height[0], energy)

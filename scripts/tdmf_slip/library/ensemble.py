@@ -24,7 +24,7 @@ TOLERANCE = 2e-10
 """Relative tolerance of a step by default."""
 ACCURACY = 1e-8
 """By which a stride errs at the most at `TOLERANCE`: its apex over the scales of the section; its time,
-distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in `attraction.BOX`, and by
+distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in `analysis.volume.BOX`, and by
 runners whose parameters differ from the default ones by factors of up to e."""
 LEAST_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
@@ -67,7 +67,13 @@ class Work:
 
 
 def instruction_sets() -> tuple[str, ...]:
-    """What this processor and this build have, the slowest first: `one by one` is the native solver."""
+    """What this processor and this build have, the slowest first: `one by one` is the native solver.
+
+    Returns
+    -------
+    tuple of str
+        As `run_ensemble` takes them.
+    """
     return tuple(name for name, number in _INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
 

@@ -19,14 +19,9 @@ from .return_map import derivatives, direction, end_text
 from .runner import Runner, text_of
 from .section import Apex, checked_apex
 from .structs import EventLog, FoundOrbit
+from .word import Event, Letter, letters_of
 
 SETTLING_STRIDES = 400
-LETTERS: Mapping[int, str] = {
-    c.TDMF_CONTACT_STICK: "0",
-    c.TDMF_CONTACT_SLIP_POSITIVE: "+",
-    c.TDMF_CONTACT_SLIP_NEGATIVE: "-",
-}
-"""Of the gait word, by contact mode."""
 STRIDE_QUANTITIES = (
     "period",
     "length",
@@ -43,30 +38,6 @@ STRIDE_QUANTITIES = (
 LOSSES = ("damper_loss", "friction_loss", "impact_loss")
 TOLD = ("period", "length", "speed", "work", "cost_of_transport")
 """Of the quantities of a stride, those that a gait is told by."""
-
-
-@dataclass(frozen=True)
-class Event:
-    """An event within a stride."""
-
-    time: float
-    """s since the apex at which the stride begins."""
-    guard: int
-    """Which guard fired, by the library's number."""
-    contact_before: int
-    """Contact mode, by the library's number; as the following."""
-    contact_after: int
-    state: tuple[float, ...]
-    """Before the event, in the library's order."""
-
-
-@dataclass(frozen=True)
-class Letter:
-    """A letter of a gait word: a contact mode in which the ground bears the foot."""
-
-    letter: str
-    duration: float
-    """s that the mode lasts."""
 
 
 @dataclass(frozen=True)
@@ -130,20 +101,7 @@ class Orbit:
     @cached_property
     def letters(self) -> tuple[Letter, ...]:
         """Letters of the word with how long each mode lasts; graze and flight add none."""
-        found: list[Letter] = []
-        flown = True
-        for event, following in zip(self.events, self.events[1:], strict=False):
-            letter = LETTERS.get(event.contact_after)
-            flown = flown or event.contact_after == c.TDMF_CONTACT_FLIGHT
-            if letter is None:
-                continue
-            duration = following.time - event.time
-            if found and found[-1].letter == letter and not flown:
-                found[-1] = Letter(letter, found[-1].duration + duration)
-            else:
-                found.append(Letter(letter, duration))
-            flown = False
-        return tuple(found)
+        return letters_of(self.events)
 
     def as_json(self) -> dict[str, object]:
         """The gait as a plain object, eigenvalues as [re, im], start values for a run that begins on it."""
@@ -179,6 +137,11 @@ def check_orbit(given: object, what: str) -> None:
 
 def check_has_gaits(friction: float) -> None:
     """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
+
+    Parameters
+    ----------
+    friction : float
+        Of the ground.
 
     Raises
     ------

@@ -94,6 +94,11 @@ def direction(along: str | None) -> Struct:
     along : str, optional
         Its name.
 
+    Returns
+    -------
+    Struct
+        Zero but for that parameter or input, which is 1.
+
     Raises
     ------
     InputError
@@ -110,7 +115,18 @@ def direction(along: str | None) -> Struct:
 
 
 def end_text(stride: Return) -> str:
-    """What ended a stride that has not closed: a fall, or what the solver met."""
+    """What ended a stride that has not closed: a fall, or what the solver met.
+
+    Parameters
+    ----------
+    stride : Return
+        Not closed.
+
+    Returns
+    -------
+    str
+        In words, to follow in a message.
+    """
     if not stride.began_at_apex:
         return "there is no apex above the ground"
     if stride.outcome.outcome == c.TDMF_ARRIVED:

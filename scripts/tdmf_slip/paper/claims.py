@@ -57,6 +57,18 @@ class Evidence:
 def gather(runner: Runner, show_progress: bool = False) -> Evidence:
     """Compute everything that the claims are judged by.
 
+    Parameters
+    ----------
+    runner : Runner
+        With the paper's parameters.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    Evidence
+        Gaits over the friction, and the SLIP's.
+
     Raises
     ------
     RunError
@@ -68,7 +80,18 @@ def gather(runner: Runner, show_progress: bool = False) -> Evidence:
 
 
 def claims(evidence: Evidence) -> list[Claim]:
-    """All quantitative claims of the paper but the words of its five gaits."""
+    """All quantitative claims of the paper but the words of its five gaits.
+
+    Parameters
+    ----------
+    evidence : Evidence
+        What they are judged by.
+
+    Returns
+    -------
+    list of Claim
+        In the order of the paper.
+    """
     orbits = evidence.sweep.orbits
     return [
         *_stability(orbits),

@@ -28,6 +28,18 @@ def events_of(table: NDArray[np.void], unit: Unit) -> list[Event]:
 
     What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:
     the unit's `event.count` counts that too.
+
+    Parameters
+    ----------
+    table : structured ndarray, shape (rows,)
+        With the contact mode and the hip phase.
+    unit : Unit
+        For the names of modes and phases.
+
+    Returns
+    -------
+    list of Event
+        By time.
     """
     modes, phases = unit.variables[MODE].items, unit.variables[PHASE].items
     changed = np.flatnonzero((np.diff(table[MODE]) != 0) | (np.diff(table[PHASE]) != 0))

@@ -159,6 +159,11 @@ class Instance:
     def start(self, values: Mapping[str, float | int | bool]) -> None:
         """Set start values and initialize, to go on by `advance` (Co-Simulation).
 
+        Parameters
+        ----------
+        values : mapping of str to float, int or bool
+            By the variables' names, in their units.
+
         Raises
         ------
         InputError
@@ -177,6 +182,13 @@ class Instance:
 
     def advance(self, time: float, duration: float) -> None:
         """One communication step from `time` on; both in s.
+
+        Parameters
+        ----------
+        time : float
+            Where the step begins, s.
+        duration : float
+            How long it is, s.
 
         Raises
         ------
@@ -210,6 +222,18 @@ class Instance:
 @contextmanager
 def opened(unit: Unit, interface: str = "me") -> Iterator[Instance]:
     """An instance that is freed at the end, whatever happens.
+
+    Parameters
+    ----------
+    unit : Unit
+        Which unit.
+    interface : str, default 'me'
+        `me` (Model Exchange) or `cs` (Co-Simulation).
+
+    Yields
+    ------
+    Instance
+        Ready to be started.
 
     Raises
     ------

@@ -152,13 +152,41 @@ def simulate(
 
 
 def time_unit(unit: Unit, starts: Mapping[str, Value]) -> float:
-    """The paper's unit of time, sqrt(m/k), in s."""
+    """The paper's unit of time, sqrt(m/k), in s.
+
+    Parameters
+    ----------
+    unit : Unit
+        Whose start values hold where `starts` has none.
+    starts : mapping of str to float
+        Start values by name.
+
+    Returns
+    -------
+    float
+        Seconds.
+    """
     mass, stiffness = (starts.get(name, unit.start_of(name)) for name in ("body.mass", "leg.stiffness"))
     return math.sqrt(mass / stiffness)
 
 
 def longest_time(unit: Unit, starts: Mapping[str, Value], strides: int) -> float:
-    """A time, in s, in which so many strides have closed if they close at all."""
+    """A time, in s, in which so many strides have closed if they close at all.
+
+    Parameters
+    ----------
+    unit : Unit
+        Whose start values hold where `starts` has none.
+    starts : mapping of str to float
+        Start values by name.
+    strides : int
+        How many.
+
+    Returns
+    -------
+    float
+        Seconds.
+    """
     length, gravity = (starts.get(name, unit.start_of(name)) for name in ("leg.free_length", "gravity"))
     return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(unit, starts))
 

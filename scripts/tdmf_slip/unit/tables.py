@@ -14,6 +14,15 @@ from .unit import Unit
 def write_table(path: Path | str, run: Run, unit: Unit) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
 
+    Parameters
+    ----------
+    path : Path or str
+        Of the file; its suffix says which format.
+    run : Run
+        Whose rows.
+    unit : Unit
+        For units and descriptions.
+
     Raises
     ------
     InputError

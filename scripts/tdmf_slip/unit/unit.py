@@ -114,6 +114,11 @@ class Unit:
         where : str
             Where it was given, for the message.
 
+        Returns
+        -------
+        Variable
+            With its unit, range and start.
+
         Raises
         ------
         InputError
@@ -169,6 +174,16 @@ class Unit:
 
     def require_interface(self, interface: str) -> str:
         """FMPy's name of an interface, `me` or `cs`.
+
+        Parameters
+        ----------
+        interface : str
+            `me` or `cs`.
+
+        Returns
+        -------
+        str
+            `ModelExchange` or `CoSimulation`.
 
         Raises
         ------

@@ -7,7 +7,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.attraction import FARTHEST, Attraction
+from ...analysis.attraction import Attraction
+from ...analysis.robustness import FARTHEST
 from ...analysis.sweep import Sweep
 from ...pictures import style
 from . import figure_9

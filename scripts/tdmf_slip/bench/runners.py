@@ -24,7 +24,7 @@ TIGHT = 1e-13
 
 
 @dataclass(frozen=True)
-class Crowd:
+class Runners:
     """Runners that start about a gait's apex."""
 
     gait: Orbit
@@ -81,10 +81,10 @@ class Crowd:
         return fastest(once), work[0]
 
 
-def crowd(unit: Unit) -> Crowd:
+def runners_about_the_gait(unit: Unit) -> Runners:
     """Starts drawn about the gait's apex."""
     source = np.random.default_rng(0)
     runner = Runner.of({"ground.friction": FRICTION}, unit)
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(COORDINATES)))
     gait = settled_orbit(runner)
-    return Crowd(gait, ensemble.Case(runner), gait.apex + spread)
+    return Runners(gait, ensemble.Case(runner), gait.apex + spread)

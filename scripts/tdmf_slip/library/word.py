@@ -1,0 +1,67 @@
+"""The gait word: a letter for each contact mode in which the ground bears the foot, told from events."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from .binding import c
+
+LETTERS: Mapping[int, str] = {
+    c.TDMF_CONTACT_STICK: "0",
+    c.TDMF_CONTACT_SLIP_POSITIVE: "+",
+    c.TDMF_CONTACT_SLIP_NEGATIVE: "-",
+}
+"""Of the gait word, by contact mode."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """An event within a stride."""
+
+    time: float
+    """s since the apex at which the stride begins."""
+    guard: int
+    """Which guard fired, by the library's number."""
+    contact_before: int
+    """Contact mode, by the library's number; as the following."""
+    contact_after: int
+    state: tuple[float, ...]
+    """Before the event, in the library's order."""
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A letter of a gait word: a contact mode in which the ground bears the foot."""
+
+    letter: str
+    duration: float
+    """s that the mode lasts."""
+
+
+def letters_of(events: Sequence[Event]) -> tuple[Letter, ...]:
+    """The letters of a stride's word; graze and flight add none.
+
+    Parameters
+    ----------
+    events : sequence of Event
+        Of one stride, by time.
+
+    Returns
+    -------
+    tuple of Letter
+        In the order of the word, each with how long its mode lasts.
+    """
+    found: list[Letter] = []
+    flown = True
+    for event, following in pairwise(events):
+        letter = LETTERS.get(event.contact_after)
+        flown = flown or event.contact_after == c.TDMF_CONTACT_FLIGHT
+        if letter is None:
+            continue
+        duration = following.time - event.time
+        if found and found[-1].letter == letter and not flown:
+            found[-1] = Letter(letter, found[-1].duration + duration)
+        else:
+            found.append(Letter(letter, duration))
+        flown = False
+    return tuple(found)
