@@ -2,9 +2,11 @@
  * equations with every sine and cosine. With M = 1/m + 1/m_f, v = rdot, w = thetadot and L = r^2 w,
  *
  *     vdot = r w^2 + M (k (l0 - r) - c v),      Ldot = M tau,      w = L/r^2,
- *     tau = G (theta_target - theta) - D w + tau_1 + tau_2 t.
- *
- * `real` is a number, or a vector of them: one number for each of several runners. */
+ *     tau = G (theta_target - theta) - D w + tau_1 + tau_2 t. */
+#ifndef TDMF_KERNEL_FLIGHT_SERIES_H
+#define TDMF_KERNEL_FLIGHT_SERIES_H
+
+#include "series_products.h"
 
 typedef struct {
     real length[SERIES_TERMS];       /* r */
@@ -178,3 +180,5 @@ static inline void vary_flight(const flight_coefficients *a, const flight_series
         t->momentum[k + 1] = d_momentum_rate * divide;
     }
 }
+
+#endif

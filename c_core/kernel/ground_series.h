@@ -7,9 +7,11 @@
  *     d(X V - Y U)/dt = tau/m - g X + Y udot,      thetadot = w = (X V - Y U)/r^2,      tau w = b (X V - Y
  * U).
  *
- * Graze takes the torque that makes f_y = 0: b = -(a Y + m_f g)/X.
- *
- * `real` is a number, or a vector of them: one number for each of several runners. */
+ * Graze takes the torque that makes f_y = 0: b = -(a Y + m_f g)/X. */
+#ifndef TDMF_KERNEL_GROUND_SERIES_H
+#define TDMF_KERNEL_GROUND_SERIES_H
+
+#include "series_products.h"
 
 typedef struct {
     real x[SERIES_TERMS], y[SERIES_TERMS];   /* X, Y */
@@ -394,3 +396,5 @@ static inline void vary_ground(const ground_coefficients *c, const ground_series
         t->vy[k + 1] = (k == 0 ? d_rise - d->gravity : d_rise) * divide;
     }
 }
+
+#endif

@@ -1,13 +1,13 @@
-/* The series of the motions, for the width that a file is compiled for. */
+/* The series of the motions and of their variations. */
 #ifndef TDMF_KERNEL_MOTION_SERIES_H
 #define TDMF_KERNEL_MOTION_SERIES_H
 
-#include "width.h"
+#include "flight_series.h"
+#include "ground_series.h"
 
-#ifdef TDMF_LANES
-#include "lane_series.h"
-#else
-#include "scalar_series.h"
-#endif
+typedef union {
+    flight_variation flight;
+    ground_variation ground;
+} motion_variation;
 
 #endif

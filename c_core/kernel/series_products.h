@@ -3,6 +3,9 @@
 #ifndef TDMF_KERNEL_SERIES_PRODUCTS_H
 #define TDMF_KERNEL_SERIES_PRODUCTS_H
 
+#include "series.h"
+#include "width.h"
+
 /* Coefficient k of a b. */
 static inline real product(const real *a, const real *b, int k) {
     real sum = real_of(0.0);

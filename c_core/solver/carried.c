@@ -4,6 +4,7 @@
 
 #include "coefficients.h"
 #include "kinematics.h"
+#include "series_sums.h"
 
 #include <math.h>
 
@@ -110,7 +111,7 @@ static void add_sizes(const double *c, double unit, int order, double sizes[SERI
 }
 
 double tdmf_carried_expand(const tdmf_step *step, const tdmf_mode *mode, const tdmf_change *change,
-                           const tdmf_carried *carried, tdmf_tangent_series *tangent) {
+                           const tdmf_carried *carried, motion_variation *tangent) {
     const tdmf_scales *scales = &step->chart->model->scales;
     const int order = step->order;
     const tdmf_coordinates *at = &carried->at;
@@ -144,7 +145,7 @@ double tdmf_carried_expand(const tdmf_step *step, const tdmf_mode *mode, const t
 }
 
 void tdmf_carry_on(const tdmf_step *step, double elapsed, const tdmf_change *change,
-                   const tdmf_tangent_series *tangent, tdmf_carried *carried) {
+                   const motion_variation *tangent, tdmf_carried *carried) {
     if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
         carry_flight_on(step, elapsed, change, &tangent->flight, carried);
     } else {

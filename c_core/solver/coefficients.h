@@ -4,7 +4,7 @@
 
 #include "chart.h"
 #include "direction.h"
-#include "scalar_series.h"
+#include "motion_series.h"
 
 flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart);
 ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart);

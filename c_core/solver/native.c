@@ -9,6 +9,7 @@
 #include "record.h"
 #include "request.h"
 #include "saltation.h"
+#include "series_sums.h"
 #include "step.h"
 #include "step_limits.h"
 #include "tdmf_slip/automaton.h"
@@ -38,7 +39,7 @@ typedef struct {
     const tdmf_change *changes;
     tdmf_variation *variations;
     tdmf_carried carried[TDMF_VARIATION_LIMIT];
-    tdmf_tangent_series tangents[TDMF_VARIATION_LIMIT]; /* along the step */
+    motion_variation tangents[TDMF_VARIATION_LIMIT]; /* along the step */
 } march;
 
 tdmf_solver tdmf_solver_default(void) {

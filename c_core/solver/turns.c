@@ -3,6 +3,7 @@
 
 #include "first_root.h"
 #include "margins.h"
+#include "series_sums.h"
 
 /* A polynomial in the step's share, and up to where it counts as zero. */
 typedef struct {

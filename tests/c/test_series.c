@@ -1,8 +1,8 @@
 /* The series of the kernel against the equations that they solve, coefficient by coefficient, and their
  * variations against differences. */
 #include "compare.h"
+#include "motion_series.h"
 #include "random.h"
-#include "scalar_series.h"
 
 #include <math.h>
 #include <string.h>
