@@ -113,6 +113,17 @@ double scene_guard(const runner *runner, tdmf_guard guard) {
     return guards[guard];
 }
 
+const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS] = {TDMF_GUARD_TOUCHDOWN,
+                                                             TDMF_GUARD_APEX,
+                                                             TDMF_GUARD_CLAMP,
+                                                             TDMF_GUARD_LIFT_OFF,
+                                                             TDMF_GUARD_SLIP_ONSET_POSITIVE,
+                                                             TDMF_GUARD_SLIP_ONSET_NEGATIVE,
+                                                             TDMF_GUARD_SLIP_VELOCITY_ZERO,
+                                                             TDMF_GUARD_MID_STANCE,
+                                                             TDMF_GUARD_GRAZE_TO_CONTACT,
+                                                             TDMF_GUARD_GRAZE_TO_FLIGHT};
+
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
                                                     runner->state, &runner->mode, &runner->record);

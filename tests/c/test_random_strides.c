@@ -171,19 +171,9 @@ static void count_events(const start *at, const tdmf_event_log *events, int k, t
 }
 
 static void assert_saw_everything(const tally *seen) {
-    static const tdmf_guard guards[] = {TDMF_GUARD_TOUCHDOWN,
-                                        TDMF_GUARD_APEX,
-                                        TDMF_GUARD_CLAMP,
-                                        TDMF_GUARD_LIFT_OFF,
-                                        TDMF_GUARD_SLIP_ONSET_POSITIVE,
-                                        TDMF_GUARD_SLIP_ONSET_NEGATIVE,
-                                        TDMF_GUARD_SLIP_VELOCITY_ZERO,
-                                        TDMF_GUARD_MID_STANCE,
-                                        TDMF_GUARD_GRAZE_TO_CONTACT,
-                                        TDMF_GUARD_GRAZE_TO_FLIGHT};
     assert_true(seen->compared > 1000 && seen->zeros > 50 && seen->drives_without_torque > 20);
-    for (size_t i = 0; i < sizeof guards / sizeof guards[0]; ++i) {
-        assert_true(seen->guards[guards[i]] > 50);
+    for (int g = 0; g < SCENE_VARIED_GUARDS; ++g) {
+        assert_true(seen->guards[scene_varied_guards[g]] > 50);
     }
 }
 

@@ -1,7 +1,7 @@
 /* Exact directional derivatives against numerical differentiation, in every mode. */
 #include "compare.h"
 #include "differentiate.h"
-#include "scene.h"
+#include "line.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,11 +9,9 @@
 enum { OUTPUTS = 15, UNKNOWNS = TDMF_STATE_COUNT + OUTPUTS };
 
 typedef struct {
-    const runner *runner;
-    tdmf_change change;
-    tdmf_variation variation;
+    line line;
     int unknown;
-} line;
+} unknown_line;
 
 static void outputs_of(tdmf_point body, tdmf_point com, tdmf_ground_force contact, double torque,
                        tdmf_energy energy, double values[OUTPUTS]) {
@@ -32,101 +30,56 @@ static void values_of(const runner *runner, double values[UNKNOWNS]) {
                tdmf_mechanical_energy(model, runner->state), values + TDMF_STATE_COUNT);
 }
 
-/* Every parameter is a double. */
-enum { PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
-
-static double *parameter_at(tdmf_parameters *parameters, size_t i) {
-    return (double *)parameters + i;
-}
-
-static runner moved_along(const line *line, double t) {
-    runner moved = *line->runner;
-    tdmf_parameters parameters = moved.model.parameters;
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        moved.state[i] += t * line->variation.state[i];
-    }
-    for (size_t i = 0; i < PARAMETERS; ++i) {
-        *parameter_at(&parameters, i) += t * ((const double *)&line->change.parameters)[i];
-    }
-    assert_null(tdmf_model_create(&moved.model, &parameters).variable);
-    moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
-    moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
-    moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
-    return moved;
-}
-
 static long double unknown_on_line(long double t, const void *context) {
-    const line *line = context;
+    const unknown_line *on = context;
     double values[UNKNOWNS];
-    const runner moved = moved_along(line, (double)t);
+    const runner moved = line_at(&on->line, (double)t);
     values_of(&moved, values);
-    return values[line->unknown];
-}
-
-static line random_line(random_source *source, const runner *runner) {
-    const tdmf_scales *scales = &runner->model.scales;
-    const double units[TDMF_MECHANICAL_COUNT] = {
-        scales->length, scales->length, scales->length, 1.0,
-        scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time};
-    line line = {.runner = runner};
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        line.variation.state[i] = units[i] * random_uniform(source, -1.0, 1.0);
-    }
-    line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
-    for (size_t i = 0; i < PARAMETERS; ++i) {
-        tdmf_parameters parameters = runner->model.parameters;
-        *parameter_at(&line.change.parameters, i) =
-            *parameter_at(&parameters, i) * random_uniform(source, -1.0, 1.0);
-    }
-    line.change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
-    line.change.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
-    return line;
+    return values[on->unknown];
 }
 
 /* Rounding of a force or energy among much larger ones, over the step, is what differences cannot see. */
-static double numerical_noise(const line *line, double step) {
-    double largest = 0.0;
-    for (double t = -4.0 * step; t <= 4.0 * step; t += 8.0 * step) {
-        largest = fmax(largest, fabs((double)unknown_on_line((long double)t, line)));
-    }
-    return largest / step;
+static double numerical_noise(const unknown_line *on) {
+    const long double end = 4.0L * (long double)LINE_STEP;
+    return fmax(fabs((double)unknown_on_line(-end, on)), fabs((double)unknown_on_line(end, on))) / LINE_STEP;
 }
 
 /* Positive work has a kink where the power changes its sign. */
-static bool differentiable(const line *line, double step) {
+static bool differentiable(const unknown_line *on) {
     double here[UNKNOWNS];
-    values_of(line->runner, here);
+    values_of(on->line.runner, here);
     for (int i = -4; i <= 4; ++i) {
-        const runner moved = moved_along(line, i * step);
+        const runner moved = line_at(&on->line, i * LINE_STEP);
         double there[UNKNOWNS];
         values_of(&moved, there);
-        if (line->unknown == TDMF_HIP_POSITIVE_WORK && !(here[TDMF_HIP_WORK] * there[TDMF_HIP_WORK] > 0.0)) {
+        if (on->unknown == TDMF_HIP_POSITIVE_WORK && !(here[TDMF_HIP_WORK] * there[TDMF_HIP_WORK] > 0.0)) {
             return false;
         }
     }
     return true;
 }
 
-static void tangent_agrees_along(line line) {
-    static const double step = 1e-3;
-    const runner *runner = line.runner;
+static void tangent_agrees_along(const line *line) {
+    const runner *runner = line->runner;
     double exact[UNKNOWNS];
     const tdmf_tangent tangent = tdmf_tangent_along(&runner->model, &runner->inputs, &runner->mode,
-                                                    runner->state, &line.change, &line.variation);
+                                                    runner->state, &line->change, &line->variation);
     memcpy(exact, tangent.derivatives, sizeof tangent.derivatives);
     outputs_of(tangent.body, tangent.com, tangent.contact, tangent.torque, tangent.energy,
                exact + TDMF_STATE_COUNT);
-    for (line.unknown = 0; line.unknown < UNKNOWNS; ++line.unknown) {
-        if (differentiable(&line, step)) {
-            const double numerical = (double)derivative_at_zero(unknown_on_line, &line, step);
-            const double tolerance = 1e-8 * fabs(exact[line.unknown]) + 1e-11 * numerical_noise(&line, step);
-            assert_close(numerical, exact[line.unknown], tolerance);
+    unknown_line on = {*line, 0};
+    for (on.unknown = 0; on.unknown < UNKNOWNS; ++on.unknown) {
+        if (differentiable(&on)) {
+            const double numerical = (double)derivative_at_zero(unknown_on_line, &on, (long double)LINE_STEP);
+            const double tolerance = 1e-8 * fabs(exact[on.unknown]) + 1e-11 * numerical_noise(&on);
+            assert_close(numerical, exact[on.unknown], tolerance);
         }
     }
 }
 
 static void tangent_agrees(random_source *source, const runner *runner) {
-    tangent_agrees_along(random_line(source, runner));
+    const line line = line_random(source, runner);
+    tangent_agrees_along(&line);
 }
 
 /* In graze the torque is steep near upright. */
@@ -196,9 +149,9 @@ static void tangents_of_an_upright_leg_in_graze_are_derivatives(void **unused) {
     for (int i = 0; i < 20; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
         runner.state[TDMF_LEG_ANGLE] = 0.0;
-        line line = random_line(&source, &runner);
+        line line = line_random(&source, &runner);
         line.variation.state[TDMF_LEG_ANGLE] = 0.0;
-        tangent_agrees_along(line);
+        tangent_agrees_along(&line);
     }
 }
 

@@ -1,0 +1,67 @@
+#include "line.h"
+
+#include "compare.h"
+
+#include <math.h>
+
+/* Nothing is derived from the damper and the hip, which may be what no runner is given. */
+static tdmf_model model_of(const tdmf_parameters *parameters) {
+    tdmf_parameters accepted = *parameters;
+    tdmf_model model;
+    accepted.leg.damping = 0.0;
+    accepted.hip = tdmf_default_parameters().hip;
+    assert_null(tdmf_model_create(&model, &accepted).variable);
+    model.parameters = *parameters;
+    return model;
+}
+
+runner line_at(const line *line, double t) {
+    runner moved = *line->runner;
+    tdmf_parameters parameters = moved.model.parameters;
+    double *values = (double *)&parameters;
+    const double *directions = (const double *)&line->change.parameters;
+    for (int i = 0; i < PARAMETERS; ++i) {
+        values[i] += t * directions[i];
+    }
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        moved.state[i] += t * line->variation.state[i];
+    }
+    moved.model = model_of(&parameters);
+    moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
+    moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
+    moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
+    return moved;
+}
+
+static tdmf_parameters units_of(const tdmf_model *model) {
+    const tdmf_scales *scales = &model->scales;
+    tdmf_parameters units = model->parameters;
+    units.leg.damping = units.leg.stiffness * scales->time;
+    units.hip.stance_torque = scales->energy;
+    units.hip.touchdown_angle = 1.0;
+    units.hip.kp = scales->energy;
+    units.hip.kd = scales->energy * scales->time;
+    units.hip.liftoff_angle_factor = 1.0;
+    return units;
+}
+
+line line_random(random_source *source, const runner *runner) {
+    const tdmf_scales *scales = &runner->model.scales;
+    const double of_state[TDMF_MECHANICAL_COUNT] = {
+        scales->length, scales->length, scales->length, 1.0,
+        scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time};
+    const tdmf_parameters units = units_of(&runner->model);
+    const double *of_parameters = (const double *)&units;
+    line line = {.runner = runner};
+    double *directions = (double *)&line.change.parameters;
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        line.variation.state[i] = of_state[i] * random_uniform(source, -1.0, 1.0);
+    }
+    for (int i = 0; i < PARAMETERS; ++i) {
+        directions[i] = of_parameters[i] * random_uniform(source, -1.0, 1.0);
+    }
+    line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
+    line.change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
+    line.change.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
+    return line;
+}

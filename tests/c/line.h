@@ -1,0 +1,27 @@
+/* A straight line through a runner, in all that its motion depends on: what a directional derivative is held
+ * against. */
+#ifndef TDMF_TESTS_LINE_H
+#define TDMF_TESTS_LINE_H
+
+#include "scene.h"
+#include "tdmf_slip/variation.h"
+
+enum { PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
+
+typedef struct {
+    const runner *runner;
+    tdmf_change change;
+    tdmf_variation variation;
+} line;
+
+/* The runner at t on the line. What may be zero, as gains, damping and friction, may pass through it there.
+ */
+runner line_at(const line *line, double t);
+
+/* A direction of the size of the runner's own units in every parameter, input and mechanical coordinate. */
+line line_random(random_source *source, const runner *runner);
+
+/* A step for differences in which no coordinate goes far, per unit of the direction. */
+#define LINE_STEP 1e-3
+
+#endif

@@ -1,0 +1,378 @@
+/* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
+ * accelerations and energies: test_tangent.c; what an event makes of a variation: test_saltation.c.) */
+#include "compare.h"
+#include "differentiate.h"
+#include "direction.h"
+#include "events.h"
+#include "impact.h"
+#include "kinematics.h"
+#include "leg.h"
+#include "line.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- runners ------------------------------------------------------------------------------------------- */
+
+enum kind {
+    ORDINARY,
+    LIGHT_FOOT_ON_STIFF_LEG,
+    HEAVY_FOOT,
+    ON_GLUE,
+    ON_ICE,
+    WITHOUT_HIP_AND_DAMPER,
+    UPRIGHT,
+    SHORTER_THAN_ITS_MINIMUM, /* a solver's trial, below the floor of 1/r */
+    KINDS
+};
+
+static runner random_runner(random_source *source, tdmf_contact_mode contact, enum kind kind) {
+    runner runner = scene_random(source, contact);
+    tdmf_parameters p = runner.model.parameters;
+    if (kind == LIGHT_FOOT_ON_STIFF_LEG) {
+        p.foot.mass = 1e-6 * p.body.mass;
+        p.leg.stiffness *= 1e4;
+    } else if (kind == HEAVY_FOOT) {
+        p.foot.mass = 1e3 * p.body.mass;
+    } else if (kind == WITHOUT_HIP_AND_DAMPER) {
+        p.leg.damping = p.hip.stance_torque = p.hip.kp = p.hip.kd = 0.0;
+        runner.inputs.hip.external_torque = 0.0;
+        runner.mode.clamp_closed = false;
+    } else if (kind == ON_GLUE) {
+        runner.inputs.ground.friction = 1e6;
+    } else if (kind == ON_ICE) {
+        runner.inputs.ground.friction = 0.0;
+    } else if (kind == UPRIGHT) {
+        runner.state[TDMF_LEG_ANGLE] = 0.0;
+    } else if (kind == SHORTER_THAN_ITS_MINIMUM) {
+        runner.state[TDMF_LEG_LENGTH] = 0.3 * p.leg.min_length;
+    }
+    assert_null(tdmf_model_create(&runner.model, &p).variable);
+    return runner;
+}
+
+static tdmf_evaluation evaluated(const runner *runner) {
+    return tdmf_evaluate(&runner->model, &runner->inputs, &runner->mode, runner->state);
+}
+
+/* ---- guards -------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    line line;
+    tdmf_guard guard;
+} guard_line;
+
+/* What turns a guard into the quantity that it is made of: the edge of a cone has its own weights, a clamp
+ * that is closed the opposite sign. */
+static double scale_of(const runner *runner, tdmf_guard guard) {
+    const tdmf_scales *scales = &runner->model.scales;
+    switch (guard) {
+    case TDMF_GUARD_TOUCHDOWN:
+        return scales->length;
+    case TDMF_GUARD_APEX:
+    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+        return scales->speed;
+    case TDMF_GUARD_CLAMP:
+        return runner->mode.clamp_closed ? -scales->energy : scales->energy;
+    case TDMF_GUARD_MID_STANCE:
+        return 1.0;
+    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
+    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
+        return scales->force * fmax(1.0, runner->inputs.ground.friction);
+    default:
+        return scales->force;
+    }
+}
+
+static long double quantity_on_line(long double t, const void *context) {
+    const guard_line *on = context;
+    const runner moved = line_at(&on->line, (double)t);
+    return (long double)(scale_of(&moved, on->guard) * scene_guard(&moved, on->guard));
+}
+
+/* The law of retract has a kink, which a difference may not span. */
+static bool is_smooth(const guard_line *on, double step) {
+    const runner *at = on->line.runner;
+    bool smooth = true;
+    for (int i = -4; i <= 4; ++i) {
+        const runner moved = line_at(&on->line, i * step);
+        smooth = smooth && scene_retract_law(at) * scene_retract_law(&moved) > 0.0;
+    }
+    return smooth || on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT || at->mode.phase == TDMF_PHASE_PLACE;
+}
+
+/* The largest of what a guard is made of, by its scale: a force, the foot's weight, a torque by a short
+ * lever.
+ */
+static double terms_of(const runner *at) {
+    const tdmf_scales *scales = &at->model.scales;
+    const double weight = at->model.parameters.foot.mass * at->model.parameters.gravity;
+    const double lever = fmin(scales->length, at->state[TDMF_LEG_LENGTH]);
+    return 1.0 + weight / scales->force + scales->length / lever;
+}
+
+static void assert_guard_varies(const guard_line *on, const tdmf_direction *d, double step) {
+    const runner *at = on->line.runner;
+    const tdmf_evaluation here = evaluated(at);
+    const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d);
+    const double exact = tdmf_event_kind_of(on->guard)->vary_guard(&here, d, &changed);
+    const double numerical = (double)derivative_at_zero(quantity_on_line, on, (long double)step);
+    const double noise = 1e-13 * fabs(scale_of(at, on->guard)) * terms_of(at) / step;
+    /* The accelerations of a light foot and of its leg cancel in that of the centre of mass. */
+    const double cancelled = fabs(d->state[TDMF_FOOT_VY]) + fabs(d->state[TDMF_LEG_LENGTH_RATE]) +
+                             at->state[TDMF_LEG_LENGTH] * fabs(d->state[TDMF_LEG_ANGLE_RATE]);
+    const double rounding = on->guard == TDMF_GUARD_APEX ? 1e-14 * cancelled : 0.0;
+    assert_close(numerical, exact, noise + rounding + 1e-9 * fabs(exact));
+}
+
+/* Along the line and, in a shorter step, along the motion. */
+static bool compare_guard(guard_line on) {
+    const runner *at = on.line.runner;
+    const tdmf_change held = {0};
+    const tdmf_direction d = tdmf_direction_of(&at->model, &on.line.change, &on.line.variation);
+    if (scene_guard(at, on.guard) == 1.0 || !is_smooth(&on, LINE_STEP)) {
+        return false;
+    }
+    assert_guard_varies(&on, &d, LINE_STEP);
+    double derivatives[TDMF_STATE_COUNT];
+    tdmf_derivatives(&at->model, &at->inputs, &at->mode, at->state, derivatives);
+    on.line.change = held;
+    on.line.variation.liftoff_angle = 0.0;
+    memcpy(on.line.variation.state, derivatives, sizeof derivatives);
+    const tdmf_direction along = tdmf_direction_of_motion(derivatives);
+    /* No torque of a motion holds a foot under an upright leg in graze. */
+    const bool moves = at->mode.contact != TDMF_CONTACT_GRAZE || at->state[TDMF_LEG_ANGLE] != 0.0;
+    if (moves && is_smooth(&on, scene_short_time(at))) {
+        assert_guard_varies(&on, &along, scene_short_time(at));
+    }
+    return true;
+}
+
+static void guards_vary_as_they_change(void **state) {
+    (void)state;
+    for (int kind = 0; kind < KINDS; ++kind) {
+        int compared[TDMF_GUARD_COUNT] = {0};
+        for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+            random_source source = {(uint64_t)(3000 + 10 * kind + contact)};
+            for (int i = 0; i < 40; ++i) {
+                const runner at = random_runner(&source, (tdmf_contact_mode)contact, (enum kind)kind);
+                const line line = line_random(&source, &at);
+                for (int g = 0; g < SCENE_VARIED_GUARDS; ++g) {
+                    const guard_line on = {line, scene_varied_guards[g]};
+                    compared[on.guard] += compare_guard(on);
+                }
+            }
+        }
+        for (int g = 0; g < SCENE_VARIED_GUARDS; ++g) {
+            assert_true(compared[scene_varied_guards[g]] >= 10);
+        }
+    }
+}
+
+/* Falls, and peaks of the force, which the motion does not depend on. */
+static void all_other_events_have_no_variation(void **state) {
+    int varied = 0;
+    (void)state;
+    for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
+        varied += tdmf_event_kind_of((tdmf_guard)g)->vary_guard != NULL;
+    }
+    for (int g = 0; g < SCENE_VARIED_GUARDS; ++g) {
+        assert_non_null(tdmf_event_kind_of(scene_varied_guards[g])->vary_guard);
+    }
+    assert_int_equal(varied, SCENE_VARIED_GUARDS);
+}
+
+/* ---- what is made of a runner, value by value -----------------------------------------------------------
+ */
+
+enum { LONGEST = 20 };
+
+typedef struct {
+    int count;
+    double values[LONGEST];
+} row;
+
+static void append(row *row, double value) {
+    row->values[row->count++] = value;
+}
+
+static void append_point(row *row, tdmf_point point) {
+    append(row, point.x);
+    append(row, point.y);
+    append(row, point.vx);
+    append(row, point.vy);
+}
+
+typedef struct {
+    const line *line;
+    row (*of)(const runner *at);
+    int index;
+} row_line;
+
+static long double value_on_line(long double t, const void *context) {
+    const row_line *on = context;
+    const runner moved = line_at(on->line, (double)t);
+    return (long double)on->of(&moved).values[on->index];
+}
+
+static void assert_row_varies(const line *line, row (*of)(const runner *at), const row *exact) {
+    const row here = of(line->runner);
+    assert_int_equal(here.count, exact->count);
+    for (int i = 0; i < here.count; ++i) {
+        const row_line on = {line, of, i};
+        const double numerical = (double)derivative_at_zero(value_on_line, &on, (long double)LINE_STEP);
+        const double there = (double)value_on_line((long double)LINE_STEP, &on);
+        const double size = fmax(fabs(here.values[i]), fabs(there));
+        assert_close(numerical, exact->values[i], 1e-9 * fabs(exact->values[i]) + 1e-11 / LINE_STEP * size);
+    }
+}
+
+static row constants(const tdmf_model *model) {
+    row row = {0};
+    append(&row, model->inverse_body_mass);
+    append(&row, model->inverse_foot_mass);
+    append(&row, model->mobility);
+    append(&row, model->total_mass);
+    append(&row, model->body_share);
+    return row;
+}
+
+static row constants_of(const runner *at) {
+    return constants(&at->model);
+}
+
+static void constants_vary_as_they_change(void **state) {
+    (void)state;
+    for (int kind = 0; kind < KINDS; ++kind) {
+        random_source source = {(uint64_t)(4000 + kind)};
+        for (int i = 0; i < 20; ++i) {
+            const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
+            const line line = line_random(&source, &at);
+            const tdmf_model d = tdmf_vary_model(&at.model, &line.change.parameters);
+            const row exact = constants(&d);
+            assert_row_varies(&line, constants_of, &exact);
+        }
+    }
+}
+
+static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point body, tdmf_point com) {
+    row row = {0};
+    append(&row, leg->length);
+    append(&row, leg->inverse_length);
+    append(&row, leg->length_rate);
+    append(&row, leg->angle_rate);
+    append(&row, leg->sine);
+    append(&row, leg->cosine);
+    append(&row, leg->axial_force);
+    append_point(&row, from_foot);
+    append_point(&row, body);
+    append_point(&row, com);
+    return row;
+}
+
+static row leg_and_points_of(const runner *at) {
+    const tdmf_leg leg = tdmf_leg_of(&at->model, at->state);
+    return leg_and_points(&leg, tdmf_body_from_foot(at->state, tdmf_leg_direction_of(at->state)),
+                          tdmf_body(at->state), tdmf_center_of_mass(&at->model, at->state));
+}
+
+static void leg_and_points_vary_as_they_change(void **state) {
+    (void)state;
+    for (int kind = 0; kind < KINDS; ++kind) {
+        random_source source = {(uint64_t)(5000 + kind)};
+        for (int i = 0; i < 20; ++i) {
+            const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
+            const line line = line_random(&source, &at);
+            const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+            const tdmf_leg leg = tdmf_leg_of(&at.model, at.state);
+            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d);
+            const row exact = leg_and_points(
+                &d_leg, tdmf_vary_body_from_foot(at.state, d.state), tdmf_vary_body(at.state, d.state),
+                tdmf_vary_center_of_mass(&at.model, at.state, &d.model, d.state));
+            assert_row_varies(&line, leg_and_points_of, &exact);
+        }
+    }
+}
+
+static void a_leg_is_found_from_the_change_of_the_body(void **state) {
+    random_source source = {6000};
+    (void)state;
+    for (int i = 0; i < 200; ++i) {
+        const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
+        const line line = line_random(&source, &at);
+        double found[TDMF_STATE_COUNT] = {0.0};
+        tdmf_vary_leg_to(at.state, tdmf_vary_body_from_foot(at.state, line.variation.state), found);
+        for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
+            const bool of_leg = k != TDMF_FOOT_VX && k != TDMF_FOOT_VY;
+            const double expected = of_leg ? line.variation.state[k] : 0.0;
+            assert_close(found[k], expected, 1e-12 * (fabs(expected) + fabs(at.state[k])));
+        }
+    }
+}
+
+/* ---- impact -------------------------------------------------------------------------------------------- */
+
+static row after_impact(const double *state, double loss) {
+    row row = {0};
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        append(&row, state[i]);
+    }
+    append(&row, loss);
+    return row;
+}
+
+static row impact_of(const runner *at) {
+    runner landed = *at;
+    const double loss = tdmf_impact(&landed.model, &landed.inputs, landed.state);
+    return after_impact(landed.state, loss);
+}
+
+/* Far enough from the edge of the cone and from feet that do not move. */
+static bool is_smooth_impact(const runner *at) {
+    const double vx = fabs(at->state[TDMF_FOOT_VX]), vy = fabs(at->state[TDMF_FOOT_VY]);
+    const double speed = at->model.scales.speed, friction = at->inputs.ground.friction;
+    return vx > 0.05 * speed && vy > 0.05 * speed &&
+           fabs(vx - friction * vy) > 0.05 * (1.0 + friction) * speed;
+}
+
+static void an_impact_varies_as_it_changes(void **state) {
+    int stuck = 0, slid = 0;
+    (void)state;
+    for (int kind = 0; kind < KINDS; ++kind) {
+        random_source source = {(uint64_t)(7000 + kind)};
+        for (int i = 0; i < 40; ++i) {
+            runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
+            at.state[TDMF_FOOT_VY] = -fabs(at.state[TDMF_FOOT_VY]);
+            if (!is_smooth_impact(&at)) {
+                continue;
+            }
+            line line = line_random(&source, &at);
+            if (at.inputs.ground.friction == 0.0) {
+                line.change.inputs.ground.friction = 0.0; /* there is nothing below */
+            }
+            const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+            runner after = at;
+            tdmf_impact(&after.model, &after.inputs, after.state);
+            double d_state[TDMF_STATE_COUNT];
+            memcpy(d_state, line.variation.state, sizeof d_state);
+            const double d_loss = tdmf_vary_impact(&at.model, &at.inputs, at.state, after.state, &d, d_state);
+            const row exact = after_impact(d_state, d_loss);
+            assert_row_varies(&line, impact_of, &exact);
+            stuck += after.state[TDMF_FOOT_VX] == 0.0;
+            slid += after.state[TDMF_FOOT_VX] != 0.0;
+        }
+    }
+    assert_true(stuck > 50 && slid > 50);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(guards_vary_as_they_change),
+        cmocka_unit_test(all_other_events_have_no_variation),
+        cmocka_unit_test(constants_vary_as_they_change),
+        cmocka_unit_test(leg_and_points_vary_as_they_change),
+        cmocka_unit_test(a_leg_is_found_from_the_change_of_the_body),
+        cmocka_unit_test(an_impact_varies_as_it_changes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
