@@ -121,8 +121,7 @@ static void assert_mode_invariants(const runner *runner) {
     assert_true(tdmf_slip_sign(mode) * state[TDMF_FOOT_VX] >= -margin);
     assert_true(in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST));
     assert_true(!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
-    assert_true(!mode->clamp_closed ||
-                (mode->contact == TDMF_CONTACT_FLIGHT || mode->contact == TDMF_CONTACT_GRAZE));
+    assert_true(mode->phase == TDMF_PHASE_RETRACT || !mode->clamp_closed);
 }
 
 static void assert_above_ground(const runner *runner) {

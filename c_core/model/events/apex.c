@@ -17,18 +17,21 @@ static double vary_vertical_velocity(const tdmf_evaluation *at, const tdmf_direc
     return tdmf_vary_center_of_mass(at->model, at->state, &d->model, d->state).vy;
 }
 
-void tdmf_pass_apex(tdmf_run *run) {
+static void begin_place(tdmf_run *run) {
     run->mode->phase = TDMF_PHASE_PLACE;
     run->mode->clamp_closed = false;
+}
+
+void tdmf_pass_apex(tdmf_run *run) {
+    begin_place(run);
     tdmf_record_apex(run->record, run->model, run->time, run->state);
 }
 
 static void reset(tdmf_run *run) {
+    tdmf_record_event(run->record, run->time);
     if (run->mode->contact == TDMF_CONTACT_GRAZE) {
-        run->mode->phase = TDMF_PHASE_PLACE; /* a stride closes in flight only */
-        tdmf_record_event(run->record, run->time);
+        begin_place(run); /* a stride closes in flight only */
     } else {
-        tdmf_record_event(run->record, run->time);
         tdmf_pass_apex(run);
     }
 }
