@@ -128,6 +128,7 @@ tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
                                                     runner->state, &runner->mode, &runner->record);
     assert_false(resolution.unresolved);
+    assert_true(runner->mode.phase == TDMF_PHASE_RETRACT || !runner->mode.clamp_closed);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(scene_guard(runner, (tdmf_guard)i) > 0.0);
     }

@@ -166,6 +166,7 @@ static void body_down_watches_the_bodys_height(void **unused) {
     (void)unused;
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
     runner.state[TDMF_LEG_ANGLE] = 2.0;
+    runner.state[TDMF_LEG_LENGTH] = 0.8;
     assert_guards(runner, TDMF_GUARD_BODY_DOWN, hang_body, margin);
 }
 

@@ -66,6 +66,7 @@ static void without_a_direction_nothing_changes(void **unused) {
         tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, NULL);
     assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
     assert_same_numbers(nothing.derivatives, zeros, TDMF_STATE_COUNT);
+    assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);
     double before[TDMF_STATE_COUNT];
     tdmf_mode mode;
     tdmf_record record;

@@ -197,9 +197,14 @@ static void start_below_the_ground_is_refused(void **unused) {
     runner.state[TDMF_FOOT_Y] = 0.5;
     runner.state[TDMF_LEG_LENGTH] = 1.0;
     runner.state[TDMF_LEG_ANGLE] = 2.2; /* the body hangs 0.59 below the foot */
-    assert_string_equal(start(&runner, 0.0).variable, "body.y");
+    const tdmf_refusal refusal = start(&runner, 0.0);
+    assert_string_equal(refusal.variable, "body.y");
+    assert_close(refusal.value, 0.5 + cos(2.2), 1e-15);
+    assert_true(refusal.minimum == 0.0 && refusal.maximum == 1e9);
     runner.state[TDMF_FOOT_Y] = 0.6;
     assert_null(start(&runner, 0.0).variable);
+    runner.state[TDMF_FOOT_Y] = -cos(2.2); /* the body lies on it */
+    assert_string_equal(start(&runner, 0.0).variable, "body.y");
 }
 
 static void start_with_too_short_a_leg_is_refused(void **unused) {
@@ -211,7 +216,8 @@ static void start_with_too_short_a_leg_is_refused(void **unused) {
     const tdmf_refusal refusal = start(&runner, 0.0);
     assert_string_equal(refusal.variable, "leg.length");
     assert_string_equal(refusal.bound_by, "leg.min_length");
-    assert_true(refusal.minimum == 0.05);
+    assert_true(refusal.value == runner.state[TDMF_LEG_LENGTH]);
+    assert_true(refusal.minimum == 0.05 && refusal.maximum == 1e9);
 }
 
 static void start_needs_a_finite_time_and_good_inputs(void **unused) {

@@ -182,9 +182,63 @@ static void what_is_too_much_is_refused(void **state) {
                                                changes, TDMF_RETURN_CHANGES + 1);
     assert_int_equal(stride.outcome.outcome, TDMF_REFUSED);
     assert_false(stride.outcome.closed);
+    assert_int_equal(
+        tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, changes, -1)
+            .outcome.outcome,
+        TDMF_REFUSED);
     solver.relative_tolerance = 0.0;
     assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
                      TDMF_ORBIT_NO_START);
+}
+
+static bool is_zero(const void *bytes, size_t size) {
+    const unsigned char *byte = bytes;
+    bool zero = true;
+    for (size_t i = 0; i < size; ++i) {
+        zero = zero && byte[i] == 0;
+    }
+    return zero;
+}
+
+static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
+    scene_at_apex scene = at_gait(&reference_gaits[2]);
+    const tdmf_return plain = stride_of(&scene, false, NULL);
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_model model;
+    double section_state[TDMF_STATE_COUNT];
+    (void)state;
+    assert_true(is_zero(plain.by_section, sizeof plain.by_section));
+    assert_true(is_zero(plain.by_parameter, sizeof plain.by_parameter));
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_return late =
+        tdmf_return_map(&solver, &model, &scene.inputs, scene.section, 1.0, true, NULL, 0);
+    assert_true(late.began_at_apex && !late.outcome.closed);
+    assert_true(is_zero(late.apex, sizeof late.apex) && is_zero(late.by_section, sizeof late.by_section));
+    memset(section_state, 1, sizeof section_state);
+    tdmf_section_state(&model, scene.section, section_state);
+    assert_true(section_state[TDMF_FOOT_X] == 0.0);
+    assert_true(is_zero(section_state + TDMF_MECHANICAL_COUNT,
+                        (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *section_state));
+}
+
+static void the_lift_off_angle_is_that_of_the_last_lift_off(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const scene_at_apex scene = at_gait(&reference_gaits[i]);
+        tdmf_solver solver = tdmf_solver_default();
+        tdmf_event_log log = {0};
+        tdmf_model model;
+        double angle = NAN;
+        solver.log = &log;
+        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        const tdmf_return stride =
+            tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, false, NULL, 0);
+        assert_true(log.count <= TDMF_EVENT_CAPACITY);
+        for (int k = 0; k < log.count; ++k) {
+            angle = log.events[k].guard == TDMF_GUARD_LIFT_OFF ? log.events[k].state[TDMF_LEG_ANGLE] : angle;
+        }
+        assert_close(stride.liftoff_angle, angle, 1e-14);
+    }
 }
 
 static void gaits_are_found_to_rounding(void **state) {
@@ -278,6 +332,8 @@ int main(void) {
         cmocka_unit_test(parameters_and_inputs_are_differentiated),
         cmocka_unit_test(derivatives_are_as_good_as_the_strides),
         cmocka_unit_test(what_is_too_much_is_refused),
+        cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
+        cmocka_unit_test(the_lift_off_angle_is_that_of_the_last_lift_off),
         cmocka_unit_test(gaits_are_found_to_rounding),
         cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
         cmocka_unit_test(only_a_fall_is_called_one),

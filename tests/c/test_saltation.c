@@ -319,6 +319,10 @@ static void what_has_no_derivative_gets_no_number(void **state) {
     runner.inputs.ground.friction = 0.0;
     after = taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event);
     assert_no_number(&after);
+    event.after.mode.contact = TDMF_CONTACT_SLIP_NEGATIVE; /* on ice, it slides on */
+    assert_true(isfinite(taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event).state[TDMF_LEG_ANGLE]));
+    after = taken(&runner, TDMF_GUARD_BODY_DOWN, &event); /* no motion goes on from a fall */
+    assert_no_number(&after);
 
     runner = random_runner(&source, TDMF_GUARD_GRAZE_TO_FLIGHT);
     runner.mode.phase = TDMF_PHASE_RETRACT;

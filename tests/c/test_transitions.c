@@ -120,6 +120,54 @@ static void upright_foot_without_load_does_not_graze(void **unused) {
     }
 }
 
+/* Pulled up by a stretched leg it leaves, though the leg shortens and the load grows. */
+static void upright_foot_that_is_pulled_up_flies(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
+    runner.state[TDMF_LEG_LENGTH_RATE] = -0.5;
+    scene_set_vertical_force(&runner, -0.01);
+    runner_start(&runner);
+    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
+}
+
+/* Without damper and at rest its load is zero and so is its rate: it is about to grow as the body falls. */
+static void upright_foot_without_load_at_rest_stays(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
+    runner.model.parameters.leg.damping = 0.0;
+    scene_set_vertical_force(&runner, 0.0);
+    runner_start(&runner);
+    assert_true(tdmf_in_contact(&runner.mode));
+}
+
+/* In units of k l0, here 10^4, and of sqrt(m/k), here 0.01. */
+static void what_counts_as_no_load_and_as_rest_scales(void **unused) {
+    (void)unused;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.leg.stiffness = 1e4;
+    runner unloaded = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0), resting = unloaded;
+    assert_null(tdmf_model_create(&unloaded.model, &parameters).variable);
+    resting.model = unloaded.model;
+    unloaded.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    scene_set_vertical_force(&unloaded, 5e-10);
+    runner_start(&unloaded);
+    assert_int_equal(unloaded.mode.contact, TDMF_CONTACT_FLIGHT);
+    resting.state[TDMF_LEG_ANGLE_RATE] = 5e-12; /* the drive turns it back */
+    scene_set_vertical_force(&resting, 0.1);
+    runner_start(&resting);
+    scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+}
+
+/* The centre of mass does not fall: it is the law of retract that is asked, whose clamp lets the foot go.
+ * That of place would hold it. */
+static void unloaded_foot_of_a_runner_at_rest_flies(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
+    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy == 0.0);
+    runner_start(&runner);
+    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
+}
+
 /* Rounding or a coarse importer may leave a rising or resting foot below the ground: no impact. */
 static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
     (void)unused;
@@ -245,6 +293,28 @@ static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
             assert_true(runner_advance(&runner, 1e-3));
         }
         assert_true(runner.resolutions < 5);
+    }
+}
+
+/* In units of k l0. The flight law presses as above. */
+static void the_narrowest_graze_scales(void **unused) {
+    (void)unused;
+    static const double presses[] = {0.5e-10, 2e-10};
+    static const tdmf_contact_mode entered[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
+    for (int i = 0; i < 2; ++i) {
+        for (double stiffness = 1e-4; stiffness < 1e5; stiffness *= 1e4) {
+            runner runner = lifting_off(-0.45, -1.0, 0.2);
+            tdmf_parameters parameters = runner.model.parameters;
+            parameters.leg.stiffness = stiffness;
+            parameters.gravity *= stiffness;
+            parameters.leg.damping = parameters.hip.kp = 0.0;
+            assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+            scene_set_vertical_force(&runner, beyond * stiffness);
+            const double lever = sin(0.45) / runner.state[TDMF_LEG_LENGTH];
+            runner.model.parameters.hip.kd = presses[i] * stiffness / lever;
+            resolve(&runner, 1);
+            scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
+        }
     }
 }
 
@@ -451,7 +521,22 @@ static void body_at_the_ground_and_short_leg_are_falls(void **unused) {
     assert_falls(crushed);
 }
 
-/* ---- nothing due ------------------------------------------------------------------------------------ */
+/* ---- exactly zero, and nothing due
+ * ------------------------------------------------------------------------------------ */
+
+static void an_event_is_due_where_its_guard_is_zero(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -TDMF_GUARD_MARGIN, 0.1);
+    runner.mode.phase = TDMF_PHASE_DRIVE;
+    runner.mode.mid_stance_pending = true;
+    assert_true(scene_guard(&runner, TDMF_GUARD_MID_STANCE) == 0.0);
+    assert_int_equal(tdmf_first_due(&runner.model, &runner.inputs, &runner.mode, runner.state),
+                     TDMF_GUARD_MID_STANCE);
+    resolve(&runner, 1);
+    scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    assert_int_equal(tdmf_first_due(&runner.model, &runner.inputs, &runner.mode, runner.state),
+                     TDMF_GUARD_COUNT);
+}
 
 static void assert_rests(runner runner) {
     resolve(&runner, 0); /* notes the ground force */
@@ -481,6 +566,10 @@ int main(void) {
         cmocka_unit_test(touchdown_upright_is_driven_unless_the_leg_falls),
         cmocka_unit_test(upright_runner_at_rest_stands),
         cmocka_unit_test(upright_foot_without_load_does_not_graze),
+        cmocka_unit_test(upright_foot_that_is_pulled_up_flies),
+        cmocka_unit_test(upright_foot_without_load_at_rest_stays),
+        cmocka_unit_test(what_counts_as_no_load_and_as_rest_scales),
+        cmocka_unit_test(unloaded_foot_of_a_runner_at_rest_flies),
         cmocka_unit_test(sunken_foot_that_does_not_fall_is_lifted),
         cmocka_unit_test(apex_begins_place_and_latches_the_section),
         cmocka_unit_test(clamp_opens_and_closes_uncounted),
@@ -489,6 +578,7 @@ int main(void) {
         cmocka_unit_test(lift_off_into_graze),
         cmocka_unit_test(lift_off_while_falling_goes_to_place),
         cmocka_unit_test(lift_off_into_graze_needs_laws_that_differ),
+        cmocka_unit_test(the_narrowest_graze_scales),
         cmocka_unit_test(slip_sets_on_the_way_the_excess_drives),
         cmocka_unit_test(slip_that_stops_inside_the_cone_sticks),
         cmocka_unit_test(slip_that_stops_outside_the_cone_reverses),
@@ -503,6 +593,7 @@ int main(void) {
         cmocka_unit_test(graze_to_flight_keeps_the_angle_of_lift_off),
         cmocka_unit_test(apex_in_graze_closes_no_stride),
         cmocka_unit_test(body_at_the_ground_and_short_leg_are_falls),
+        cmocka_unit_test(an_event_is_due_where_its_guard_is_zero),
         cmocka_unit_test(resolving_with_nothing_due_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

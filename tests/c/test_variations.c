@@ -1,10 +1,12 @@
 /* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
  * accelerations and energies: test_tangent.c; what an event makes of a variation: test_saltation.c.) */
+#include "coefficients.h"
 #include "compare.h"
 #include "differentiate.h"
 #include "direction.h"
 #include "events.h"
 #include "impact.h"
+#include "input_rates.h"
 #include "kinematics.h"
 #include "leg.h"
 #include "line.h"
@@ -22,7 +24,7 @@ enum kind {
     ON_ICE,
     WITHOUT_HIP_AND_DAMPER,
     UPRIGHT,
-    SHORTER_THAN_ITS_MINIMUM, /* a solver's trial, below the floor of 1/r */
+    SHORTER_THAN_ITS_MINIMUM, /* a solver's trial, above or below the floor of 1/r */
     KINDS
 };
 
@@ -45,7 +47,7 @@ static runner random_runner(random_source *source, tdmf_contact_mode contact, en
     } else if (kind == UPRIGHT) {
         runner.state[TDMF_LEG_ANGLE] = 0.0;
     } else if (kind == SHORTER_THAN_ITS_MINIMUM) {
-        runner.state[TDMF_LEG_LENGTH] = 0.3 * p.leg.min_length;
+        runner.state[TDMF_LEG_LENGTH] = (random_chance(source, 0.5) ? 0.3 : 0.7) * p.leg.min_length;
     }
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     return runner;
@@ -365,6 +367,129 @@ static void an_impact_varies_as_it_changes(void **state) {
     assert_true(stuck > 50 && slid > 50);
 }
 
+/* ---- start --------------------------------------------------------------------------------------------- */
+
+static row started(const double *state, double liftoff_angle, double loss) {
+    row row = after_impact(state, loss);
+    append(&row, liftoff_angle);
+    return row;
+}
+
+static row start_of(const runner *at) {
+    runner begun = *at;
+    runner_start(&begun);
+    return started(begun.state, begun.mode.liftoff_angle, begun.record.impact_loss);
+}
+
+static void assert_start_varies(random_source *source, const runner *given) {
+    line line = line_random(source, given);
+    runner begun = *given;
+    line.variation.state[TDMF_FOOT_Y] = given->state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
+    runner_start(&begun);
+    const tdmf_start_variation varied = tdmf_vary_start(&given->model, &given->inputs, given->state,
+                                                        begun.state, &line.change, line.variation.state);
+    const row exact = started(varied.variation.state, varied.variation.liftoff_angle, varied.impact_loss);
+    assert_row_varies(&line, start_of, &exact);
+}
+
+/* Falling and rising, in the air and at the ground, where a falling foot has an impact. */
+static void a_start_varies_as_it_changes(void **state) {
+    random_source source = {8000};
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < 200; ++i) {
+        runner given = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
+        given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
+        if (i % 2) {
+            given.state[TDMF_FOOT_Y] = 0.0;
+        } else {
+            given.state[TDMF_FOOT_Y] += 0.1 * given.model.scales.length;
+        }
+        if (is_smooth_impact(&given)) {
+            assert_start_varies(&source, &given);
+            ++compared;
+        }
+    }
+    assert_true(compared > 150);
+}
+
+/* ---- coefficients of the series ------------------------------------------------------------------------ */
+
+static row coefficients(const tdmf_contact_mode contact, const flight_coefficients *flight,
+                        const ground_coefficients *ground) {
+    row row = {0};
+    if (contact == TDMF_CONTACT_FLIGHT) {
+        row.count = sizeof *flight / sizeof(double);
+        memcpy(row.values, flight, sizeof *flight);
+    } else {
+        row.count = sizeof *ground / sizeof(double);
+        memcpy(row.values, ground, sizeof *ground);
+    }
+    return row;
+}
+
+static tdmf_chart chart_of(const runner *at) {
+    tdmf_chart chart;
+    tdmf_chart_open(&chart, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state);
+    return chart;
+}
+
+static row coefficients_of(const runner *at) {
+    const tdmf_chart chart = chart_of(at);
+    const flight_coefficients flight = tdmf_flight_coefficients(&chart);
+    const ground_coefficients ground = tdmf_ground_coefficients(&chart);
+    return coefficients(at->mode.contact, &flight, &ground);
+}
+
+static row varied_coefficients(const runner *at, const line *line) {
+    const tdmf_chart chart = chart_of(at);
+    const tdmf_direction d = tdmf_direction_of(&at->model, &line->change, &line->variation);
+    const flight_coefficients flight = tdmf_vary_flight_coefficients(&chart, &at->mode, &d);
+    const ground_coefficients ground = tdmf_vary_ground_coefficients(&chart, &at->mode, &d);
+    return coefficients(at->mode.contact, &flight, &ground);
+}
+
+static void coefficients_vary_as_they_change(void **state) {
+    (void)state;
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        random_source source = {(uint64_t)(9000 + contact)};
+        for (int i = 0; i < 40; ++i) {
+            const enum kind kind = i % 2 ? ORDINARY : LIGHT_FOOT_ON_STIFF_LEG;
+            const runner at = random_runner(&source, (tdmf_contact_mode)contact, kind);
+            const line line = line_random(&source, &at);
+            const row exact = varied_coefficients(&at, &line);
+            assert_row_varies(&line, coefficients_of, &exact);
+        }
+    }
+}
+
+/* In retract, max{servo, 0} has a kink where the servo is zero whatever the leg does; elsewhere, and along
+ * what leaves the gains alone, there is none. */
+static void a_clamp_without_gains_has_no_derivative(void **state) {
+    random_source source = {9100};
+    (void)state;
+    for (int i = 0; i < 32; ++i) {
+        const double kp = i & 1 ? 0.0 : 0.1, kd = i & 2 ? 0.0 : 0.1, d_kp = i & 4 ? 0.0 : 0.3;
+        const double d_kd = i & 8 ? 0.0 : 0.3;
+        runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
+        at.mode.phase = i & 16 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+        at.mode.clamp_closed = false;
+        at.model.parameters.hip.kp = kp;
+        at.model.parameters.hip.kd = kd;
+        line line = line_random(&source, &at);
+        line.change.parameters.hip.kp = d_kp;
+        line.change.parameters.hip.kd = d_kd;
+        const row varied = varied_coefficients(&at, &line);
+        bool finite = true;
+        for (int k = 0; k < varied.count; ++k) {
+            finite = finite && isfinite(varied.values[k]);
+        }
+        const bool kink =
+            at.mode.phase == TDMF_PHASE_RETRACT && kp == 0.0 && kd == 0.0 && !(d_kp == 0.0 && d_kd == 0.0);
+        assert_true(finite == !kink);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(guards_vary_as_they_change),
@@ -373,6 +498,9 @@ int main(void) {
         cmocka_unit_test(leg_and_points_vary_as_they_change),
         cmocka_unit_test(a_leg_is_found_from_the_change_of_the_body),
         cmocka_unit_test(an_impact_varies_as_it_changes),
+        cmocka_unit_test(a_start_varies_as_it_changes),
+        cmocka_unit_test(coefficients_vary_as_they_change),
+        cmocka_unit_test(a_clamp_without_gains_has_no_derivative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
