@@ -30,7 +30,10 @@ typedef struct {
     real torque, torque_rate; /* M tau_1, M tau_2 */
 } flight_coefficients;
 
-/* The inner terms of coefficient k of r r, w w, v v (half of them), r^2 w and r w^2. */
+/* The inner terms of coefficient k of r r, w w, v v (half of them), r^2 w and r w^2: those without
+ * coefficient 0 of a factor, because the other's coefficient k is what the recurrence is about to find. They
+ * are summed from the middle outwards, two at a time, so that the newest coefficients, which have just been
+ * found, are needed last. */
 typedef struct {
     real length_length, rate_rate, speed_speed, square_rate, length_rate_square;
 } flight_sums;

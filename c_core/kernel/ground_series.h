@@ -4,8 +4,8 @@
  *
  *     P = a Y + b X,      H = b Y - a X,      f_y = P + m_f g,      f_x = -H (stick), -mu sgn(u) f_y (slip)
  *     Xdot = U,   Ydot = V,   m Udot = -H - m udot,   m Vdot = P - m g,   m_f udot = H + f_x
- *     d(X V - Y U)/dt = tau/m - g X + Y udot,      thetadot = w = (X V - Y U)/r^2,      tau w = b (X V - Y
- * U).
+ *     d(X V - Y U)/dt = tau/m - g X + Y udot,      X V - Y U = r^2 w,      w = thetadot,
+ *     tau w = b (X V - Y U).
  *
  * Graze takes the torque that makes f_y = 0: b = -(a Y + m_f g)/X. */
 #ifndef TDMF_KERNEL_GROUND_SERIES_H
