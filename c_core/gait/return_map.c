@@ -11,13 +11,18 @@
 #include <math.h>
 #include <string.h>
 
-void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
-                        double state[TDMF_STATE_COUNT]) {
+/* The leg of a point of the section, or of a variation on it; the rest is zero. */
+static void write_leg(const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
     memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
     state[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH];
     state[TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE];
     state[TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE];
     state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
+}
+
+void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
+                        double state[TDMF_STATE_COUNT]) {
+    write_leg(section, state);
     const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - model->body_share * body.y;
     state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] - model->body_share * body.vx;
@@ -28,11 +33,7 @@ void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTI
 static void vary_section_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                const double d_section[TDMF_SECTION_COUNT], const tdmf_model *d,
                                double d_state[TDMF_STATE_COUNT]) {
-    memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
-    d_state[TDMF_LEG_LENGTH] = d_section[TDMF_SECTION_LEG_LENGTH];
-    d_state[TDMF_LEG_ANGLE] = d_section[TDMF_SECTION_LEG_ANGLE];
-    d_state[TDMF_LEG_LENGTH_RATE] = d_section[TDMF_SECTION_LEG_LENGTH_RATE];
-    d_state[TDMF_LEG_ANGLE_RATE] = d_section[TDMF_SECTION_LEG_ANGLE_RATE];
+    write_leg(d_section, d_state);
     /* The foot does not move yet: this is how the centre of mass moves from it. */
     const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, d, d_state);
     d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - from_foot.y;

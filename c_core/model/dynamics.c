@@ -10,8 +10,6 @@
  * variation d_ stands for the change of what follows. */
 #include "dynamics.h"
 
-#include "ground_force.h"
-
 #include <string.h>
 
 /* ---- accelerations ------------------------------------------------------------------------------------ */
@@ -89,7 +87,7 @@ tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
     return a;
 }
 
-tdmf_acceleration tdmf_vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+static tdmf_acceleration vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d) {
     const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
     const tdmf_model *model = at->model, *d_model = d->model;
     const double g = model->parameters.gravity, d_g = d_model->parameters.gravity;
@@ -114,18 +112,24 @@ tdmf_acceleration tdmf_vary_acceleration(const tdmf_evaluation *at, const tdmf_e
 
 /* ---- the right-hand side ------------------------------------------------------------------------------ */
 
-void tdmf_rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]) {
+/* Of positions and velocities: the same for values and variations. */
+static void rates_of_motion(const tdmf_evaluation *at, const tdmf_acceleration *a,
+                            double derivatives[TDMF_STATE_COUNT]) {
+    derivatives[TDMF_FOOT_X] = at->state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = at->state[TDMF_FOOT_VY];
+    derivatives[TDMF_LEG_LENGTH] = at->leg.length_rate;
+    derivatives[TDMF_LEG_ANGLE] = at->leg.angle_rate;
+    derivatives[TDMF_FOOT_VX] = a->foot_ax;
+    derivatives[TDMF_FOOT_VY] = a->foot_ay;
+    derivatives[TDMF_LEG_LENGTH_RATE] = a->length;
+    derivatives[TDMF_LEG_ANGLE_RATE] = a->angle;
+}
+
+static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]) {
     const tdmf_leg *leg = &at->leg;
     const tdmf_acceleration a = tdmf_accelerate(at);
     const double power = at->torque * leg->angle_rate;
-    derivatives[TDMF_FOOT_X] = at->state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = at->state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_LENGTH] = leg->length_rate;
-    derivatives[TDMF_LEG_ANGLE] = leg->angle_rate;
-    derivatives[TDMF_FOOT_VX] = a.foot_ax;
-    derivatives[TDMF_FOOT_VY] = a.foot_ay;
-    derivatives[TDMF_LEG_LENGTH_RATE] = a.length;
-    derivatives[TDMF_LEG_ANGLE_RATE] = a.angle;
+    rates_of_motion(at, &a, derivatives);
     derivatives[TDMF_HIP_WORK] = power;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
@@ -136,16 +140,9 @@ void tdmf_rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STAT
 void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
                               double derivatives[TDMF_STATE_COUNT]) {
     const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
-    const tdmf_acceleration d_a = tdmf_vary_acceleration(at, d);
+    const tdmf_acceleration d_a = vary_acceleration(at, d);
     const double d_power = d->torque * leg->angle_rate + at->torque * d_leg->angle_rate;
-    derivatives[TDMF_FOOT_X] = d->state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = d->state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_LENGTH] = d_leg->length_rate;
-    derivatives[TDMF_LEG_ANGLE] = d_leg->angle_rate;
-    derivatives[TDMF_FOOT_VX] = d_a.foot_ax;
-    derivatives[TDMF_FOOT_VY] = d_a.foot_ay;
-    derivatives[TDMF_LEG_LENGTH_RATE] = d_a.length;
-    derivatives[TDMF_LEG_ANGLE_RATE] = d_a.angle;
+    rates_of_motion(d, &d_a, derivatives);
     derivatives[TDMF_HIP_WORK] = d_power;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
@@ -162,12 +159,12 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
         return;
     }
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    tdmf_rates_of_state(&at, derivatives);
+    rates_of_state(&at, derivatives);
 }
 
 double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_rates_of_state(at, derivatives);
+    rates_of_state(at, derivatives);
     const tdmf_direction along = tdmf_direction_of_motion(derivatives);
     const tdmf_evaluation d = tdmf_vary_evaluation(at, &along);
     return d.force.fy;

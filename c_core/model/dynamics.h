@@ -12,10 +12,8 @@ typedef struct {
 } tdmf_acceleration;
 
 tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at);
-tdmf_acceleration tdmf_vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d);
 
-/* The right-hand side (8), and its change. */
-void tdmf_rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]);
+/* The change of tdmf_derivatives, of a run that has not fallen. */
 void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
                               double derivatives[TDMF_STATE_COUNT]);
 

@@ -13,7 +13,8 @@ typedef struct {
     double fx, fy; /* N, of the ground on the foot */
 } tdmf_ground_force;
 
-/* The force the ground would have to apply to hold the foot still under a hip torque (10). */
+/* The force the ground would have to apply to hold the foot still under a total hip torque, N.m, whatever
+ * the mode (10). */
 tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
                                       const double state[TDMF_STATE_COUNT]);
 
@@ -21,7 +22,8 @@ tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
 tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 
-/* Whether friction can hold the foot: |f_x| <= mu f_y  (2). */
+/* Whether a coefficient of friction, mu, can hold the foot against a force of tdmf_sticking_force:
+ * |f_x| <= mu f_y  (2). A force that pulls, f_y < 0, is never held. */
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction);
 
 #ifdef __cplusplus

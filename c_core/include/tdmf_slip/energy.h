@@ -16,6 +16,7 @@ typedef struct {
     double total;     /* J */
 } tdmf_energy;
 
+/* Of body, foot and spring in a state, whatever the mode. */
 tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus

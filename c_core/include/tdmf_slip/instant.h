@@ -12,6 +12,7 @@ typedef struct {
     double rest; /* s, what rounding has left out of `time` */
 } tdmf_instant;
 
+/* The instant `elapsed`, s, after another. */
 tdmf_instant tdmf_instant_after(tdmf_instant from, double elapsed);
 
 /* s, negative where `to` is before `from`. */

@@ -39,6 +39,7 @@ typedef struct {
     tdmf_apex apex;
 } tdmf_outputs;
 
+/* The outputs at an instant of a run that tdmf_start has begun. */
 tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                              const tdmf_record *record, const double state[TDMF_STATE_COUNT]);
 

@@ -34,7 +34,7 @@ typedef enum {
     TDMF_CONTACT_STICK,
     TDMF_CONTACT_SLIP_POSITIVE,
     TDMF_CONTACT_SLIP_NEGATIVE,
-    TDMF_CONTACT_GRAZE /* the foot rests on the ground without force, see graze.h */
+    TDMF_CONTACT_GRAZE /* the foot rests on the ground without force, held there by the hip */
 } tdmf_contact_mode;
 
 typedef enum {
@@ -51,7 +51,8 @@ typedef struct {
     double liftoff_angle;     /* theta_LO, rad */
     bool mid_stance_pending;  /* this stance began with theta >= 0 and has not passed upright yet; one that
                                  begins upright, with theta falling, has */
-    bool clamp_closed;        /* flight, retract: the clamp in (12) holds the torque at 0 */
+    bool clamp_closed;        /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
+                                 in contact */
     bool ground_force_rising; /* contact: f_y grows; it peaks when this turns false */
     bool fallen;              /* the run is over and the motion frozen */
 } tdmf_mode;
