@@ -107,6 +107,8 @@ static void minimum_length_may_not_exceed_the_free_length(void **unused) {
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     assert_string_equal(refusal.variable, "leg.min_length");
     assert_string_equal(refusal.bound_by, "leg.free_length");
+    assert_string_equal(refusal.unit, "m");
+    assert_true(refusal.value == parameters.leg.min_length);
     assert_true(refusal.maximum == parameters.leg.free_length);
 }
 

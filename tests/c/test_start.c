@@ -172,6 +172,9 @@ static void nearness_to_the_apex_scales(void **unused) {
 static void default_start_is_an_apex(void **unused) {
     (void)unused;
     runner runner = runner_default(0.6);
+    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
+        assert_true(runner.state[i] == 0.0);
+    }
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
     assert_true(runner.record.open.began_at_apex);
