@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..files.whole import whole
 from ..unit.events import SLIPS
 from . import style
-from .runner import Runner, bare, pose
+from .drawn_runner import DrawnRunner, bare, pose
 from .stride import Stride
 
 FRICTION = 0.43
@@ -74,7 +74,7 @@ class _Scene:
         self.length = float(stride["com.x"][-1] - stride["com.x"][0])
         bare(axes, (-HALF_WIDTH, HALF_WIDTH), (LOW, LOW + 2 * HALF_WIDTH * SIZE[1] / SIZE[0]))
         self._ground()
-        self.runner = Runner(axes, line_width=2.0)
+        self.runner = DrawnRunner(axes, line_width=2.0)
         self.force = FancyArrowPatch(
             (0, 0), (0, 0), arrowstyle="-|>", mutation_scale=14, linewidth=2.0, zorder=3
         )

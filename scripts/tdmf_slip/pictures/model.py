@@ -10,7 +10,7 @@ from matplotlib.patches import Arc, Circle, FancyArrowPatch
 from numpy.typing import NDArray
 
 from . import style
-from .runner import spring
+from .drawn_runner import spring
 
 Point: TypeAlias = tuple[float, float] | NDArray[np.float64]
 """A place, x and y."""

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from . import panels, style
-from .runner import Runner, bare, ground, pose
+from .drawn_runner import DrawnRunner, bare, ground, pose
 from .stride import Stride
 
 FRICTION = 0.43
@@ -51,7 +51,7 @@ def _whole(axes: Axes, stride: Stride) -> None:
     ground(axes, limits, depth=0.1)
     axes.plot(stride["com.x"], stride["com.y"], color=style.FAINT, linewidth=0.8, zorder=2)
     for time in np.linspace(0.0, stride.time[-1], IN_STRIDE):
-        runner = Runner(axes, line_width=0.7, size=1.2)
+        runner = DrawnRunner(axes, line_width=0.7, size=1.2)
         runner.place(pose(stride, time), style.MODE_COLOURS[stride.mode_at(time)])
 
 
@@ -66,7 +66,7 @@ def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
     shown = {"touchdown": start, "mid-stance": stride.times_of("midstance")[0], "lift-off": end - 1e-9}
     for name, time in shown.items():
         where = pose(stride, time)
-        Runner(axes, size=0.6).place(where, style.MODE_COLOURS[stride.mode_at(time)])
+        DrawnRunner(axes, size=0.6).place(where, style.MODE_COLOURS[stride.mode_at(time)])
         axes.annotate(name, where.body, xytext=(0, 19), textcoords="offset points", ha="center")
 
 

@@ -59,7 +59,7 @@ def spring(
     return line[:, 0], line[:, 1]
 
 
-class Runner:
+class DrawnRunner:
     """A runner in some axes, drawn once and moved as often as needed."""
 
     def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
