@@ -423,6 +423,10 @@ static void requests_without_sense_are_refused(void **state) {
         rates.hip.external_torque = no_numbers[i];
         assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
     }
+    const tdmf_inputs leaving[] = {{.ground.friction = 1e5}, {.hip.external_torque = 1e17}};
+    for (size_t i = 0; i < sizeof leaving / sizeof leaving[0]; ++i) {
+        assert_refused(&runner, 1e-9, runner.inputs, leaving[i], 30.0); /* by then out of range */
+    }
     assert_refused(&runner, 1e-9, runner.inputs, held, NAN);
     assert_refused(&runner, 1e-9, runner.inputs, held, 0.5);
     assert_non_null(strstr(tdmf_outcome_text(TDMF_REFUSED), "out of range"));
