@@ -30,11 +30,13 @@ typedef struct {
     ground_constants constants;
 } standing_member;
 
-/* Fields of either kind of member, and those that change. */
+/* Fields of either kind of member, those that some modes do without being the last, and those that change. */
 enum {
-    FLYING_FIELDS = sizeof(flying_member) / sizeof(real),
-    STANDING_FIELDS = sizeof(standing_member) / sizeof(real),
-    MEMBER_FIELDS = FLYING_FIELDS > STANDING_FIELDS ? FLYING_FIELDS : STANDING_FIELDS,
+    FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
+    RETRACTING_FIELDS = sizeof(flying_member) / sizeof(real),
+    STANDING_FIELDS = offsetof(standing_member, constants.servo) / sizeof(real),
+    GRAZING_FIELDS = sizeof(standing_member) / sizeof(real),
+    MEMBER_FIELDS = RETRACTING_FIELDS > GRAZING_FIELDS ? RETRACTING_FIELDS : GRAZING_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

@@ -44,6 +44,7 @@ bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
         end->fate = TDMF_FATE_NO_START;
         return false;
     }
+    runner->direction = tdmf_leg_direction_of(motion->state);
     open_stride(runner);
     return its_case->rules.most_strides > 0;
 }
@@ -102,15 +103,13 @@ static standing_member standing_fields(const tdmf_runner *runner) {
 int tdmf_runner_board(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
     tdmf_chart_open(&runner->chart, runner->its_case->model, &runner->its_case->inputs, &tdmf_held_inputs,
-                    &motion->mode, motion->state);
+                    &motion->mode, motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
-        const flying_member m = flying_fields(runner);
-        memcpy(fields, &m, sizeof m);
-        return FLYING_FIELDS;
+        *(flying_member *)fields = flying_fields(runner);
+        return motion->mode.phase == TDMF_PHASE_RETRACT ? RETRACTING_FIELDS : FLYING_FIELDS;
     }
-    const standing_member m = standing_fields(runner);
-    memcpy(fields, &m, sizeof m);
-    return STANDING_FIELDS;
+    *(standing_member *)fields = standing_fields(runner);
+    return motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS : STANDING_FIELDS;
 }
 
 static member_progress read_flying(const double *fields, tdmf_coordinates *at) {
@@ -133,7 +132,7 @@ static void disembark(tdmf_runner *runner, const double *fields) {
     tdmf_coordinates at;
     const member_progress now =
         motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
-    tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
+    runner->direction = tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
     motion->record.now = tdmf_instant_after(motion->record.now, now.elapsed);
     motion->time = motion->record.now.time;
     runner->steps = now.steps;
@@ -192,8 +191,8 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
     disembark(runner, fields);
-    tdmf_run run = tdmf_run_of(runner->its_case->model, &runner->its_case->inputs, motion->time,
-                               motion->state, &motion->mode, &motion->record);
+    tdmf_run run = {runner->its_case->model, &runner->its_case->inputs, motion->time,     motion->state,
+                    &motion->mode,           &motion->record,           runner->direction};
     const bool resolved = tdmf_take_transitions(&run);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);

@@ -24,6 +24,7 @@ typedef struct {
     tdmf_ensemble_end *end;
     tdmf_motion motion;
     tdmf_chart chart;
+    tdmf_leg_direction direction; /* of the state */
     double stride_began;
     step_count steps; /* in the stride */
     long events_left;

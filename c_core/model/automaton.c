@@ -5,16 +5,17 @@
 
 #include <string.h>
 
-tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
+tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                                   double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                   tdmf_mode *mode, tdmf_record *record) {
     const tdmf_mode mode_before = *mode;
     double state_before[TDMF_STATE_COUNT];
     memcpy(state_before, state, sizeof state_before);
 
-    tdmf_run run = tdmf_run_of(model, inputs, time, state, mode, record);
-    tdmf_observe_along(model, inputs, state, run.direction, mode, record);
+    tdmf_run run = {model, inputs, time, state, mode, record, direction};
+    tdmf_observe_along(model, inputs, state, direction, mode, record);
     const bool resolved = tdmf_take_transitions(&run);
-    tdmf_observe_along(model, inputs, state, run.direction, mode, record);
+    tdmf_observe_along(model, inputs, state, direction, mode, record);
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, state, sizeof state_before) != 0,
@@ -22,4 +23,9 @@ tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs,
         .unresolved = !resolved,
     };
     return resolution;
+}
+
+tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
+    return tdmf_resolve_along(model, inputs, time, state, tdmf_leg_direction_of(state), mode, record);
 }

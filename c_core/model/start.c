@@ -99,7 +99,7 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
         state[i] = 0.0;
     }
     tdmf_record_start(record, time, state);
-    tdmf_run run = tdmf_run_of(model, inputs, time, state, mode, record);
+    tdmf_run run = {model, inputs, time, state, mode, record, tdmf_leg_direction_of(state)};
     begin(&run);
     tdmf_resolve(model, inputs, time, state, mode, record);
     return refusal;

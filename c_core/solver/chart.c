@@ -6,8 +6,9 @@
 
 #include <math.h>
 
-static void open_flight(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_point com = tdmf_center_of_mass(chart->model, state);
+static void open_flight(tdmf_chart *chart, const double state[TDMF_STATE_COUNT],
+                        tdmf_leg_direction direction) {
+    const tdmf_point com = tdmf_center_of_mass_along(chart->model, state, direction);
     chart->com_x = com.x;
     chart->com_y = com.y;
     chart->com_vx = com.vx;
@@ -25,9 +26,10 @@ static double turns_of(double angle, const tdmf_coordinates *at) {
     return seen_as_it_is ? 0.0 : turn * round((angle - angle_seen(at->x, at->y)) / turn);
 }
 
-static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT]) {
+static void open_ground(tdmf_chart *chart, const double state[TDMF_STATE_COUNT],
+                        tdmf_leg_direction direction) {
     tdmf_coordinates *at = &chart->start;
-    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
+    const tdmf_point body = tdmf_body_from_foot(state, direction);
     at->x = body.x;
     at->y = body.y;
     at->foot_x = state[TDMF_FOOT_X];
@@ -59,7 +61,8 @@ static void open_laws(tdmf_chart *chart, const tdmf_inputs *inputs, const tdmf_i
 }
 
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
-                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                     tdmf_leg_direction direction) {
     const tdmf_chart blank = {.model = model, .contact = mode->contact};
     *chart = blank;
     open_laws(chart, inputs, rates, mode);
@@ -72,9 +75,9 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
     chart->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     chart->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        open_flight(chart, state);
+        open_flight(chart, state, direction);
     } else {
-        open_ground(chart, state);
+        open_ground(chart, state, direction);
     }
 }
 
@@ -96,23 +99,25 @@ void tdmf_chart_end_friction(tdmf_chart *chart) {
 }
 
 /* The foot hangs below the ballistic centre of mass, at the body's share of the leg. */
-static void write_flight(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *at,
-                         double state[TDMF_STATE_COUNT]) {
+static tdmf_leg_direction write_flight(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *at,
+                                       double state[TDMF_STATE_COUNT]) {
     const double g = chart->model->parameters.gravity;
     const double share = chart->model->body_share;
     state[TDMF_LEG_LENGTH] = at->length;
     state[TDMF_LEG_ANGLE] = at->angle;
     state[TDMF_LEG_LENGTH_RATE] = at->length_rate;
     state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
-    const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
+    const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
+    const tdmf_point body = tdmf_body_from_foot(state, direction);
     state[TDMF_FOOT_X] = chart->com_x + elapsed * chart->com_vx - share * body.x;
     state[TDMF_FOOT_Y] = chart->com_y + elapsed * (chart->com_vy - 0.5 * g * elapsed) - share * body.y;
     state[TDMF_FOOT_VX] = chart->com_vx - share * body.vx;
     state[TDMF_FOOT_VY] = chart->com_vy - g * elapsed - share * body.vy;
+    return direction;
 }
 
-static void write_standing_leg(const tdmf_chart *chart, const tdmf_coordinates *at,
-                               double state[TDMF_STATE_COUNT]) {
+static tdmf_leg_direction write_standing_leg(const tdmf_chart *chart, const tdmf_coordinates *at,
+                                             double state[TDMF_STATE_COUNT]) {
     const double vx = at->vx - at->foot_vx;
     const double length = sqrt(at->x * at->x + at->y * at->y);
     state[TDMF_FOOT_X] = at->foot_x;
@@ -123,17 +128,16 @@ static void write_standing_leg(const tdmf_chart *chart, const tdmf_coordinates *
     state[TDMF_LEG_ANGLE] = angle_seen(at->x, at->y) + chart->turn;
     state[TDMF_LEG_LENGTH_RATE] = (at->x * vx + at->y * at->vy) / length;
     state[TDMF_LEG_ANGLE_RATE] = (at->x * at->vy - at->y * vx) / (length * length);
+    /* As whoever begins from the state has it, so that a run may stop at an event and go on alike. */
+    return tdmf_leg_direction_of(state);
 }
 
-void tdmf_chart_state(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *coordinates,
-                      double state[TDMF_STATE_COUNT]) {
+tdmf_leg_direction tdmf_chart_state(const tdmf_chart *chart, double elapsed,
+                                    const tdmf_coordinates *coordinates, double state[TDMF_STATE_COUNT]) {
     state[TDMF_HIP_WORK] = coordinates->work;
     state[TDMF_ENERGY_DAMPER_LOSS] = coordinates->damper_loss;
     state[TDMF_ENERGY_FRICTION_LOSS] = coordinates->friction_loss;
     state[TDMF_HIP_POSITIVE_WORK] = chart->positive_work;
-    if (chart->contact == TDMF_CONTACT_FLIGHT) {
-        write_flight(chart, elapsed, coordinates, state);
-    } else {
-        write_standing_leg(chart, coordinates, state);
-    }
+    return chart->contact == TDMF_CONTACT_FLIGHT ? write_flight(chart, elapsed, coordinates, state)
+                                                 : write_standing_leg(chart, coordinates, state);
 }

@@ -3,6 +3,7 @@
 #define TDMF_SOLVER_CHART_H
 
 #include "hip_law.h"
+#include "leg.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -33,7 +34,8 @@ typedef struct {
 
 /* The chart of a mode at an instant. */
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
-                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                     tdmf_leg_direction direction);
 
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached);
@@ -41,8 +43,9 @@ void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates 
 /* Friction has fallen to zero and stays there. */
 void tdmf_chart_end_friction(tdmf_chart *chart);
 
-/* The state that coordinates after `elapsed` stand for; the positive work is the chart's. */
-void tdmf_chart_state(const tdmf_chart *chart, double elapsed, const tdmf_coordinates *coordinates,
-                      double state[TDMF_STATE_COUNT]);
+/* The state that coordinates after `elapsed` stand for; the positive work is the chart's. Returns
+ * the leg's direction. */
+tdmf_leg_direction tdmf_chart_state(const tdmf_chart *chart, double elapsed,
+                                    const tdmf_coordinates *coordinates, double state[TDMF_STATE_COUNT]);
 
 #endif

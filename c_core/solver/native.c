@@ -4,6 +4,7 @@
 
 #include "carried.h"
 #include "event_log.h"
+#include "events.h"
 #include "input_rates.h"
 #include "margins.h"
 #include "record.h"
@@ -26,6 +27,7 @@ typedef struct {
     tdmf_inputs rates;
     tdmf_motion *motion; /* its state is that of the last event; the chart may be ahead of it */
     bool chart_is_ahead;
+    tdmf_leg_direction direction; /* of the state */
     double until;
     int order; /* of the series */
     tdmf_chart chart;
@@ -70,7 +72,8 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
 /* Begins integrating in the present mode from the present state. */
 static void open_mode(march *march) {
     const tdmf_motion *motion = march->motion;
-    tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state);
+    tdmf_chart_open(&march->chart, march->model, &march->inputs, &march->rates, &motion->mode, motion->state,
+                    march->direction);
     march->chart_is_ahead = false;
     for (int i = 0; i < march->count; ++i) {
         march->carried[i] =
@@ -80,7 +83,7 @@ static void open_mode(march *march) {
 
 static void write_state(march *march, double elapsed, const tdmf_coordinates *coordinates) {
     double *state = march->motion->state;
-    tdmf_chart_state(&march->chart, elapsed, coordinates, state);
+    march->direction = tdmf_chart_state(&march->chart, elapsed, coordinates, state);
     for (int i = 0; i < march->count; ++i) {
         march->variations[i] = tdmf_carried_to(&march->chart, state, &march->changes[i], &march->carried[i]);
     }
@@ -150,8 +153,9 @@ static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const 
 
 static bool take_transitions(march *march) {
     tdmf_motion *motion = march->motion;
-    const tdmf_resolution taken = tdmf_resolve(march->model, &march->inputs, motion->time, motion->state,
-                                               &motion->mode, &motion->record);
+    const tdmf_resolution taken =
+        tdmf_resolve_along(march->model, &march->inputs, motion->time, motion->state, march->direction,
+                           &motion->mode, &motion->record);
     if (taken.unresolved) {
         march->events_left = 0;
     }
@@ -298,7 +302,9 @@ static bool begin(march *march, tdmf_solver *solver, const tdmf_model *model, co
     march->count = 0;
     march->events_in_span = 0;
     /* An input may have jumped since the last call. */
-    tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    march->direction = tdmf_leg_direction_of(motion->state);
+    tdmf_resolve_along(model, inputs, motion->time, motion->state, march->direction, &motion->mode,
+                       &motion->record);
     open_mode(march);
     return true;
 }

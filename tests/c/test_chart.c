@@ -42,7 +42,8 @@ static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_chart
     tdmf_chart shifted = *begun, later;
     tdmf_chart_state(begun, elapsed, &begun->start, state);
     tdmf_chart_shift(&shifted, elapsed, &begun->start);
-    tdmf_chart_open(&later, &runner->model, &inputs, rates, &runner->mode, state);
+    tdmf_chart_open(&later, &runner->model, &inputs, rates, &runner->mode, state,
+                    tdmf_leg_direction_of(state));
     assert_same_law(&shifted.law, &later.law, scales->energy);
     assert_same_law(&shifted.stance_law, &later.stance_law, scales->energy);
     assert_close(shifted.friction, later.friction, 1e-14 * fabs(later.friction));
@@ -70,7 +71,8 @@ static void a_mode_gives_back_its_state_and_goes_on_as_if_begun_later(void **unu
             for (int k = TDMF_MECHANICAL_COUNT; k < TDMF_STATE_COUNT; ++k) {
                 runner.state[k] = random_uniform(&source, 0.0, 1.0);
             }
-            tdmf_chart_open(&chart, &runner.model, &runner.inputs, &rates, &runner.mode, runner.state);
+            tdmf_chart_open(&chart, &runner.model, &runner.inputs, &rates, &runner.mode, runner.state,
+                            tdmf_leg_direction_of(runner.state));
             tdmf_chart_state(&chart, 0.0, &chart.start, state);
             assert_same_state(&runner, state);
             assert_goes_on_as_begun_later(&runner, &chart, &rates, elapsed);

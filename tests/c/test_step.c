@@ -60,7 +60,8 @@ static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
     static const tdmf_inputs held = {{0.0}, {0.0}};
     tdmf_chart chart;
-    tdmf_chart_open(&chart, &runner->model, &runner->inputs, &held, &runner->mode, runner->state);
+    tdmf_chart_open(&chart, &runner->model, &runner->inputs, &held, &runner->mode, runner->state,
+                    tdmf_leg_direction_of(runner->state));
     for (int i = 0; i < STEPS; ++i) {
         tdmf_step step;
         tdmf_chart exact = chart;

@@ -430,7 +430,8 @@ static row coefficients(const tdmf_contact_mode contact, const flight_coefficien
 
 static tdmf_chart chart_of(const runner *at) {
     tdmf_chart chart;
-    tdmf_chart_open(&chart, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state);
+    tdmf_chart_open(&chart, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state,
+                    tdmf_leg_direction_of(at->state));
     return chart;
 }
 

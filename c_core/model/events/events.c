@@ -108,12 +108,6 @@ tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, co
     return first_due(&at);
 }
 
-tdmf_run tdmf_run_of(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                     double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
-    const tdmf_run run = {model, inputs, time, state, mode, record, tdmf_leg_direction_of(state)};
-    return run;
-}
-
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
     const tdmf_leg leg = tdmf_leg_along(run->model, run->state, run->direction);
     return tdmf_evaluate_leg(run->model, run->inputs, mode, run->state, &leg);

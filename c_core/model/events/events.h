@@ -19,8 +19,10 @@ typedef struct {
     tdmf_leg_direction direction;
 } tdmf_run;
 
-tdmf_run tdmf_run_of(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                     double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+/* tdmf_resolve, where the leg's direction is at hand. */
+tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                                   double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                   tdmf_mode *mode, tdmf_record *record);
 
 /* The run in a mode as it is now, or in another that it might be in. */
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
