@@ -385,8 +385,26 @@ static void outputs_follow_the_motion(void **unused) {
     assert_int_equal(outputs_of(&runner).status.fallen, 1);
 }
 
+/* Not what the run has done since its start. */
+static void a_second_stride_counts_its_own_work_only(void **unused) {
+    (void)unused;
+    runner runner = runner_default(0.6);
+    runner_start(&runner);
+    runner_stride(&runner, 0.01);
+    const double work = runner.state[TDMF_HIP_WORK], positive = runner.state[TDMF_HIP_POSITIVE_WORK];
+    const double at = tdmf_center_of_mass(&runner.model, runner.state).x;
+    runner_stride(&runner, 0.01);
+    const tdmf_stride *stride = &runner.record.stride;
+    assert_int_equal(stride->count, 2);
+    assert_close(stride->work, runner.state[TDMF_HIP_WORK] - work, 1e-15);
+    assert_close(stride->positive_work, runner.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
+    assert_close(stride->length, tdmf_center_of_mass(&runner.model, runner.state).x - at, 1e-13);
+    assert_true(positive > 0.0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_second_stride_counts_its_own_work_only),
         cmocka_unit_test(word_has_a_letter_for_every_mode),
         cmocka_unit_test(mode_without_duration_has_no_letter),
         cmocka_unit_test(flight_separates_stances),
