@@ -6,10 +6,16 @@
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
-/* mu of a foot at rest, whose cone is |f_x| <= mu f_y  (2), and which an impact stops inside the same cone.
- */
-static inline double tdmf_static_friction(const tdmf_inputs *inputs) {
-    return inputs->ground.friction;
+/* rho mu, of a foot at rest: its cone is |f_x| <= rho mu f_y  (2), and an impact inside the same cone stops
+ * it. */
+static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return model->parameters.ground.static_friction_ratio * inputs->ground.friction;
+}
+
+/* Its change. */
+static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                               const tdmf_model *d_model, const tdmf_inputs *d_inputs) {
+    return tdmf_static_friction(d_model, inputs) + tdmf_static_friction(model, d_inputs);
 }
 
 /* mu of a foot that slips. */

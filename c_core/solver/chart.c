@@ -56,8 +56,8 @@ static void open_laws(tdmf_chart *chart, const tdmf_inputs *inputs, const tdmf_i
     chart->servo = tdmf_servo(model, mode);
     chart->friction = tdmf_signed_friction(inputs, mode);
     chart->friction_rate = tdmf_signed_friction(rates, mode);
-    chart->static_friction = tdmf_static_friction(inputs);
-    chart->static_friction_rate = tdmf_static_friction(rates);
+    chart->static_friction = tdmf_static_friction(model, inputs);
+    chart->static_friction_rate = tdmf_static_friction(model, rates);
 }
 
 void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,

@@ -25,6 +25,9 @@ typedef struct {
     } leg;
     double gravity; /* g, m/s2 */
     struct {
+        double static_friction_ratio; /* rho, of the friction of a foot at rest to that of one that slips */
+    } ground;
+    struct {
         double stance_torque;        /* tau0, N.m; its negative drives the first half of a stance */
         double touchdown_angle;      /* theta0, rad */
         double kp;                   /* N.m/rad */

@@ -58,7 +58,7 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
     const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
     const tdmf_ground_force force = tdmf_force_in_stance(&at);
-    if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->inputs))) {
+    if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->model, run->inputs))) {
         return TDMF_CONTACT_STICK;
     }
     return force.fx < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
