@@ -61,6 +61,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     const choice too_stiff = lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);
     fly_on(c, f, order, &elapsed, &m->at);
+    m->constants.law.torque += end * c->law.torque_rate;
     return move_on(&m->now, m->time_left, &c->mode, &search, too_stiff, end);
 }
 
@@ -79,6 +80,9 @@ static inline lane_outcome step_standing(standing_member *m, choice live, ground
         choice_of(!foot_is_free(is)) & lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);
     stand_on(c, g, is, order, &elapsed, &m->at);
+    if (is.grazes) {
+        m->constants.servo.torque += end * c->servo.torque_rate;
+    }
     return move_on(&m->now, m->time_left, &c->mode, &search, too_stiff, end);
 }
 

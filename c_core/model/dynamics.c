@@ -131,6 +131,7 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     const double power = at->torque * leg->angle_rate;
     rates_of_motion(at, &a, derivatives);
     derivatives[TDMF_HIP_WORK] = power;
+    derivatives[TDMF_HIP_PLACE_TIME] = at->mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];
@@ -144,6 +145,7 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
     const double d_power = d->torque * leg->angle_rate + at->torque * d_leg->angle_rate;
     rates_of_motion(d, &d_a, derivatives);
     derivatives[TDMF_HIP_WORK] = d_power;
+    derivatives[TDMF_HIP_PLACE_TIME] = 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
         2.0 * at->model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;

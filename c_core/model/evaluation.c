@@ -11,7 +11,8 @@ static double torque_at(const tdmf_evaluation *at) {
     case TDMF_CONTACT_GRAZE:
         return tdmf_graze_torque(at);
     case TDMF_CONTACT_FLIGHT:
-        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
+                              at->state[TDMF_HIP_PLACE_TIME]);
         return tdmf_law_torque(&law, at->state);
     default:
         law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
@@ -25,8 +26,9 @@ static double vary_torque_at(const tdmf_evaluation *at, const tdmf_leg *d_leg, c
     case TDMF_CONTACT_GRAZE:
         return tdmf_vary_graze_torque(at, d_leg, d);
     case TDMF_CONTACT_FLIGHT:
-        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
-        d_law = tdmf_vary_flight_law(at->model, at->mode, d);
+        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
+                              at->state[TDMF_HIP_PLACE_TIME]);
+        d_law = tdmf_vary_flight_law(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
         return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
     default:
         law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);

@@ -56,7 +56,7 @@ static double stance_torque(const tdmf_evaluation *at) {
 
 /* Nobody locates the clamp of a foot on the ground: it is where the servo has it now. */
 static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
     tdmf_mode mode = *at->mode;
     mode.clamp_closed = tdmf_law_torque(&servo, at->state) < 0.0;
     return mode;
@@ -64,7 +64,8 @@ static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
 
 static double flight_torque(const tdmf_evaluation *at) {
     const tdmf_mode mode = mode_by_servo(at);
-    const tdmf_hip_law law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode);
+    const tdmf_hip_law law =
+        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode, at->state[TDMF_HIP_PLACE_TIME]);
     return tdmf_law_torque(&law, at->state);
 }
 
@@ -86,8 +87,8 @@ tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdm
 
 /* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_direction *d) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode);
-    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, d);
+    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
+    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
     return at->mode->phase != TDMF_PHASE_PLACE && tdmf_law_torque(&servo, at->state) == 0.0 &&
            tdmf_vary_law_torque(&servo, &d_servo, at->state, d->state) != 0.0;
 }
@@ -95,8 +96,9 @@ static bool is_at_kink(const tdmf_evaluation *at, const tdmf_direction *d) {
 tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
                                             const tdmf_evaluation *d_at) {
     const tdmf_mode mode = mode_by_servo(at);
-    const tdmf_hip_law law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode);
-    const tdmf_hip_law d_law = tdmf_vary_flight_law(at->model, &mode, d);
+    const tdmf_hip_law law =
+        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode, at->state[TDMF_HIP_PLACE_TIME]);
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(at->model, &mode, at->state[TDMF_HIP_PLACE_TIME], d);
     const double d_torque = is_at_kink(at, d) ? NAN : tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
     return tdmf_vary_force_under(at, d_at, tdmf_law_torque(&law, at->state), d_torque);
 }

@@ -2,12 +2,15 @@
  *
  *     stance (11):  tau = -tau0 from touchdown with theta >= 0 to mid-stance, then 0
  *     retract (12): tau = max{ -kp (theta - eta theta_LO) - kd thetadot, 0 }     while vy_c >= 0
- *     place (12):   tau = -kp (theta - theta0) - kd thetadot                     from the apex on
+ *     place (12):   tau = -kp (theta - theta_ref) - kd (thetadot + omega)        from the apex on
  *
  * The sign in (11) is turned, because theta falls in forward running and only a negative torque then does
  * positive work; min in (12) is a max, because the text asks for a positive torque that stops the leg's
  * backward rotation. The drive happens once per stance: were it to return with theta, it could switch for
  * ever.
+ *
+ * In place the leg is retracted before it lands: theta_ref = theta0 - omega s, with s the time since place
+ * began. The paper has omega = 0.
  *
  * The clamp's kink is located like an event: in flight the law is smooth while mode->clamp_closed stands. */
 #include "tdmf_slip/hip.h"
@@ -38,29 +41,46 @@ tdmf_hip_law tdmf_vary_stance_law(const tdmf_mode *mode, const tdmf_direction *d
 
 /* ---- flight (12) -------------------------------------------------------------------------------------- */
 
-tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_mode *mode) {
-    const tdmf_parameters *p = &model->parameters;
-    const bool places = mode->phase == TDMF_PHASE_PLACE;
+static tdmf_hip_law retract(const tdmf_parameters *p, double liftoff_angle) {
     const tdmf_hip_law law = {
-        .gain = p->hip.kp,
-        .rate_gain = p->hip.kd,
-        .target = places ? p->hip.touchdown_angle : p->hip.liftoff_angle_factor * mode->liftoff_angle,
-    };
+        .gain = p->hip.kp, .rate_gain = p->hip.kd, .target = p->hip.liftoff_angle_factor * liftoff_angle};
     return law;
 }
 
-tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
-    const tdmf_parameters *p = &model->parameters;
-    const tdmf_parameters *d_p = &d->model.parameters;
-    const bool places = mode->phase == TDMF_PHASE_PLACE;
-    const tdmf_hip_law d_law = {
-        .gain = d_p->hip.kp,
-        .rate_gain = d_p->hip.kd,
-        .target = places ? d_p->hip.touchdown_angle
-                         : d_p->hip.liftoff_angle_factor * mode->liftoff_angle +
-                               p->hip.liftoff_angle_factor * d->mode.liftoff_angle,
-    };
+static tdmf_hip_law vary_retract(const tdmf_parameters *p, double liftoff_angle, const tdmf_parameters *d_p,
+                                 double d_liftoff_angle) {
+    tdmf_hip_law d_law = retract(d_p, liftoff_angle);
+    d_law.target += p->hip.liftoff_angle_factor * d_liftoff_angle;
     return d_law;
+}
+
+static tdmf_hip_law place(const tdmf_parameters *p, double place_time) {
+    const tdmf_hip_law law = {.gain = p->hip.kp,
+                              .rate_gain = p->hip.kd,
+                              .target = p->hip.touchdown_angle - p->hip.retraction_rate * place_time,
+                              .target_rate = -p->hip.retraction_rate,
+                              .torque = -p->hip.kd * p->hip.retraction_rate};
+    return law;
+}
+
+static tdmf_hip_law vary_place(const tdmf_parameters *p, double place_time, const tdmf_parameters *d_p,
+                               double d_place_time) {
+    tdmf_hip_law d_law = place(d_p, place_time);
+    d_law.target -= p->hip.retraction_rate * d_place_time;
+    d_law.torque = -d_p->hip.kd * p->hip.retraction_rate - p->hip.kd * d_p->hip.retraction_rate;
+    return d_law;
+}
+
+tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_mode *mode, double place_time) {
+    return mode->phase == TDMF_PHASE_PLACE ? place(&model->parameters, place_time)
+                                           : retract(&model->parameters, mode->liftoff_angle);
+}
+
+tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_mode *mode, double place_time,
+                             const tdmf_direction *d) {
+    const tdmf_parameters *p = &model->parameters, *d_p = &d->model.parameters;
+    return mode->phase == TDMF_PHASE_PLACE ? vary_place(p, place_time, d_p, d->state[TDMF_HIP_PLACE_TIME])
+                                           : vary_retract(p, mode->liftoff_angle, d_p, d->mode.liftoff_angle);
 }
 
 static bool is_clamped(const tdmf_mode *mode) {
@@ -74,14 +94,15 @@ static tdmf_hip_law sum(tdmf_hip_law a, tdmf_hip_law b) {
 }
 
 tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_inputs *rates,
-                             const tdmf_mode *mode) {
+                             const tdmf_mode *mode, double place_time) {
     const tdmf_hip_law alone = tdmf_external_law(inputs, rates);
-    return is_clamped(mode) ? alone : sum(tdmf_servo(model, mode), alone);
+    return is_clamped(mode) ? alone : sum(tdmf_servo(model, mode, place_time), alone);
 }
 
-tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
+tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const tdmf_mode *mode, double place_time,
+                                  const tdmf_direction *d) {
     const tdmf_hip_law alone = tdmf_external_law(&d->inputs, &tdmf_held_inputs);
-    return is_clamped(mode) ? alone : sum(tdmf_vary_servo(model, mode, d), alone);
+    return is_clamped(mode) ? alone : sum(tdmf_vary_servo(model, mode, place_time, d), alone);
 }
 
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
@@ -89,6 +110,24 @@ bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode
     const tdmf_parameters *d_p = &d->model.parameters;
     return mode->phase == TDMF_PHASE_RETRACT && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
            (d_p->hip.kp != 0.0 || d_p->hip.kd != 0.0);
+}
+
+/* ---- time -----------------------------------------------------------------------------------------------
+ */
+
+tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapsed) {
+    tdmf_hip_law after = *law;
+    after.target += elapsed * law->target_rate;
+    after.torque += elapsed * law->torque_rate;
+    return after;
+}
+
+double tdmf_law_drift(const tdmf_hip_law *law) {
+    return law->torque_rate + law->gain * law->target_rate;
+}
+
+double tdmf_vary_law_drift(const tdmf_hip_law *law, const tdmf_hip_law *d_law) {
+    return d_law->torque_rate + d_law->gain * law->target_rate + law->gain * d_law->target_rate;
 }
 
 /* ---- torque ------------------------------------------------------------------------------------------- */

@@ -92,7 +92,8 @@ static void carry_ground_on(const tdmf_step *step, double t, const ground_variat
 
 tdmf_carried tdmf_carry(const tdmf_chart *chart, const double state[TDMF_STATE_COUNT],
                         const tdmf_change *change, const tdmf_variation *variation) {
-    tdmf_carried carried = {.liftoff_angle = variation->liftoff_angle};
+    tdmf_carried carried = {.liftoff_angle = variation->liftoff_angle,
+                            .place_time = variation->state[TDMF_HIP_PLACE_TIME]};
     carried.at.work = variation->state[TDMF_HIP_WORK];
     if (chart->contact == TDMF_CONTACT_FLIGHT) {
         const tdmf_direction d = tdmf_direction_of(chart->model, change, variation);
@@ -115,7 +116,8 @@ double tdmf_carried_expand(const tdmf_step *step, const tdmf_mode *mode, const t
     const tdmf_scales *scales = &step->chart->model->scales;
     const int order = step->order;
     const tdmf_coordinates *at = &carried->at;
-    const tdmf_variation variation = {.liftoff_angle = carried->liftoff_angle};
+    tdmf_variation variation = {.liftoff_angle = carried->liftoff_angle};
+    variation.state[TDMF_HIP_PLACE_TIME] = carried->place_time;
     const tdmf_direction d = tdmf_direction_of(step->chart->model, change, &variation);
     double sizes[SERIES_TERMS] = {0.0};
     if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
@@ -157,6 +159,7 @@ tdmf_variation tdmf_carried_to(const tdmf_chart *chart, const double state[TDMF_
                                const tdmf_change *change, const tdmf_carried *carried) {
     tdmf_variation variation = {.liftoff_angle = carried->liftoff_angle};
     variation.state[TDMF_HIP_WORK] = carried->at.work;
+    variation.state[TDMF_HIP_PLACE_TIME] = carried->place_time;
     if (chart->contact == TDMF_CONTACT_FLIGHT) {
         const tdmf_direction d = tdmf_direction_of(chart->model, change, NULL);
         flight_carried_to(chart->model, state, &d, carried, variation.state);

@@ -9,7 +9,7 @@
 typedef struct {
     tdmf_coordinates at;
     double com_x, com_y, com_vx, com_vy; /* in flight */
-    double liftoff_angle;
+    double liftoff_angle, place_time;
 } tdmf_carried;
 
 /* The variation of a chart just opened on `state`. */

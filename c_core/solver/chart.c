@@ -44,7 +44,7 @@ static void open_laws(tdmf_chart *chart, const tdmf_inputs *inputs, const tdmf_i
     const tdmf_model *model = chart->model;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        chart->law = tdmf_flight_law(model, inputs, rates, mode);
+        chart->law = tdmf_flight_law(model, inputs, rates, mode, chart->place_time);
         break;
     case TDMF_CONTACT_GRAZE:
         chart->law = tdmf_external_law(inputs, rates);
@@ -53,7 +53,7 @@ static void open_laws(tdmf_chart *chart, const tdmf_inputs *inputs, const tdmf_i
     default:
         chart->law = tdmf_stance_law(model, inputs, rates, mode);
     }
-    chart->servo = tdmf_servo(model, mode);
+    chart->servo = tdmf_servo(model, mode, chart->place_time);
     chart->friction = tdmf_signed_friction(inputs, mode);
     chart->friction_rate = tdmf_signed_friction(rates, mode);
     chart->static_friction = tdmf_static_friction(model, inputs);
@@ -65,6 +65,8 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
                      tdmf_leg_direction direction) {
     const tdmf_chart blank = {.model = model, .contact = mode->contact};
     *chart = blank;
+    chart->place_time = state[TDMF_HIP_PLACE_TIME];
+    chart->place_rate = mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
     open_laws(chart, inputs, rates, mode);
     chart->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     chart->start.length = state[TDMF_LEG_LENGTH];
@@ -84,8 +86,10 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached) {
     const double g = chart->model->parameters.gravity;
     chart->start = *reached;
-    chart->law.torque += elapsed * chart->law.torque_rate;
-    chart->stance_law.torque += elapsed * chart->stance_law.torque_rate;
+    chart->law = tdmf_law_after(&chart->law, elapsed);
+    chart->stance_law = tdmf_law_after(&chart->stance_law, elapsed);
+    chart->servo = tdmf_law_after(&chart->servo, elapsed);
+    chart->place_time += elapsed * chart->place_rate;
     chart->friction += elapsed * chart->friction_rate;
     chart->static_friction += elapsed * chart->static_friction_rate;
     chart->com_x += elapsed * chart->com_vx;
@@ -135,6 +139,7 @@ static tdmf_leg_direction write_standing_leg(const tdmf_chart *chart, const tdmf
 tdmf_leg_direction tdmf_chart_state(const tdmf_chart *chart, double elapsed,
                                     const tdmf_coordinates *coordinates, double state[TDMF_STATE_COUNT]) {
     state[TDMF_HIP_WORK] = coordinates->work;
+    state[TDMF_HIP_PLACE_TIME] = chart->place_time + elapsed * chart->place_rate;
     state[TDMF_ENERGY_DAMPER_LOSS] = coordinates->damper_loss;
     state[TDMF_ENERGY_FRICTION_LOSS] = coordinates->friction_loss;
     state[TDMF_HIP_POSITIVE_WORK] = chart->positive_work;

@@ -20,7 +20,7 @@ static flight_coefficients times_mobility(double mobility, const tdmf_parameters
         .rate_gain = mobility * law->rate_gain,
         .target = law->target,
         .torque = mobility * law->torque,
-        .torque_rate = mobility * law->torque_rate,
+        .torque_rate = mobility * tdmf_law_drift(law),
     };
     return coefficients;
 }
@@ -32,7 +32,7 @@ flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart) {
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
                                                   const tdmf_direction *d) {
     const tdmf_model *model = chart->model;
-    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, d);
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, chart->place_time, d);
     const flight_coefficients by_mobility =
         times_mobility(d->model.mobility, &model->parameters, &chart->law);
     flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters, &d_law);
@@ -42,7 +42,7 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const
     varied.gain += by_mobility.gain;
     varied.rate_gain += by_mobility.rate_gain;
     varied.torque += by_mobility.torque;
-    varied.torque_rate += by_mobility.torque_rate;
+    varied.torque_rate = by_mobility.torque_rate + model->mobility * tdmf_vary_law_drift(&chart->law, &d_law);
     if (tdmf_clamp_has_no_derivative(model, mode, d)) {
         varied.gain = NAN;
     }

@@ -45,7 +45,7 @@ static double time_shift(const tdmf_event_kind *event, const tdmf_model *model, 
 
 static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
                         double d_state[TDMF_STATE_COUNT]) {
-    for (int i = 0; i <= TDMF_HIP_WORK; ++i) {
+    for (int i = 0; i < TDMF_VARIED_COUNT; ++i) {
         d_state[i] += derivatives[i] * dt;
     }
 }
@@ -69,6 +69,6 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
     shift_along(-dt, after->derivatives, varied.state);
-    tdmf_keep_on_ground(&after->mode, varied.state);
+    tdmf_constrain_variation(&after->mode, varied.state);
     return varied;
 }

@@ -21,7 +21,7 @@ static mode_constants mode_constants_of(const tdmf_model *model, double margin_f
 
 static hip_law signed_law(double sign, const tdmf_hip_law *law) {
     const hip_law with_sign = {sign * law->gain, sign * law->rate_gain, law->target, sign * law->torque,
-                               sign * law->torque_rate};
+                               sign * tdmf_law_drift(law)};
     return with_sign;
 }
 

@@ -33,6 +33,7 @@ typedef struct {
         double kp;                   /* N.m/rad */
         double kd;                   /* N.m.s/rad */
         double liftoff_angle_factor; /* eta */
+        double retraction_rate;      /* omega, rad/s, at which the touchdown angle is left in place */
     } hip;
 } tdmf_parameters;
 

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
- * of the paper's q = (x, y, r, theta); the rest are integrals along the run. */
+ * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. */
 enum {
     TDMF_FOOT_X,             /* x, m */
     TDMF_FOOT_Y,             /* y, m above the ground */
@@ -22,11 +22,13 @@ enum {
     TDMF_LEG_LENGTH_RATE,    /* m/s */
     TDMF_LEG_ANGLE_RATE,     /* rad/s */
     TDMF_HIP_WORK,           /* W, integral of the total torque's power, J */
+    TDMF_HIP_PLACE_TIME,     /* in place, the time since it began, s */
     TDMF_ENERGY_DAMPER_LOSS, /* J */
     TDMF_ENERGY_FRICTION_LOSS, /* J */
     TDMF_HIP_POSITIVE_WORK,    /* the part of W done at positive power, J */
     TDMF_STATE_COUNT,
-    TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK
+    TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK,
+    TDMF_VARIED_COUNT = TDMF_HIP_PLACE_TIME + 1 /* what first variations have of them */
 };
 
 typedef enum {

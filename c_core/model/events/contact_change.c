@@ -25,7 +25,7 @@ static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
 }
 
 static bool servo_is_negative(const tdmf_run *run) {
-    const tdmf_hip_law servo = tdmf_servo(run->model, run->mode);
+    const tdmf_hip_law servo = tdmf_servo(run->model, run->mode, run->state[TDMF_HIP_PLACE_TIME]);
     return tdmf_law_torque(&servo, run->state) < 0.0;
 }
 
@@ -75,6 +75,7 @@ static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run) {
 void tdmf_load_foot(tdmf_run *run) {
     run->mode->phase = run->mode->mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
     run->mode->clamp_closed = false;
+    run->state[TDMF_HIP_PLACE_TIME] = 0.0;
     tdmf_enter_contact_mode(run, mode_of_loaded_foot(run));
 }
 
@@ -132,12 +133,14 @@ bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after,
     return (impact || tdmf_in_contact(before)) && !tdmf_in_contact(after);
 }
 
-void tdmf_keep_on_ground(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]) {
-    if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        return;
+void tdmf_constrain_variation(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]) {
+    if (mode->phase != TDMF_PHASE_PLACE) {
+        d_state[TDMF_HIP_PLACE_TIME] = 0.0;
     }
-    d_state[TDMF_FOOT_Y] = 0.0;
-    d_state[TDMF_FOOT_VY] = 0.0;
+    if (mode->contact != TDMF_CONTACT_FLIGHT) {
+        d_state[TDMF_FOOT_Y] = 0.0;
+        d_state[TDMF_FOOT_VY] = 0.0;
+    }
     if (mode->contact == TDMF_CONTACT_STICK) {
         d_state[TDMF_FOOT_VX] = 0.0;
     }

@@ -28,8 +28,8 @@ tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run);
 /* Whether an event, an impact or not, has latched theta_LO: a contact or an impact is left. */
 bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact);
 
-/* A foot on the ground stays there and one that sticks stands, in a variation too: exactly, not by
- * cancellation. */
-void tdmf_keep_on_ground(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]);
+/* What a mode holds is held in a variation too, exactly and not by cancellation: a foot on the ground stays
+ * there, one that sticks stands, and out of place its clock stands at zero. */
+void tdmf_constrain_variation(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]);
 
 #endif
