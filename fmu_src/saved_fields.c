@@ -182,7 +182,9 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
 static void pass_place(transfer *bytes, tdmf_motion *motion) {
     pass_time(bytes, "time", &motion->time);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        pass_between(bytes, "a continuous state", &motion->state[i], -unit_largest_state, unit_largest_state);
+        const bool sums = i >= TDMF_MECHANICAL_COUNT && i != TDMF_HIP_PLACE_TIME;
+        const double largest = sums ? largest_sum : unit_largest_state;
+        pass_between(bytes, "a continuous state", &motion->state[i], -largest, largest);
     }
 }
 
@@ -314,6 +316,11 @@ static bool foot_suits_contact(const tdmf_model *model, const tdmf_motion *motio
             (motion->mode.contact != TDMF_CONTACT_STICK || fabs(state[TDMF_FOOT_VX]) <= speed));
 }
 
+static bool clock_suits_phase(const tdmf_motion *motion) {
+    const double place_time = motion->state[TDMF_HIP_PLACE_TIME];
+    return motion->mode.phase == TDMF_PHASE_PLACE ? place_time >= 0.0 : place_time == 0.0;
+}
+
 static bool is_past(const tdmf_model *model, double time, double now) {
     return time <= now + margin * fmax(fabs(now), model->scales.time);
 }
@@ -325,6 +332,7 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
     require(bytes, code_suits_word(&record->stride), "stride.word_code");
     if (run->interface != MODEL_EXCHANGE) { /* there, time and states are the importer's */
         require(bytes, foot_suits_contact(model, motion), "foot.y");
+        require(bytes, clock_suits_phase(motion), "hip.place_time");
         require(bytes, is_past(model, record->last_event_time, motion->time), "event.last_time");
         require(bytes, is_past(model, record->open.start.time, motion->time), "the open stride's start time");
         require(bytes, is_past(model, record->open.contact_start.time, motion->time),

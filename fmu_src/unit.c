@@ -170,6 +170,7 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]) {
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
         nominals[i] = scales->energy;
     }
+    nominals[TDMF_HIP_PLACE_TIME] = scales->time;
 }
 
 void unit_observe(unit *unit) {

@@ -12,9 +12,9 @@ typedef struct {
 
 enum { BODY_MASS = 0, LEG_STIFFNESS = 2, FREE_LENGTH = 4, STANCE_TORQUE = 7 };
 
-static const dimension of_parameter[] = {{0, 1, 0}, {0, 1, 0}, {0, 0, 1},     {0, 0.5, 0.5},
-                                         {1, 0, 0}, {1, 0, 0}, {1, -1, 1},    {2, 0, 1},
-                                         {0, 0, 0}, {2, 0, 1}, {2, 0.5, 0.5}, {0, 0, 0}};
+static const dimension of_parameter[] = {{0, 1, 0},     {0, 1, 0},  {0, 0, 1},      {0, 0.5, 0.5}, {1, 0, 0},
+                                         {1, 0, 0},     {1, -1, 1}, {2, 0, 1},      {0, 0, 0},     {2, 0, 1},
+                                         {2, 0.5, 0.5}, {0, 0, 0},  {0, -0.5, 0.5}, {0, 0, 0}};
 static const dimension of_input[] = {{0, 0, 0}, {2, 0, 1}};
 static const dimension of_state[] = {{1, 0, 0},      {1, 0, 0},      {1, 0, 0},      {0, 0, 0},
                                      {1, -0.5, 0.5}, {1, -0.5, 0.5}, {1, -0.5, 0.5}, {0, -0.5, 0.5}};
@@ -35,6 +35,11 @@ static double anywhere(random_source *source, const tdmf_range *range) {
     return sign * random_magnitude(source, range->minimum > 0.0 ? range->minimum : 1e-15 * end, end);
 }
 
+/* Around what: a leg is retracted by a hundredth of a radian in the unit of time. */
+static double typical_value(const tdmf_range *range) {
+    return range->start == 0.0 ? 0.01 : range->start;
+}
+
 static double value_of(random_source *source, const tdmf_range *range, double unit, double decades) {
     if (random_chance(source, 0.03)) {
         return clip(range, 0.0);
@@ -43,7 +48,8 @@ static double value_of(random_source *source, const tdmf_range *range, double un
         return anywhere(source, range);
     }
     const double sign = random_chance(source, 0.05 * fmin(decades, 4.0)) ? -1.0 : 1.0;
-    return clip(range, sign * range->start * unit * pow(10.0, random_uniform(source, -decades, decades)));
+    return clip(range,
+                sign * typical_value(range) * unit * pow(10.0, random_uniform(source, -decades, decades)));
 }
 
 tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parameters, double decades) {

@@ -4,12 +4,13 @@
 
 #include <math.h>
 
-/* Nothing is derived from the damper and the hip, which may be what no runner is given. */
+/* Nothing is derived from the damper, the hip and the ground, which may be what no runner is given. */
 static tdmf_model model_of(const tdmf_parameters *parameters) {
     tdmf_parameters accepted = *parameters;
     tdmf_model model;
     accepted.leg.damping = 0.0;
     accepted.hip = tdmf_default_parameters().hip;
+    accepted.ground = tdmf_default_parameters().ground;
     assert_null(tdmf_model_create(&model, &accepted).variable);
     model.parameters = *parameters;
     return model;
@@ -42,6 +43,8 @@ static tdmf_parameters units_of(const tdmf_model *model) {
     units.hip.kp = scales->energy;
     units.hip.kd = scales->energy * scales->time;
     units.hip.liftoff_angle_factor = 1.0;
+    units.hip.retraction_rate = 1.0 / scales->time;
+    units.ground.static_friction_ratio = 1.0;
     return units;
 }
 
@@ -56,6 +59,9 @@ line line_random(random_source *source, const runner *runner) {
     double *directions = (double *)&line.change.parameters;
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         line.variation.state[i] = of_state[i] * random_uniform(source, -1.0, 1.0);
+    }
+    if (runner->mode.phase == TDMF_PHASE_PLACE) {
+        line.variation.state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
     }
     for (int i = 0; i < PARAMETERS; ++i) {
         directions[i] = of_parameters[i] * random_uniform(source, -1.0, 1.0);

@@ -71,6 +71,14 @@ double scene_retract_law(const runner *runner) {
            p->hip.kd * runner->state[TDMF_LEG_ANGLE_RATE];
 }
 
+double scene_place_law(const runner *runner) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double omega = p->hip.retraction_rate;
+    const double reference = p->hip.touchdown_angle - omega * runner->state[TDMF_HIP_PLACE_TIME];
+    return -p->hip.kp * (runner->state[TDMF_LEG_ANGLE] - reference) -
+           p->hip.kd * (runner->state[TDMF_LEG_ANGLE_RATE] + omega);
+}
+
 void scene_set_com_vy(runner *runner, double com_vy) {
     const double *state = runner->state;
     const double share = runner->model.parameters.body.mass / runner->model.total_mass;
@@ -135,6 +143,15 @@ tdmf_resolution scene_resolve(runner *runner) {
     return resolution;
 }
 
+/* From a copy of the source: all else is as it would be without them. */
+static void choose_further_laws(random_source copy, tdmf_parameters *p) {
+    copy.state ^= UINT64_C(0x6a09e667f3bcc909);
+    p->ground.static_friction_ratio = random_uniform(&copy, 1.1, 1.5);
+    if (random_chance(&copy, 0.5)) {
+        p->hip.retraction_rate = random_uniform(&copy, -0.05, 0.05) * sqrt(p->leg.stiffness / p->body.mass);
+    }
+}
+
 tdmf_parameters scene_random_parameters(random_source *source) {
     tdmf_parameters p = tdmf_default_parameters();
     p.body.mass = random_magnitude(source, 0.1, 100.0);
@@ -152,6 +169,7 @@ tdmf_parameters scene_random_parameters(random_source *source) {
     p.hip.kp = random_magnitude(source, 0.01, 1.0) * energy;
     p.hip.kd = random_magnitude(source, 0.01, 1.0) * length * length * impedance;
     p.hip.liftoff_angle_factor = random_uniform(source, 0.0, 2.0);
+    choose_further_laws(*source, &p);
     return p;
 }
 
@@ -207,6 +225,8 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
     } else {
         runner.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
         runner.mode.clamp_closed = first && scene_retract_law(&runner) < 0.0;
+        runner.state[TDMF_HIP_PLACE_TIME] =
+            first ? 0.0 : random_uniform(source, 0.0, 10.0) * runner.model.scales.time;
     }
     constrain(&runner);
     return runner;

@@ -145,7 +145,7 @@ static double control_law(const runner *runner) {
         return fmax(-p->hip.kp * (angle - p->hip.liftoff_angle_factor * runner->mode.liftoff_angle) - damping,
                     0.0);
     default:
-        return -p->hip.kp * (angle - p->hip.touchdown_angle) - damping;
+        return scene_place_law(runner);
     }
 }
 

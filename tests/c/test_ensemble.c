@@ -33,6 +33,8 @@ static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_ca
     for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
         scale_randomly(source, varied[i], 1.2);
     }
+    p.hip.retraction_rate = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);
+    p.ground.static_friction_ratio = random_chance(source, 0.5) ? 1.0 : random_uniform(source, 1.0, 1.5);
     assert_null(tdmf_model_create(model, &p).variable);
     its_case->inputs.ground.friction = random_magnitude(source, 0.02, 10.0);
     its_case->inputs.hip.external_torque =

@@ -232,6 +232,31 @@ static void a_parameter_out_of_range_is_refused(void **unused) {
     assert_refused(STEPS, &bad, "leg.min_length = 2 m is refused");
 }
 
+/* At 55 s the leg is placed since the apex. A clock that runs backwards, or that counts in stance. */
+static void a_clock_of_no_phase_is_refused(void **unused) {
+    (void)unused;
+    serialized state, landed;
+    step_answer step;
+    fmi3Instance instance = new_on_its_way(STEPS);
+    int phase = 0;
+    assert_int_equal(do_step(instance, 40.0, 15.0, &step), fmi3OK);
+    const double placed = get_float(instance, "hip.place_time");
+    serialize(instance, &state);
+    assert_true(placed > 5.0);
+    replace_number(&state, placed, -placed);
+    assert_refused(STEPS, &state, "hip.place_time");
+    while (phase != TDMF_PHASE_COAST) {
+        assert_int_equal(do_step(instance, get_float(instance, "time"), 0.01, &step), fmi3OK);
+        phase = ((struct instance *)instance)->unit.motion.mode.phase;
+    }
+    serialize(instance, &landed);
+    const double work = get_float(instance, "hip.work");
+    const size_t place = place_of(&landed, &work, sizeof work) + sizeof work; /* the state after it */
+    landed.bytes[place + sizeof(double) - 1] = 0x3f;
+    assert_refused(STEPS, &landed, "hip.place_time");
+    fmi3FreeInstance(instance);
+}
+
 static void a_word_without_an_end_is_refused(void **unused) {
     (void)unused;
     serialized state;
@@ -495,6 +520,7 @@ int main(void) {
         cmocka_unit_test(whatever_is_forged_is_refused_or_goes_on),
         cmocka_unit_test(no_field_holds_what_is_not_a_number),
         cmocka_unit_test(a_parameter_out_of_range_is_refused),
+        cmocka_unit_test(a_clock_of_no_phase_is_refused),
         cmocka_unit_test(a_word_without_an_end_is_refused),
         cmocka_unit_test(a_word_of_other_letters_or_code_is_refused),
         cmocka_unit_test(a_time_of_the_past_that_lies_ahead_is_refused),

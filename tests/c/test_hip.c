@@ -84,6 +84,29 @@ static void place_swings_to_the_touchdown_angle(void **unused) {
     assert_close(torque_of(&beyond), -0.1 * (1.0 - touchdown_angle) - 0.05, 1e-15);
 }
 
+/* -kp (theta - theta0 + omega s) - kd (thetadot + omega), s after place began. */
+static void place_follows_a_leg_that_is_retracted(void **unused) {
+    (void)unused;
+    random_source source = {33};
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = random_uniform(&source, -1.5, 1.5), rate = random_uniform(&source, -2.0, 2.0);
+        const double omega = random_uniform(&source, -0.5, 0.5), since = random_uniform(&source, 0.0, 30.0);
+        runner runner = leg_in_flight(TDMF_PHASE_PLACE, angle, rate);
+        runner.model.parameters.hip.retraction_rate = omega;
+        runner.state[TDMF_HIP_PLACE_TIME] = since;
+        assert_close(torque_of(&runner),
+                     -0.1 * (angle - touchdown_angle + omega * since) - 0.1 * (rate + omega), 1e-14);
+        double derivatives[TDMF_STATE_COUNT];
+        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        assert_true(derivatives[TDMF_HIP_PLACE_TIME] == 1.0);
+        runner.mode.phase = TDMF_PHASE_RETRACT;
+        runner.state[TDMF_HIP_PLACE_TIME] = 0.0;
+        assert_close(torque_of(&runner), -0.1 * (angle + 0.6) - 0.1 * rate, 1e-15);
+        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        assert_true(derivatives[TDMF_HIP_PLACE_TIME] == 0.0);
+    }
+}
+
 static void external_torque_adds_to_the_law(void **unused) {
     (void)unused;
     runner runners[] = {
@@ -136,6 +159,7 @@ int main(void) {
         cmocka_unit_test(retract_never_pulls_back),
         cmocka_unit_test(clamp_stays_as_located),
         cmocka_unit_test(place_swings_to_the_touchdown_angle),
+        cmocka_unit_test(place_follows_a_leg_that_is_retracted),
         cmocka_unit_test(external_torque_adds_to_the_law),
         cmocka_unit_test(graze_torque_unloads_the_foot),
         cmocka_unit_test(graze_is_watched_by_the_ground_force_under_either_law),

@@ -48,7 +48,8 @@ static void assert_is_impact(const runner *before, double friction) {
     const double along = foot_mass * (after.state[TDMF_FOOT_VX] - before->state[TDMF_FOOT_VX]);
     const double up = foot_mass * (after.state[TDMF_FOOT_VY] - before->state[TDMF_FOOT_VY]);
     assert_true(up > 0.0);
-    assert_true(fabs(along) <= friction * up + 4.0 * DBL_EPSILON * foot_mass * speed_scale);
+    const double at_rest = before->model.parameters.ground.static_friction_ratio * friction;
+    assert_true(fabs(along) <= at_rest * up + 4.0 * DBL_EPSILON * foot_mass * speed_scale);
     if (after.state[TDMF_FOOT_VX] != 0.0) {
         /* It slides on in its direction, braked by all that the cone allows. */
         assert_true(after.state[TDMF_FOOT_VX] * before->state[TDMF_FOOT_VX] > 0.0);
@@ -79,6 +80,22 @@ static void sticks_up_to_the_edge_of_the_cone(void **unused) {
     assert_true(vx_after(nextafter(edge, 0.0), -0.5, 0.75) == 0.0);
     assert_true(vx_after(outside, -0.5, 0.75) == outside - edge);
     assert_true(vx_after(-outside, -0.5, 0.75) == edge - outside);
+}
+
+/* rho = 1.5: inside its cone of 1.5 * 0.5 * 0.5 the foot sticks, outside it slides with the friction itself.
+ */
+static void static_friction_decides_whether_it_sticks(void **unused) {
+    (void)unused;
+    const double edge = 1.5 * 0.5 * 0.5;
+    for (double sign = -1.0; sign < 2.0; sign += 2.0) {
+        runner inside = falling_foot(sign * edge, -0.5), outside = falling_foot(sign * 0.4, -0.5);
+        inside.model.parameters.ground.static_friction_ratio = 1.5;
+        outside.model.parameters.ground.static_friction_ratio = 1.5;
+        impact(&inside, 0.5);
+        impact(&outside, 0.5);
+        assert_true(inside.state[TDMF_FOOT_VX] == 0.0);
+        assert_close(outside.state[TDMF_FOOT_VX], sign * 0.15, 1e-15);
+    }
 }
 
 static void without_friction_the_foot_slides_on(void **unused) {
@@ -119,6 +136,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_impacts_obey_newton_and_coulomb),
         cmocka_unit_test(sticks_up_to_the_edge_of_the_cone),
+        cmocka_unit_test(static_friction_decides_whether_it_sticks),
         cmocka_unit_test(without_friction_the_foot_slides_on),
         cmocka_unit_test(with_huge_friction_the_foot_sticks),
         cmocka_unit_test(tiny_velocities_are_no_exception),

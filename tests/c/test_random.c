@@ -136,7 +136,10 @@ static void assert_force_is_possible(const runner *runner) {
         tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
     const double slack = 1e-9 * (runner->model.scales.force + fabs(force.fx));
     assert_true(force.fy >= -slack);
-    assert_true(fabs(force.fx) <= runner->inputs.ground.friction * force.fy + slack);
+    const double ratio = runner->mode.contact == TDMF_CONTACT_STICK
+                             ? runner->model.parameters.ground.static_friction_ratio
+                             : 1.0;
+    assert_true(fabs(force.fx) <= ratio * runner->inputs.ground.friction * force.fy + slack);
 }
 
 static void assert_sound(const runner *runner) {

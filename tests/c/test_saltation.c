@@ -12,15 +12,15 @@
 
 enum {
     DRAWS = 60,
-    VARIED = TDMF_HIP_WORK /* coordinates that a guard may depend on */
+    VARIED = TDMF_VARIED_COUNT /* the states that a variation has: a guard depends on all but the work */
 };
 
 static double flight_law(const runner *at) {
-    const tdmf_parameters *p = &at->model.parameters;
-    const double to_target = p->hip.touchdown_angle - at->state[TDMF_LEG_ANGLE];
-    return at->mode.phase == TDMF_PHASE_PLACE
-               ? p->hip.kp * to_target - p->hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
-               : fmax(scene_retract_law(at), 0.0);
+    return at->mode.phase == TDMF_PHASE_PLACE ? scene_place_law(at) : fmax(scene_retract_law(at), 0.0);
+}
+
+static double static_friction(const runner *at) {
+    return at->model.parameters.ground.static_friction_ratio * at->inputs.ground.friction;
 }
 
 /* What a guard watches, in its own unit. */
@@ -35,9 +35,9 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_CLAMP:
         return scene_retract_law(at);
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
-        return at->inputs.ground.friction * force.fy + force.fx;
+        return static_friction(at) * force.fy + force.fx;
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        return at->inputs.ground.friction * force.fy - force.fx;
+        return static_friction(at) * force.fy - force.fx;
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
         return at->state[TDMF_FOOT_VX];
     case TDMF_GUARD_MID_STANCE:
@@ -91,6 +91,8 @@ static runner random_runner(random_source *source, tdmf_guard guard) {
     p.hip.stance_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.5, 0.5);
     p.hip.kp = random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.1, 1.0);
     p.hip.kd = random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.1, 1.0);
+    p.hip.retraction_rate = random_chance(source, 0.3) ? 0.0 : random_uniform(source, -0.5, 0.5);
+    p.ground.static_friction_ratio = random_uniform(source, 1.1, 1.5);
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     runner.inputs.ground.friction = random_uniform(source, 0.1, 1.0);
     runner.inputs.hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.3, 0.3);
@@ -108,6 +110,7 @@ static void choose_direction(random_source *source, double state[TDMF_STATE_COUN
     for (int i = 0; i < VARIED; ++i) {
         state[i] = random_uniform(source, -1.0, 1.0);
     }
+    state[TDMF_HIP_WORK] = 0.0;
 }
 
 /* A variation, and the sides of an event that goes on in `after`. */
@@ -217,6 +220,7 @@ static void a_state_goes_on_at_the_rates_that_follow(void **state) {
     for (int i = 0; i < DRAWS; ++i) {
         const runner runner = random_runner(&source, TDMF_GUARD_APEX);
         event event = random_event(&source, &runner, TDMF_GUARD_APEX, TDMF_CONTACT_FLIGHT);
+        event.after.mode.phase = TDMF_PHASE_PLACE;
         choose_direction(&source, event.after.derivatives);
         const tdmf_variation after = taken(&runner, TDMF_GUARD_APEX, &event);
         const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
@@ -281,7 +285,7 @@ static void the_impact_map_is_differentiated(void **state) {
     for (int i = 0; i < 4 * DRAWS; ++i) {
         runner runner = random_runner(&source, TDMF_GUARD_TOUCHDOWN);
         const double vx = fabs(runner.state[TDMF_FOOT_VX]), vy = fabs(runner.state[TDMF_FOOT_VY]);
-        const double excess = vx - runner.inputs.ground.friction * vy;
+        const double excess = vx - static_friction(&runner) * vy;
         if (fmin(fmin(vx, vy), fabs(excess)) < 0.05 * fmax(1.0, runner.model.scales.speed)) {
             continue;
         }

@@ -35,6 +35,7 @@ static tdmf_parameters scaled_parameters(tdmf_parameters p, const factors *by) {
     p.hip.stance_torque *= energy_factor(by);
     p.hip.kp *= energy_factor(by);
     p.hip.kd *= energy_factor(by) * time_factor(by);
+    p.hip.retraction_rate /= time_factor(by);
     return p;
 }
 
@@ -49,6 +50,7 @@ static runner scaled(const runner *original, const factors *by) {
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         runner.state[i] *= by_element[i];
     }
+    runner.state[TDMF_HIP_PLACE_TIME] *= time_factor(by);
     return runner;
 }
 

@@ -369,6 +369,30 @@ static void slip_that_stops_outside_the_cone_reverses(void **unused) {
     scene_assert_mode(&backward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
 }
 
+/* A foot that rests holds up to rho mu. One whose slip comes to rest inside that sticks; outside it the foot
+ * goes on along the excess, backwards here, and feels mu. */
+static void static_friction_decides_whether_a_foot_rests(void **unused) {
+    (void)unused;
+    const double edge = 0.1 * tan(0.5) / 0.101;
+    runner holds = loaded_foot(TDMF_CONTACT_STICK, 0.5, edge / 1.25 + 1e-9);
+    runner gives = loaded_foot(TDMF_CONTACT_STICK, 0.5, edge / 1.25 - 1e-9);
+    runner sticks = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, -0.5, edge / 1.25 + 1e-9);
+    runner goes_on = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, -0.5, edge / 1.25 - 1e-9);
+    runner *const runners[] = {&holds, &gives, &sticks, &goes_on};
+    for (int i = 0; i < 4; ++i) {
+        runners[i]->model.parameters.ground.static_friction_ratio = 1.25;
+        runners[i]->state[TDMF_FOOT_VX] = i < 2 ? 0.0 : beyond;
+        resolve(runners[i], i == 0 ? 0 : 1);
+    }
+    scene_assert_mode(&holds, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&gives, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
+    scene_assert_mode(&sticks, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&goes_on, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
+    const tdmf_ground_force force =
+        tdmf_contact_force(&goes_on.model, &goes_on.inputs, &goes_on.mode, goes_on.state);
+    assert_close(force.fx, goes_on.inputs.ground.friction * force.fy, 1e-15);
+}
+
 /* The cone is asked with the total torque: an upright leg alone would stick. */
 static void slip_that_stops_under_external_torque_reverses(void **unused) {
     (void)unused;
@@ -586,6 +610,7 @@ int main(void) {
         cmocka_unit_test(slip_that_stops_inside_the_cone_sticks),
         cmocka_unit_test(slip_that_stops_outside_the_cone_reverses),
         cmocka_unit_test(slip_that_stops_under_external_torque_reverses),
+        cmocka_unit_test(static_friction_decides_whether_a_foot_rests),
         cmocka_unit_test(slip_that_touches_zero_goes_on_without_event),
         cmocka_unit_test(stopping_the_foot_leaves_the_body_alone),
         cmocka_unit_test(mid_stance_ends_the_drive_for_good),

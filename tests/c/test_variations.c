@@ -64,6 +64,10 @@ typedef struct {
     tdmf_guard guard;
 } guard_line;
 
+static double static_friction(const runner *runner) {
+    return runner->model.parameters.ground.static_friction_ratio * runner->inputs.ground.friction;
+}
+
 /* What turns a guard into the quantity that it is made of: the edge of a cone has its own weights, a clamp
  * that is closed the opposite sign. */
 static double scale_of(const runner *runner, tdmf_guard guard) {
@@ -80,7 +84,7 @@ static double scale_of(const runner *runner, tdmf_guard guard) {
         return 1.0;
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        return scales->force * fmax(1.0, runner->inputs.ground.friction);
+        return scales->force * fmax(1.0, static_friction(runner));
     default:
         return scales->force;
     }
@@ -332,7 +336,7 @@ static row impact_of(const runner *at) {
 /* Far enough from the edge of the cone and from feet that do not move. */
 static bool is_smooth_impact(const runner *at) {
     const double vx = fabs(at->state[TDMF_FOOT_VX]), vy = fabs(at->state[TDMF_FOOT_VY]);
-    const double speed = at->model.scales.speed, friction = at->inputs.ground.friction;
+    const double speed = at->model.scales.speed, friction = static_friction(at);
     return vx > 0.05 * speed && vy > 0.05 * speed &&
            fabs(vx - friction * vy) > 0.05 * (1.0 + friction) * speed;
 }

@@ -54,8 +54,8 @@ def test_causality_variability_and_initial(description):
         if variable.type != "Real" and variable.causality == "output":
             assert variable.variability == "discrete", variable.name
     states = [unknown.variable.derivative for unknown in description.derivatives]
-    assert [state.causality for state in states] == ["output"] * 12
-    assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 4
+    assert [state.causality for state in states] == ["output"] * 13
+    assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 5
     assert variables["time"].causality == "independent"
 
 
@@ -80,6 +80,8 @@ PROMISED = [
     "hip.kp",
     "hip.kd",
     "hip.liftoff_angle_factor",
+    "hip.retraction_rate",
+    "ground.static_friction_ratio",
     "status.terminate_on_fall",
     "ground.friction",
     "hip.external_torque",
@@ -92,6 +94,7 @@ PROMISED = [
     "leg.length_rate",
     "leg.angle_rate",
     "hip.work",
+    "hip.place_time",
     "energy.damper_loss",
     "energy.friction_loss",
     "body.x",
@@ -146,7 +149,7 @@ def test_promised_names_are_there(description):
     names = {variable.name for variable in description.modelVariables}
     assert set(PROMISED) <= names
     states = {name for name in names if f"der({name})" in names}
-    assert len(states) == 12
+    assert len(states) == 13
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")

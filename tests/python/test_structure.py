@@ -23,6 +23,8 @@ def random_start(draw):
         "leg.angle_rate": draw.uniform(-1, 1),
         "ground.friction": draw.uniform(0.1, 1),
         "hip.external_torque": draw.uniform(-0.1, 0.1),
+        "hip.retraction_rate": draw.uniform(-0.5, 0.5),
+        "ground.static_friction_ratio": draw.uniform(1, 1.5),
     }
 
 

@@ -1,0 +1,266 @@
+/* Gaits with swing-leg retraction and with static friction, from apex to apex by every solver, and the return
+ * map's derivatives there, by the section and by what the two laws depend on. */
+#include "further_gaits.h"
+
+#include "compare.h"
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/return_map.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const tdmf_inputs held = {{0.0}, {0.0}};
+static const double tight = 1e-12;
+static const double clamp_time = 1e-8; /* its guard has a dead band of 1e-10, which takes 5e-9 to cross */
+
+static tdmf_motion motion_of(const runner *runner) {
+    tdmf_motion motion;
+    motion.time = runner->time;
+    memcpy(motion.state, runner->state, sizeof motion.state);
+    motion.mode = runner->mode;
+    motion.record = runner->record;
+    return motion;
+}
+
+/* A stride that began where its runner did: its losses are those of the run. */
+static void assert_is_gait(const tdmf_motion *motion, const further_gait *further, double tolerance) {
+    const reference_gait *gait = &further->gait;
+    const tdmf_stride *stride = &motion->record.stride;
+    assert_int_equal(stride->count, 1);
+    assert_string_equal(stride->word, gait->word);
+    assert_relatively_close(stride->period, gait->period, tolerance);
+    assert_relatively_close(stride->length, gait->length, tolerance);
+    assert_relatively_close(stride->speed, gait->speed, tolerance);
+    assert_relatively_close(stride->work, gait->work, tolerance);
+    assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, tolerance);
+    assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
+    assert_relatively_close(motion->state[TDMF_ENERGY_DAMPER_LOSS], further->damper_loss, tolerance);
+    assert_relatively_close(motion->state[TDMF_ENERGY_FRICTION_LOSS], further->friction_loss, tolerance);
+    assert_relatively_close(motion->record.impact_loss, further->impact_loss, tolerance);
+    assert_reference_apex(&motion->record.apex, gait, tolerance);
+}
+
+/* ---- by the native solver ------------------------------------------------------------------------------ */
+
+static reference_event_kind kind_of(const tdmf_event *event) {
+    switch (event->guard) {
+    case TDMF_GUARD_TOUCHDOWN:
+        return TOUCHDOWN;
+    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+        return SLIP_VELOCITY_ZERO;
+    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
+    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
+        return SLIP_ONSET;
+    case TDMF_GUARD_MID_STANCE:
+        return MID_STANCE;
+    case TDMF_GUARD_LIFT_OFF:
+        assert_int_equal(event->after.contact, TDMF_CONTACT_GRAZE);
+        return LIFT_OFF_INTO_GRAZE;
+    case TDMF_GUARD_GRAZE_TO_FLIGHT:
+        return GRAZE_END;
+    case TDMF_GUARD_CLAMP:
+        return CLAMP_RELEASE;
+    default:
+        assert_int_equal(event->guard, TDMF_GUARD_APEX);
+        return APEX;
+    }
+}
+
+static int assert_events(const tdmf_event_log *log, const reference_event *expected) {
+    int compared = 0;
+    for (; expected[compared].kind != 0; ++compared) {
+        const reference_event_kind kind = expected[compared].kind;
+        assert_true(compared < log->count);
+        assert_int_equal(kind_of(&log->events[compared]), kind);
+        assert_close(log->events[compared].time, expected[compared].time,
+                     kind == CLAMP_RELEASE ? clamp_time : 1e-9);
+    }
+    assert_int_equal(log->count, compared);
+    return compared;
+}
+
+static void the_native_solver_comes_back_to_the_apex(void **state) {
+    int events = 0;
+    (void)state;
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const runner runner = runner_at_further_apex(&further_gaits[i]);
+        tdmf_event_log log = {0};
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = tight;
+        solver.log = &log;
+        assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion).closed);
+        assert_is_gait(&motion, &further_gaits[i], 1e-9);
+        events += assert_events(&log, further_gaits[i].gait.events);
+    }
+    assert_int_equal(events, 6 * 10 + 2 * 8 + 7);
+}
+
+/* ---- by lanes ------------------------------------------------------------------------------------------ */
+
+static void assert_lanes_come_back(tdmf_instructions instructions) {
+    static tdmf_model models[FURTHER_GAITS];
+    tdmf_ensemble_case cases[FURTHER_GAITS];
+    int case_of[FURTHER_GAITS];
+    double starts[FURTHER_GAITS][TDMF_SECTION_COUNT];
+    tdmf_ensemble_end ends[FURTHER_GAITS];
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const tdmf_ensemble_case its_case = {&models[i], tdmf_default_inputs(), {NULL, 0, 0.0, 1}};
+        const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
+        assert_null(tdmf_model_create(&models[i], &parameters).variable);
+        cases[i] = its_case;
+        cases[i].inputs.ground.friction = further_gaits[i].gait.friction;
+        case_of[i] = i;
+        memcpy(starts[i], &further_gaits[i].gait.apex, sizeof starts[i]);
+    }
+    const tdmf_ensemble ensemble = {.cases = cases,
+                                    .case_count = FURTHER_GAITS,
+                                    .case_of = case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .count = FURTHER_GAITS,
+                                    .relative_tolerance = 1e-11,
+                                    .instructions = instructions,
+                                    .threads = 1};
+    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const further_gait *further = &further_gaits[i];
+        assert_int_equal(ends[i].strides, 1);
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_close(ends[i].apex[k], starts[i][k], 1e-9);
+        }
+        assert_relatively_close(ends[i].time, further->gait.period, 1e-9);
+        assert_relatively_close(ends[i].distance, further->gait.length, 1e-9);
+        assert_relatively_close(ends[i].work, further->gait.work, 1e-9);
+        assert_relatively_close(ends[i].damper_loss, further->damper_loss, 1e-9);
+        assert_relatively_close(ends[i].friction_loss, further->friction_loss, 1e-9);
+        assert_relatively_close(ends[i].impact_loss, further->impact_loss, 1e-9);
+    }
+}
+
+static void lanes_come_back_to_the_apex(void **state) {
+    int sets = 0;
+    (void)state;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        if (tdmf_has_instructions((tdmf_instructions)set)) {
+            assert_lanes_come_back((tdmf_instructions)set);
+            ++sets;
+        } else {
+            print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
+        }
+    }
+    assert_true(sets >= 2);
+}
+
+/* ---- by CVODE ------------------------------------------------------------------------------------------ */
+
+static void cvode_comes_back_to_the_apex(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const runner runner = runner_at_further_apex(&further_gaits[i]);
+        tdmf_motion motion = motion_of(&runner);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-12;
+        /* A hundredth past the apex, in which neither a loss nor the angle of lift-off changes any more but
+         * for the damper's, whose leg is at rest by then. */
+        assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held,
+                                            further_gaits[i].gait.period + 0.01, &motion),
+                         TDMF_ARRIVED);
+        assert_is_gait(&motion, &further_gaits[i], 1e-8);
+    }
+}
+
+/* ---- derivatives --------------------------------------------------------------------------------------- */
+
+static tdmf_return stride_of(const further_gait *further, const tdmf_parameters *parameters,
+                             const tdmf_change *change) {
+    tdmf_model model;
+    tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_solver solver = tdmf_solver_default();
+    double section[TDMF_SECTION_COUNT];
+    solver.relative_tolerance = 1e-13;
+    inputs.ground.friction = further->gait.friction;
+    memcpy(section, &further->gait.apex, sizeof section);
+    assert_null(tdmf_model_create(&model, parameters).variable);
+    const tdmf_return stride =
+        tdmf_return_map(&solver, &model, &inputs, section, 1e3, true, change, change != NULL ? 1 : 0);
+    assert_true(stride.outcome.closed);
+    return stride;
+}
+
+static void the_jacobian_is_that_of_the_reference(void **state) {
+    (void)state;
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
+        const tdmf_return stride = stride_of(&further_gaits[i], &parameters, NULL);
+        for (int row = 0; row < TDMF_SECTION_COUNT; ++row) {
+            for (int column = 0; column < TDMF_SECTION_COUNT; ++column) {
+                assert_close(stride.by_section[column].apex[row], further_gaits[i].jacobian[row][column],
+                             1e-8);
+            }
+        }
+    }
+}
+
+static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members[4]) {
+    members[0] = &p->hip.retraction_rate;
+    members[1] = &p->ground.static_friction_ratio;
+    members[2] = &p->hip.kd;
+    members[3] = &p->hip.touchdown_angle;
+    return members;
+}
+
+/* By central differences; at the least static friction by one that looks ahead, of second order as well. */
+static void by_parameters_the_gaits_are_differentiated(void **state) {
+    const double step = 1e-5;
+    int compared = 0, one_sided = 0;
+    (void)state;
+    for (int i = 0; i < FURTHER_GAITS; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            const tdmf_parameters at = parameters_of_further_gait(&further_gaits[i]);
+            tdmf_parameters moved[3] = {at, at, at};
+            double *members[4];
+            tdmf_change change;
+            tdmf_return strides[3];
+            memset(&change, 0, sizeof change);
+            *parameters_of_the_laws(&change.parameters, members)[k] = 1.0;
+            const bool ahead = k == 1 && at.ground.static_friction_ratio == 1.0;
+            for (int j = 0; j < 3; ++j) {
+                *parameters_of_the_laws(&moved[j], members)[k] += (ahead ? j : j - 1) * step;
+                strides[j] = stride_of(&further_gaits[i], &moved[j], NULL);
+            }
+            const tdmf_return exact = stride_of(&further_gaits[i], &at, &change);
+            double size = 1.0;
+            for (int c = 0; c < TDMF_SECTION_COUNT; ++c) {
+                size = fmax(size, fabs(exact.by_parameter[0].apex[c]));
+            }
+            for (int c = 0; c < TDMF_SECTION_COUNT; ++c) {
+                const double forward =
+                    4.0 * strides[1].apex[c] - 3.0 * strides[0].apex[c] - strides[2].apex[c];
+                const double difference = ahead ? forward : strides[2].apex[c] - strides[0].apex[c];
+                assert_close(exact.by_parameter[0].apex[c], difference / (2.0 * step), 1e-6 * size);
+                ++compared;
+            }
+            one_sided += ahead;
+        }
+    }
+    assert_int_equal(compared, FURTHER_GAITS * 4 * TDMF_SECTION_COUNT);
+    assert_int_equal(one_sided, 4);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_native_solver_comes_back_to_the_apex),
+        cmocka_unit_test(lanes_come_back_to_the_apex),
+        cmocka_unit_test(cvode_comes_back_to_the_apex),
+        cmocka_unit_test(the_jacobian_is_that_of_the_reference),
+        cmocka_unit_test(by_parameters_the_gaits_are_differentiated),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
