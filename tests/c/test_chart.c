@@ -29,8 +29,9 @@ static void assert_same_state(const runner *runner, const double *state) {
 
 static void assert_same_law(const tdmf_hip_law *actual, const tdmf_hip_law *expected, double energy) {
     assert_close(actual->torque, expected->torque, 1e-13 * energy);
+    assert_close(actual->target, expected->target, 1e-13 * (1.0 + fabs(expected->target)));
     assert_true(actual->torque_rate == expected->torque_rate && actual->gain == expected->gain &&
-                actual->rate_gain == expected->rate_gain && actual->target == expected->target);
+                actual->rate_gain == expected->rate_gain && actual->target_rate == expected->target_rate);
 }
 
 /* The coordinates need not follow the motion: the leg is the same after `elapsed`. */
@@ -46,6 +47,8 @@ static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_chart
                     tdmf_leg_direction_of(state));
     assert_same_law(&shifted.law, &later.law, scales->energy);
     assert_same_law(&shifted.stance_law, &later.stance_law, scales->energy);
+    assert_same_law(&shifted.servo, &later.servo, scales->energy);
+    assert_close(shifted.place_time, later.place_time, 1e-13 * (scales->time + later.place_time));
     assert_close(shifted.friction, later.friction, 1e-14 * fabs(later.friction));
     assert_close(shifted.static_friction, later.static_friction, 1e-14 * later.static_friction);
     assert_true(shifted.friction_rate == later.friction_rate);
