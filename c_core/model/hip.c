@@ -115,17 +115,6 @@ bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode
 /* ---- time -----------------------------------------------------------------------------------------------
  */
 
-tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapsed) {
-    tdmf_hip_law after = *law;
-    after.target += elapsed * law->target_rate;
-    after.torque += elapsed * law->torque_rate;
-    return after;
-}
-
-double tdmf_law_drift(const tdmf_hip_law *law) {
-    return law->torque_rate + law->gain * law->target_rate;
-}
-
 double tdmf_vary_law_drift(const tdmf_hip_law *law, const tdmf_hip_law *d_law) {
     return d_law->torque_rate + d_law->gain * law->target_rate + law->gain * d_law->target_rate;
 }

@@ -42,11 +42,16 @@ tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_mode *mode, dou
  * makes of it. */
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d);
 
-/* The law some time later. */
-tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapsed);
+/* Makes it the law some time later. */
+static inline void tdmf_shift_law(tdmf_hip_law *law, double elapsed) {
+    law->target += elapsed * law->target_rate;
+    law->torque += elapsed * law->torque_rate;
+}
 
 /* How fast the torque of a law changes while the leg stands still, N.m/s, and its change. */
-double tdmf_law_drift(const tdmf_hip_law *law);
+static inline double tdmf_law_drift(const tdmf_hip_law *law) {
+    return law->torque_rate + law->gain * law->target_rate;
+}
 double tdmf_vary_law_drift(const tdmf_hip_law *law, const tdmf_hip_law *d_law);
 
 /* The torque that a law applies now, N.m, and its change. */

@@ -86,9 +86,9 @@ void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inpu
 void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached) {
     const double g = chart->model->parameters.gravity;
     chart->start = *reached;
-    chart->law = tdmf_law_after(&chart->law, elapsed);
-    chart->stance_law = tdmf_law_after(&chart->stance_law, elapsed);
-    chart->servo = tdmf_law_after(&chart->servo, elapsed);
+    tdmf_shift_law(&chart->law, elapsed);
+    tdmf_shift_law(&chart->stance_law, elapsed);
+    tdmf_shift_law(&chart->servo, elapsed);
     chart->place_time += elapsed * chart->place_rate;
     chart->friction += elapsed * chart->friction_rate;
     chart->static_friction += elapsed * chart->static_friction_rate;
