@@ -71,7 +71,7 @@ const unit_view *current_view(instance *instance, const char *call, call_status 
         if (present == NULL) {
             return NULL;
         }
-        unit_look(present, &instance->view);
+        unit_evaluate(present, &instance->view);
         instance->view_is_current = true;
     }
     return &instance->view;

@@ -66,12 +66,12 @@ static bool may_begin(const instance *instance, const char *call, const uint32_t
 }
 
 /* `present` is what present_unit gave. */
-static void look_along(const instance *instance, const unit *present, unit *direction, unit_view *change) {
+static void differentiate(const instance *instance, const unit *present, unit *direction, unit_view *change) {
     if (unit_has_begun(&instance->unit)) {
-        unit_look_along(present, direction, change);
+        unit_differentiate(present, direction, change);
         return;
     }
-    unit_look_along_start(&instance->unit, present, direction, change);
+    unit_differentiate_start(&instance->unit, present, direction, change);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
         direction->motion.state[i] = 0.0; /* a start sets these to zero */
     }
@@ -100,7 +100,7 @@ call_status directional_derivative(instance *instance, const char *call, const u
         }
         unit_set_number(&direction, known, unit_get_number(&direction, NULL, known) + seeds[i]);
     }
-    look_along(instance, present, &direction, &change);
+    differentiate(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         values[i] = unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -115,7 +115,7 @@ static double sensitivity(const instance *instance, const unit *present, const u
     double sum = 0.0;
     memset(&direction, 0, sizeof direction);
     unit_set_number(&direction, &unit_variables[known], 1.0);
-    look_along(instance, present, &direction, &change);
+    differentiate(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
         sum += seeds[i] * unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
     }
@@ -155,7 +155,7 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
     unit flow;
     unit_view change;
     unit_flow(&instance->unit, &flow);
-    unit_look_along(&instance->unit, &flow, &change);
+    unit_differentiate(&instance->unit, &flow, &change);
     for (size_t i = 0; i < count; ++i) {
         const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_REAL);
         if (variable == NULL) {

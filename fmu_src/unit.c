@@ -64,7 +64,7 @@ static int as_integer(int64_t count) {
     return count < INT_MAX ? (int)count : INT_MAX;
 }
 
-void unit_look(const unit *unit, unit_view *view) {
+void unit_evaluate(const unit *unit, unit_view *view) {
     tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, view->derivatives);
     view->outputs = tdmf_outputs_of(&unit->model, &unit->inputs, &unit->motion.mode, &unit->motion.record,
                                     unit->motion.state);
@@ -73,39 +73,39 @@ void unit_look(const unit *unit, unit_view *view) {
     view->work.solver.evaluations = as_integer(unit->solver.evaluations);
 }
 
-static void look_along(const unit *unit, const tdmf_change *change, const tdmf_variation *variation,
-                       unit_view *looks) {
+static void differentiate(const unit *unit, const tdmf_change *change, const tdmf_variation *variation,
+                          unit_view *view) {
     const tdmf_motion *motion = &unit->motion;
     const tdmf_tangent tangent =
         tdmf_tangent_along(&unit->model, &unit->inputs, &motion->mode, motion->state, change, variation);
-    memset(looks, 0, sizeof *looks);
-    memcpy(looks->derivatives, tangent.derivatives, sizeof looks->derivatives);
-    looks->outputs.body.x = tangent.body.x;
-    looks->outputs.body.y = tangent.body.y;
-    looks->outputs.body.vx = tangent.body.vx;
-    looks->outputs.body.vy = tangent.body.vy;
-    looks->outputs.com.x = tangent.com.x;
-    looks->outputs.com.y = tangent.com.y;
-    looks->outputs.com.vx = tangent.com.vx;
-    looks->outputs.com.vy = tangent.com.vy;
-    looks->outputs.contact.fx = tangent.contact.fx;
-    looks->outputs.contact.fy = tangent.contact.fy;
-    looks->outputs.hip.torque = tangent.torque;
-    looks->outputs.energy.kinetic = tangent.energy.kinetic;
-    looks->outputs.energy.potential = tangent.energy.potential;
-    looks->outputs.energy.elastic = tangent.energy.elastic;
-    looks->outputs.energy.total = tangent.energy.total;
+    memset(view, 0, sizeof *view);
+    memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
+    view->outputs.body.x = tangent.body.x;
+    view->outputs.body.y = tangent.body.y;
+    view->outputs.body.vx = tangent.body.vx;
+    view->outputs.body.vy = tangent.body.vy;
+    view->outputs.com.x = tangent.com.x;
+    view->outputs.com.y = tangent.com.y;
+    view->outputs.com.vx = tangent.com.vx;
+    view->outputs.com.vy = tangent.com.vy;
+    view->outputs.contact.fx = tangent.contact.fx;
+    view->outputs.contact.fy = tangent.contact.fy;
+    view->outputs.hip.torque = tangent.torque;
+    view->outputs.energy.kinetic = tangent.energy.kinetic;
+    view->outputs.energy.potential = tangent.energy.potential;
+    view->outputs.energy.elastic = tangent.energy.elastic;
+    view->outputs.energy.total = tangent.energy.total;
 }
 
-void unit_look_along(const unit *unit, const struct unit *direction, unit_view *change) {
+void unit_differentiate(const unit *unit, const struct unit *direction, unit_view *change) {
     const tdmf_change along = {.inputs = direction->inputs};
     tdmf_variation variation = {.liftoff_angle = 0.0};
     memcpy(variation.state, direction->motion.state, sizeof variation.state);
-    look_along(unit, &along, &variation, change);
+    differentiate(unit, &along, &variation, change);
 }
 
 /* Where the run starts at an apex, the section is latched. */
-static void look_along_apex(const double variation[TDMF_STATE_COUNT], double time, tdmf_outputs *change) {
+static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double time, tdmf_outputs *change) {
     change->apex.time = time;
     change->apex.com_height = change->com.y;
     change->apex.com_speed = change->com.vx;
@@ -115,18 +115,18 @@ static void look_along_apex(const double variation[TDMF_STATE_COUNT], double tim
     change->apex.leg_angle_rate = variation[TDMF_LEG_ANGLE_RATE];
 }
 
-void unit_look_along_start(const unit *given, const struct unit *started, const struct unit *direction,
-                           unit_view *change) {
+void unit_differentiate_start(const unit *given, const struct unit *started, const struct unit *direction,
+                              unit_view *change) {
     const tdmf_change along = {direction->parameters, direction->inputs};
     const tdmf_start_variation varied =
         tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state, &along,
                         direction->motion.state);
-    look_along(started, &along, &varied.variation, change);
+    differentiate(started, &along, &varied.variation, change);
     change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
     change->outputs.energy.impact_loss = varied.impact_loss;
     change->outputs.event.last_time = direction->motion.time;
     if (started->motion.record.open.began_at_apex) {
-        look_along_apex(varied.variation.state, direction->motion.time, &change->outputs);
+        differentiate_apex(varied.variation.state, direction->motion.time, &change->outputs);
     }
 }
 

@@ -37,7 +37,7 @@ typedef struct unit {
     tdmf_motion after_event;
 } unit;
 
-/* Told of every event that the unit takes, if there is somebody to tell. */
+/* Told of every event that the unit takes, if an observer is given. */
 typedef struct {
     void (*note)(void *subject, const tdmf_event *event); /* or NULL */
     void *subject;
@@ -51,7 +51,7 @@ typedef struct {
     } solver;
 } unit_work;
 
-/* What follows from a unit and is computed when somebody looks. */
+/* What follows from a unit and is computed when it is asked for. */
 typedef struct {
     tdmf_outputs outputs;
     unit_work work;
@@ -71,16 +71,16 @@ tdmf_refusal unit_start(unit *unit);
 
 bool unit_has_begun(const unit *unit);
 
-void unit_look(const unit *unit, unit_view *view);
+void unit_evaluate(const unit *unit, unit_view *view);
 
 /* How all that follows from states and inputs changes along a direction: a unit whose states and inputs are
  * the seed. Discrete outputs do not change. */
-void unit_look_along(const unit *unit, const struct unit *direction, unit_view *change);
+void unit_differentiate(const unit *unit, const struct unit *direction, unit_view *change);
 
 /* The same at the start of a run, for all that a start follows from: the seed is in the direction's
  * parameters, inputs, states and time. `given` is the unit before unit_start, `started` the one after. */
-void unit_look_along_start(const unit *given, const struct unit *started, const struct unit *direction,
-                           unit_view *change);
+void unit_differentiate_start(const unit *given, const struct unit *started, const struct unit *direction,
+                              unit_view *change);
 
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
 void unit_flow(const unit *unit, struct unit *direction);

@@ -1,7 +1,7 @@
 /* Chooses instructions, shares the starts out among threads, and runs one by one where there are no lanes. */
 #include "tdmf_slip/ensemble.h"
 
-#include "lane_march.h"
+#include "batches.h"
 #include "processor.h"
 #include "request.h"
 #include "step.h"
@@ -21,19 +21,19 @@ int64_t tdmf_next_start(tdmf_starts *starts) {
 
 /* ---- instructions ------------------------------------------------------------------------------------- */
 
-static tdmf_lane_march march_one_by_one;
+static tdmf_run_batches run_one_by_one;
 
 /* What this build has; NULL where it has not. */
-static tdmf_lane_march *const marches[TDMF_INSTRUCTIONS_COUNT] = {
-    [TDMF_ONE_BY_ONE] = march_one_by_one,
+static tdmf_run_batches *const runs[TDMF_INSTRUCTIONS_COUNT] = {
+    [TDMF_ONE_BY_ONE] = run_one_by_one,
 #ifdef TDMF_HAS_TWO_LANES
-    [TDMF_TWO_LANES] = tdmf_march_two_lanes,
+    [TDMF_TWO_LANES] = tdmf_run_two_lanes,
 #endif
 #ifdef TDMF_HAS_AVX2
-    [TDMF_AVX2] = tdmf_march_avx2,
+    [TDMF_AVX2] = tdmf_run_avx2,
 #endif
 #ifdef TDMF_HAS_AVX512
-    [TDMF_AVX512] = tdmf_march_avx512,
+    [TDMF_AVX512] = tdmf_run_avx512,
 #endif
 };
 
@@ -45,7 +45,7 @@ static bool processor_has(int instructions) {
 bool tdmf_has_instructions(tdmf_instructions instructions) {
     const int number = (int)instructions;
     return number == TDMF_BEST_INSTRUCTIONS ||
-           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && marches[number] && processor_has(number));
+           (number > 0 && number < TDMF_INSTRUCTIONS_COUNT && runs[number] && processor_has(number));
 }
 
 tdmf_instructions tdmf_best_instructions(void) {
@@ -65,8 +65,8 @@ const char *tdmf_instructions_name(tdmf_instructions instructions) {
 
 /* ---- one by one --------------------------------------------------------------------------------------- */
 
-static bool march_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
-                             tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
+static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
+                           tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     tdmf_solver solver = tdmf_solver_default();
     const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
     (void)order;
@@ -91,7 +91,7 @@ static bool march_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts,
 
 typedef struct {
     const tdmf_ensemble *ensemble;
-    tdmf_lane_march *march;
+    tdmf_run_batches *integration;
     tdmf_starts starts;
     int order;
     tdmf_ensemble_end *ends;
@@ -102,8 +102,9 @@ static void run_share(void *shared, int number) {
     everything *all = shared;
     const tdmf_ensemble *ensemble = all->ensemble;
     /* Without memory for lanes the starts are left to whoever has some. */
-    if (!all->march(ensemble, &all->starts, all->order, all->ends, &all->works[number]) && number == 0) {
-        march_one_by_one(ensemble, &all->starts, all->order, all->ends, &all->works[number]);
+    if (!all->integration(ensemble, &all->starts, all->order, all->ends, &all->works[number]) &&
+        number == 0) {
+        run_one_by_one(ensemble, &all->starts, all->order, all->ends, &all->works[number]);
     }
 }
 
@@ -139,8 +140,8 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
                                                              : 1;
     everything all = {
         .ensemble = ensemble,
-        .march = marches[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
-                                                                          : ensemble->instructions],
+        .integration = runs[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
+                                                                             : ensemble->instructions],
         .starts = {0, ensemble->count},
         .order = tdmf_step_order(ensemble->relative_tolerance),
         .ends = ends,

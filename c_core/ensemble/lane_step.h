@@ -1,4 +1,4 @@
-/* One step of a crew: expansion, first event, evaluation, in all lanes at once. */
+/* One step of a batch: expansion, first event, evaluation, in all lanes at once. */
 #ifndef TDMF_ENSEMBLE_LANE_STEP_H
 #define TDMF_ENSEMBLE_LANE_STEP_H
 
@@ -23,7 +23,7 @@ static inline real begin_lane_search(event_search *search, const member_progress
     return change;
 }
 
-/* Lanes that have just been boarded and whose laws say that they are too stiff. */
+/* Lanes that have just been loaded and whose laws say that they are too stiff. */
 static inline choice lane_opens_too_stiff(const member_progress *now, real time_left,
                                           const mode_constants *mode, real longest) {
     return (now->elapsed == 0.0) & opens_too_stiff(longest, smaller(mode->time_scale, time_left));

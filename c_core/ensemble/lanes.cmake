@@ -6,7 +6,7 @@ find_package(Threads REQUIRED)
 set(ensemble_sources ensemble/ensemble.c ensemble/processor.c ensemble/runner.c ensemble/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 
-# add_lanes(<name> <function> <number of lanes> <flag>...): a build of lane_march.c, if the compiler takes the flags.
+# add_lanes(<name> <function> <number of lanes> <flag>...): a build of batches.c, if the compiler takes the flags.
 function(add_lanes name function count)
     string(MAKE_C_IDENTIFIER "takes flags of ${name}" takes)
     string(REPLACE ";" " " flags "${ARGN}")
@@ -14,9 +14,9 @@ function(add_lanes name function count)
     if(NOT ${takes})
         return()
     endif()
-    add_library(lanes_${name} OBJECT ensemble/lane_march.c)
+    add_library(lanes_${name} OBJECT ensemble/batches.c)
     target_include_directories(lanes_${name} PRIVATE include model model/events solver kernel)
-    target_compile_definitions(lanes_${name} PRIVATE TDMF_LANE_MARCH=${function} TDMF_LANES=${count})
+    target_compile_definitions(lanes_${name} PRIVATE TDMF_RUN_BATCHES=${function} TDMF_LANES=${count})
     tdmf_slip_compile(lanes_${name})
     target_compile_options(lanes_${name} PRIVATE ${ARGN})
     string(TOUPPER TDMF_HAS_${name} macro)
@@ -26,10 +26,10 @@ endfunction()
 
 # Vector types are an extension of GCC and clang. GCC for Windows does not align wide vectors on the stack.
 if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULATE_ID STREQUAL "MSVC")
-    add_lanes(two_lanes tdmf_march_two_lanes 2 -ffp-contract=off)
+    add_lanes(two_lanes tdmf_run_two_lanes 2 -ffp-contract=off)
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
-        add_lanes(avx2 tdmf_march_avx2 4 -mavx2 -mfma -ffp-contract=fast)
-        add_lanes(avx512 tdmf_march_avx512 8 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
+        add_lanes(avx2 tdmf_run_avx2 4 -mavx2 -mfma -ffp-contract=fast)
+        add_lanes(avx512 tdmf_run_avx512 8 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
                   -ffp-contract=fast)
     endif()
 endif()

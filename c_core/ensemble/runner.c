@@ -56,17 +56,17 @@ static bool coasts(const tdmf_runner *runner) {
     return law.torque == 0.0;
 }
 
-crew_kind tdmf_runner_crew(const tdmf_runner *runner) {
+batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return mode->phase == TDMF_PHASE_RETRACT ? CREW_RETRACT : CREW_PLACE;
+        return mode->phase == TDMF_PHASE_RETRACT ? BATCH_RETRACT : BATCH_PLACE;
     case TDMF_CONTACT_STICK:
-        return coasts(runner) ? CREW_STICK_AND_COAST : CREW_STICK;
+        return coasts(runner) ? BATCH_STICK_AND_COAST : BATCH_STICK;
     case TDMF_CONTACT_GRAZE:
-        return CREW_GRAZE;
+        return BATCH_GRAZE;
     default:
-        return coasts(runner) ? CREW_SLIP_AND_COAST : CREW_SLIP;
+        return coasts(runner) ? BATCH_SLIP_AND_COAST : BATCH_SLIP;
     }
 }
 
@@ -76,34 +76,34 @@ static double time_left_of(const tdmf_runner *runner) {
 }
 
 static flying_member flying_fields(const tdmf_runner *runner) {
-    const tdmf_chart *chart = &runner->chart;
+    const tdmf_mode_equations *equations = &runner->equations;
     const flying_member m = {
         .now = {0.0, runner->steps},
-        .at = tdmf_step_flight_coordinates(&chart->start),
+        .at = tdmf_step_flight_coordinates(&equations->start),
         .time_left = time_left_of(runner),
-        .com = {chart->com_y, chart->com_vy},
-        .constants = tdmf_step_flight_constants(chart, &runner->motion.mode,
+        .com = {equations->com_y, equations->com_vy},
+        .constants = tdmf_step_flight_constants(equations, &runner->motion.mode,
                                                 tdmf_margin_factor(runner->false_crossings)),
     };
     return m;
 }
 
 static standing_member standing_fields(const tdmf_runner *runner) {
-    const tdmf_chart *chart = &runner->chart;
+    const tdmf_mode_equations *equations = &runner->equations;
     const standing_member m = {
         .now = {0.0, runner->steps},
-        .at = tdmf_step_ground_coordinates(&chart->start),
+        .at = tdmf_step_ground_coordinates(&equations->start),
         .time_left = time_left_of(runner),
-        .constants = tdmf_step_ground_constants(chart, &runner->motion.mode,
+        .constants = tdmf_step_ground_constants(equations, &runner->motion.mode,
                                                 tdmf_margin_factor(runner->false_crossings)),
     };
     return m;
 }
 
-int tdmf_runner_board(tdmf_runner *runner, double *fields) {
+int tdmf_runner_load(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
-    tdmf_chart_open(&runner->chart, runner->its_case->model, &runner->its_case->inputs, &tdmf_held_inputs,
-                    &motion->mode, motion->state, runner->direction);
+    tdmf_open_mode(&runner->equations, runner->its_case->model, &runner->its_case->inputs, &tdmf_held_inputs,
+                   &motion->mode, motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
         return motion->mode.phase == TDMF_PHASE_RETRACT ? RETRACTING_FIELDS : FLYING_FIELDS;
@@ -112,14 +112,14 @@ int tdmf_runner_board(tdmf_runner *runner, double *fields) {
     return motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS : STANDING_FIELDS;
 }
 
-static member_progress read_flying(const double *fields, tdmf_coordinates *at) {
+static member_progress read_flying(const double *fields, tdmf_mode_coordinates *at) {
     flying_member m;
     memcpy(&m, fields, offsetof(flying_member, time_left));
     tdmf_step_set_flight(at, &m.at);
     return m.now;
 }
 
-static member_progress read_standing(const double *fields, tdmf_coordinates *at) {
+static member_progress read_standing(const double *fields, tdmf_mode_coordinates *at) {
     standing_member m;
     memcpy(&m, fields, offsetof(standing_member, time_left));
     tdmf_step_set_ground(at, &m.at);
@@ -127,12 +127,12 @@ static member_progress read_standing(const double *fields, tdmf_coordinates *at)
 }
 
 /* Writes the state that the lane has come to. */
-static void disembark(tdmf_runner *runner, const double *fields) {
+static void store(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
-    tdmf_coordinates at;
+    tdmf_mode_coordinates at;
     const member_progress now =
         motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
-    runner->direction = tdmf_chart_state(&runner->chart, now.elapsed, &at, motion->state);
+    runner->direction = tdmf_state_in_mode(&runner->equations, now.elapsed, &at, motion->state);
     motion->record.now = tdmf_instant_after(motion->record.now, now.elapsed);
     motion->time = motion->record.now.time;
     runner->steps = now.steps;
@@ -190,7 +190,7 @@ static bool close_stride(tdmf_runner *runner) {
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
-    disembark(runner, fields);
+    store(runner, fields);
     tdmf_run run = {runner->its_case->model, &runner->its_case->inputs, motion->time,     motion->state,
                     &motion->mode,           &motion->record,           runner->direction};
     const bool resolved = tdmf_take_transitions(&run);

@@ -2,28 +2,28 @@
 #ifndef TDMF_ENSEMBLE_RUNNER_H
 #define TDMF_ENSEMBLE_RUNNER_H
 
-#include "chart.h"
+#include "mode_equations.h"
 #include "step_limits.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/solver.h"
 
-/* Runners in the same kind of motion share a crew. */
+/* Runners in the same kind of motion share a batch. */
 typedef enum {
-    CREW_PLACE,
-    CREW_RETRACT,
-    CREW_STICK, /* with a torque */
-    CREW_STICK_AND_COAST,
-    CREW_SLIP,
-    CREW_SLIP_AND_COAST,
-    CREW_GRAZE,
-    CREW_COUNT
-} crew_kind;
+    BATCH_PLACE,
+    BATCH_RETRACT,
+    BATCH_STICK, /* with a torque */
+    BATCH_STICK_AND_COAST,
+    BATCH_SLIP,
+    BATCH_SLIP_AND_COAST,
+    BATCH_GRAZE,
+    BATCH_COUNT
+} batch_kind;
 
 typedef struct {
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
     tdmf_motion motion;
-    tdmf_chart chart;
+    tdmf_mode_equations equations;
     tdmf_leg_direction direction; /* of the state */
     double stride_began;
     step_count steps; /* in the stride */
@@ -35,12 +35,12 @@ typedef struct {
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
                        const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end);
 
-/* Which crew the runner belongs to. */
-crew_kind tdmf_runner_crew(const tdmf_runner *runner);
+/* Which batch the runner belongs to. */
+batch_kind tdmf_runner_batch(const tdmf_runner *runner);
 
 /* Opens its mode and writes what a lane has to know: the fields of a member (members.h), with room for
  * MEMBER_FIELDS. Returns how many they are. */
-int tdmf_runner_board(tdmf_runner *runner, double *fields);
+int tdmf_runner_load(tdmf_runner *runner, double *fields);
 
 /* Takes the event that the lane has come to: its first CHANGING_FIELDS fields. False where the run has ended.
  */

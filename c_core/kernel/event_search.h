@@ -118,12 +118,12 @@ static inline choice stays_above(const real *c, int order, real floor) {
     const real lowest = start.curvature - 2.0 * sum_of_tail(c, order);
     const real highest =
         larger(start.curvature + bound_of_derivative(c, second_derivative, order), real_of(0.0));
-    real rise = c[order];
+    real change = c[order];
     for (int k = order - 1; k > 0; --k) {
-        rise += c[k];
+        change += c[k];
     }
     return stays_positive(above, start.slope, lowest, real_of(1.0)) |
-           stays_positive(above, rise - 0.5 * highest, highest, real_of(1.0));
+           stays_positive(above, change - 0.5 * highest, highest, real_of(1.0));
 }
 
 /* Has lanes search a guard. */
@@ -138,8 +138,8 @@ static inline void take_pending(event_search *search, int guard, choice lanes, c
 }
 
 /* Has lanes search a guard unless it is seen to stay above its floor. */
-static inline void look_closer(event_search *search, int guard, choice near, const guard_series *g,
-                               real floor) {
+static inline void search_closer(event_search *search, int guard, choice near, const guard_series *g,
+                                 real floor) {
     real c[SERIES_TERMS];
     c[0] = g->start;
     for (int k = 1; k <= g->order; ++k) {
@@ -163,7 +163,7 @@ static inline void watch(event_search *search, int guard, choice watching, const
                          real floor) {
     const choice near = watching & search->live & not(least_sum(search, g) > 0.0);
     if (any(near)) {
-        look_closer(search, guard, near, g, floor);
+        search_closer(search, guard, near, g, floor);
     }
 }
 

@@ -21,7 +21,7 @@ enum { ROOT_ITERATION_LIMIT = 200 };
 static const double close_enough = 0.25;
 
 /* How many times further than what is known to be safe is tried next. */
-static const double look_ahead = 5.0;
+static const double trial_factor = 5.0;
 
 /* k (k - 1) and k (k - 1) (k - 2). */
 static const double second_derivative[SERIES_TERMS] = {0,   0,   2,   6,   12,  20,  30,  42,  56,  72,
@@ -111,7 +111,7 @@ static inline real safe_distance(const expansion *at, real bound, real left, cho
     real safe = root_of_parabola(at->value, at->slope, lowest);
     choice tries = searching & not(none) & (safe > 0.0);
     for (;;) {
-        const real near = look_ahead * safe;
+        const real near = trial_factor * safe;
         tries &= near < left;
         if (!any(tries)) {
             return pick(none, real_of(INFINITY), safe);

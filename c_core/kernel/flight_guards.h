@@ -12,16 +12,16 @@ static inline void expand_drop(const flight_series *f, real sine0, real cosine0,
     sine[0] = sine0;
     cosine[0] = cosine0;
     for (int k = 0; k <= order; ++k) {
-        real rise = real_of(0.0), fall = real_of(0.0), sum = real_of(0.0);
+        real sine_rate = real_of(0.0), cosine_loss = real_of(0.0), sum = real_of(0.0);
         for (int i = 0; i <= k; ++i) {
-            rise += f->angle_rate[i] * cosine[k - i];
-            fall += f->angle_rate[i] * sine[k - i];
+            sine_rate += f->angle_rate[i] * cosine[k - i];
+            cosine_loss += f->angle_rate[i] * sine[k - i];
             sum += f->length[i] * cosine[k - i];
         }
         drop[k] = sum;
         if (k < order) {
-            sine[k + 1] = rise * series_reciprocal[k + 1];
-            cosine[k + 1] = -fall * series_reciprocal[k + 1];
+            sine[k + 1] = sine_rate * series_reciprocal[k + 1];
+            cosine[k + 1] = -cosine_loss * series_reciprocal[k + 1];
         }
     }
 }

@@ -5,7 +5,7 @@
 #include "event_search.h"
 #include "ground_step.h"
 
-/* X/r^2: what a torque presses the foot down with. */
+/* X/r^2: what a torque loads the foot with. */
 static inline void expand_lever(const ground_series *g, int order, real lever[SERIES_TERMS]) {
     const real inverse_square = 1.0 / g->square[0];
     lever[0] = g->x[0] * inverse_square;
@@ -64,8 +64,9 @@ static inline void watch_graze(event_search *search, const ground_constants *c, 
     const int order = search->order - 1;
     const choice retracts = c->retracting_share > 0.0;
     real lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
-    const guard_series rise = {g->vy, c->retracting_share, c->retracting_share * g->vy[0], search->order};
-    watch(search, TDMF_GUARD_APEX, retracts, &rise, search->beyond_margin * c->mode.speed_scale);
+    const guard_series vertical_velocity = {g->vy, c->retracting_share, c->retracting_share * g->vy[0],
+                                            search->order};
+    watch(search, TDMF_GUARD_APEX, retracts, &vertical_velocity, search->beyond_margin * c->mode.speed_scale);
     expand_servo(&c->servo, g, angle, order, flight);
     clamp_servo(search, c, retracts, order, flight);
     flight[0] += c->law.torque;

@@ -63,8 +63,8 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
     const choice may_lift = search->live & not(least_normal > 0.0);
     if (any(may_lift)) {
         const guard_series force = {g->normal_force, real_of(1.0), g->normal_force[0], order};
-        look_closer(search, TDMF_GUARD_LIFT_OFF, may_lift, &force,
-                    search->beyond_margin * c->mode.force_scale);
+        search_closer(search, TDMF_GUARD_LIFT_OFF, may_lift, &force,
+                      search->beyond_margin * c->mode.force_scale);
     }
     const choice may_slip = search->live & not(least_room > 0.0);
     if (sticks && any(may_slip)) {

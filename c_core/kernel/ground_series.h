@@ -210,7 +210,7 @@ KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses
     const real lift = expand_leg_force(c, inverse, is, k, sum, g);
     expand_contact(c, is, k, lift, g);
     expand_powers(inverse, is, k, sum, g);
-    const real rise = lift * c->inverse_body_mass;
+    const real acceleration_y = lift * c->inverse_body_mass;
     real push = g->leg_force_x[k] * c->inverse_body_mass;
     real turn = g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k];
     if (is.slips || is.grazes) {
@@ -219,7 +219,7 @@ KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses
     }
     g->foot_vx[k + 1] = g->foot_acceleration[k] * divide;
     g->vx[k + 1] = -push * divide;
-    g->vy[k + 1] = (k == 0 ? rise - c->gravity : rise) * divide;
+    g->vy[k + 1] = (k == 0 ? acceleration_y - c->gravity : acceleration_y) * divide;
     g->moment[k + 1] = turn * divide;
 }
 
@@ -388,12 +388,12 @@ static inline void vary_ground(const ground_coefficients *c, const ground_series
         const real d_lift = vary_leg_force(c, g, d, is.grazes, k, t);
         const real d_acceleration = vary_contact(c, g, d, is, k, d_lift, t);
         const real lift = k == 0 ? g->normal_force[0] - c->foot_weight : g->normal_force[k];
-        const real d_rise = d_lift * c->inverse_body_mass + lift * d->inverse_body_mass;
+        const real d_acceleration_y = d_lift * c->inverse_body_mass + lift * d->inverse_body_mass;
         t->foot_vx[k + 1] = d_acceleration * divide;
         t->vx[k + 1] = -(t->leg_force_x[k] * c->inverse_body_mass + g->leg_force_x[k] * d->inverse_body_mass +
                          d_acceleration) *
                        divide;
-        t->vy[k + 1] = (k == 0 ? d_rise - d->gravity : d_rise) * divide;
+        t->vy[k + 1] = (k == 0 ? d_acceleration_y - d->gravity : d_acceleration_y) * divide;
     }
 }
 

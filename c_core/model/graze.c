@@ -1,7 +1,7 @@
 /* Graze, or lift-off done exactly.
  *
  * When the contact force vanishes, the stance law would let the foot rise, while the flight law that takes
- * over often presses it down again: stance says leave, flight says stay. Filippov's solution has no
+ * over often holds it down: stance says leave, flight says stay. Filippov's solution has no
  * penetration and no chatter: while the laws disagree the foot stays at y = vy = 0 without ground force, and
  * the torque has the value in between that keeps it there,
  *

@@ -25,16 +25,16 @@ static flight_coefficients times_mobility(double mobility, const tdmf_parameters
     return coefficients;
 }
 
-flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart) {
-    return times_mobility(chart->model->mobility, &chart->model->parameters, &chart->law);
+flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations) {
+    return times_mobility(equations->model->mobility, &equations->model->parameters, &equations->law);
 }
 
-flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d) {
-    const tdmf_model *model = chart->model;
-    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, chart->place_time, d);
+    const tdmf_model *model = equations->model;
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, equations->place_time, d);
     const flight_coefficients by_mobility =
-        times_mobility(d->model.mobility, &model->parameters, &chart->law);
+        times_mobility(d->model.mobility, &model->parameters, &equations->law);
     flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters, &d_law);
     varied.mobility = d->model.mobility;
     varied.stiffness += by_mobility.stiffness;
@@ -42,15 +42,16 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const
     varied.gain += by_mobility.gain;
     varied.rate_gain += by_mobility.rate_gain;
     varied.torque += by_mobility.torque;
-    varied.torque_rate = by_mobility.torque_rate + model->mobility * tdmf_vary_law_drift(&chart->law, &d_law);
+    varied.torque_rate =
+        by_mobility.torque_rate + model->mobility * tdmf_vary_law_drift(&equations->law, &d_law);
     if (tdmf_clamp_has_no_derivative(model, mode, d)) {
         varied.gain = NAN;
     }
     return varied;
 }
 
-ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart) {
-    const tdmf_model *model = chart->model;
+ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations) {
+    const tdmf_model *model = equations->model;
     const tdmf_parameters *p = &model->parameters;
     const ground_coefficients coefficients = {
         .stiffness = p->leg.stiffness,
@@ -60,15 +61,15 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart) {
         .inverse_foot_mass = model->inverse_foot_mass,
         .foot_weight = tdmf_foot_weight(model),
         .gravity = p->gravity,
-        .torque = chart->law.torque,
-        .torque_rate = chart->law.torque_rate,
-        .friction = chart->friction,
-        .friction_rate = chart->friction_rate,
+        .torque = equations->law.torque,
+        .torque_rate = equations->law.torque_rate,
+        .friction = equations->friction,
+        .friction_rate = equations->friction_rate,
     };
     return coefficients;
 }
 
-ground_coefficients tdmf_vary_ground_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d) {
     const tdmf_parameters *d_p = &d->model.parameters;
     const tdmf_hip_law d_law = tdmf_in_contact(mode) ? tdmf_vary_stance_law(mode, d)
@@ -79,7 +80,7 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_chart *chart, const
         .free_length = d_p->leg.free_length,
         .inverse_body_mass = d->model.inverse_body_mass,
         .inverse_foot_mass = d->model.inverse_foot_mass,
-        .foot_weight = tdmf_vary_foot_weight(chart->model, &d->model),
+        .foot_weight = tdmf_vary_foot_weight(equations->model, &d->model),
         .gravity = d_p->gravity,
         .torque = d_law.torque,
         .friction = tdmf_signed_friction(&d->inputs, mode),

@@ -2,17 +2,17 @@
 #ifndef TDMF_SOLVER_COEFFICIENTS_H
 #define TDMF_SOLVER_COEFFICIENTS_H
 
-#include "chart.h"
 #include "direction.h"
+#include "mode_equations.h"
 #include "motion_series.h"
 
-flight_coefficients tdmf_flight_coefficients(const tdmf_chart *chart);
-ground_coefficients tdmf_ground_coefficients(const tdmf_chart *chart);
+flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations);
+ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations);
 
 /* Changes along a direction. Not a number where the clamp has no derivative. */
-flight_coefficients tdmf_vary_flight_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d);
-ground_coefficients tdmf_vary_ground_coefficients(const tdmf_chart *chart, const tdmf_mode *mode,
+ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d);
 
 #endif

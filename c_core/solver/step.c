@@ -11,16 +11,16 @@ int tdmf_step_order(double tolerance) {
 }
 
 static bool flies(const tdmf_step *step) {
-    return step->chart->contact == TDMF_CONTACT_FLIGHT;
+    return step->equations->contact == TDMF_CONTACT_FLIGHT;
 }
 
 ground_case tdmf_step_ground_case(const tdmf_step *step) {
-    const tdmf_chart *chart = step->chart;
-    const bool grazes = chart->contact == TDMF_CONTACT_GRAZE;
+    const tdmf_mode_equations *equations = step->equations;
+    const bool grazes = equations->contact == TDMF_CONTACT_GRAZE;
     const ground_case is = {
-        .slips = chart->contact != TDMF_CONTACT_STICK && !grazes,
+        .slips = equations->contact != TDMF_CONTACT_STICK && !grazes,
         .grazes = grazes,
-        .turns = grazes || chart->law.torque != 0.0 || chart->law.torque_rate != 0.0,
+        .turns = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
     };
     return is;
 }
@@ -28,27 +28,27 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
 /* ---- size --------------------------------------------------------------------------------------------- */
 
 static double expand_leg_in_flight(tdmf_step *step) {
-    const flight_coordinates at = tdmf_step_flight_coordinates(&step->chart->start);
+    const flight_coordinates at = tdmf_step_flight_coordinates(&step->equations->start);
     return expand_flight_step(&step->constants.flight, &at, step->order, step->tolerance,
                               &step->series.flight, &step->longest);
 }
 
 static double expand_standing_leg(tdmf_step *step) {
-    const ground_coordinates at = tdmf_step_ground_coordinates(&step->chart->start);
+    const ground_coordinates at = tdmf_step_ground_coordinates(&step->equations->start);
     return expand_ground_step(&step->constants.ground, &at, tdmf_step_ground_case(step), step->order,
                               step->tolerance, &step->series.ground, &step->longest);
 }
 
-void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, const tdmf_mode *mode, double margin_factor,
-                      int order, double tolerance) {
-    step->chart = chart;
+void tdmf_step_expand(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
+                      double margin_factor, int order, double tolerance) {
+    step->equations = equations;
     step->order = order;
     step->tolerance = tolerance;
     if (flies(step)) {
-        step->constants.flight = tdmf_step_flight_constants(chart, mode, margin_factor);
+        step->constants.flight = tdmf_step_flight_constants(equations, mode, margin_factor);
         step->size = expand_leg_in_flight(step);
     } else {
-        step->constants.ground = tdmf_step_ground_constants(chart, mode, margin_factor);
+        step->constants.ground = tdmf_step_ground_constants(equations, mode, margin_factor);
         step->size = expand_standing_leg(step);
     }
 }
@@ -95,14 +95,14 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 /* ---- events ------------------------------------------------------------------------------------------- */
 
 static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
-    const ballistic com = {step->chart->com_y, step->chart->com_vy};
+    const ballistic com = {step->equations->com_y, step->equations->com_vy};
     watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com,
                  mode->phase == TDMF_PHASE_RETRACT, step->tolerance);
 }
 
 /* By the weights of the largest friction in the step. */
-static void weigh_cone(ground_constants *c, const tdmf_chart *chart, double size) {
-    const double friction = chart->static_friction, rate = chart->static_friction_rate;
+static void weigh_cone(ground_constants *c, const tdmf_mode_equations *equations, double size) {
+    const double friction = equations->static_friction, rate = equations->static_friction_rate;
     if (rate != 0.0) {
         c->cone_tangential = tdmf_cone_of(larger(friction, friction + rate * size)).tangential;
         c->cone_normal = c->cone_tangential * friction;
@@ -111,9 +111,9 @@ static void weigh_cone(ground_constants *c, const tdmf_chart *chart, double size
 }
 
 static void search_ground(tdmf_step *step) {
-    const ground_coordinates at = tdmf_step_ground_coordinates(&step->chart->start);
+    const ground_coordinates at = tdmf_step_ground_coordinates(&step->equations->start);
     ground_constants *c = &step->constants.ground;
-    weigh_cone(c, step->chart, step->size);
+    weigh_cone(c, step->equations, step->size);
     watch_ground(&step->search, c, &step->series.ground, &at, tdmf_step_ground_case(step),
                  step->length_change);
 }
@@ -137,8 +137,8 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode) {
 
 /* ---- values ------------------------------------------------------------------------------------------- */
 
-tdmf_coordinates tdmf_step_at(const tdmf_step *step, double time) {
-    tdmf_coordinates at = step->chart->start;
+tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double time) {
+    tdmf_mode_coordinates at = step->equations->start;
     elapsed_time elapsed;
     set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
@@ -158,7 +158,7 @@ double tdmf_step_work(const tdmf_step *step, double time) {
     elapsed_time elapsed;
     set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
-        const flight_coordinates leg = tdmf_step_flight_coordinates(&step->chart->start);
+        const flight_coordinates leg = tdmf_step_flight_coordinates(&step->equations->start);
         const double turned = change_to(step->series.flight.angle, &elapsed, step->order);
         return flight_work(&step->constants.flight, &leg, &step->series.flight, step->order, &elapsed,
                            turned);

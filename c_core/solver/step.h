@@ -1,4 +1,4 @@
-/* One step of the native solver: the motion from a chart's instant on, as Taylor series. */
+/* One step of the native solver: the motion from an instant on, as Taylor series. */
 #ifndef TDMF_SOLVER_STEP_H
 #define TDMF_SOLVER_STEP_H
 
@@ -7,7 +7,7 @@
 #include "tdmf_slip/automaton.h"
 
 typedef struct {
-    const tdmf_chart *chart;
+    const tdmf_mode_equations *equations;
     int order;
     double tolerance;
     double longest; /* that the law of the mode allows */
@@ -37,10 +37,10 @@ int tdmf_step_order(double tolerance);
 /* Which terms the series of a step on the ground have. */
 ground_case tdmf_step_ground_case(const tdmf_step *step);
 
-/* Expands the motion of a chart and finds how long its series may be trusted: step->size, not a number where
- * they are not finite. */
-void tdmf_step_expand(tdmf_step *step, const tdmf_chart *chart, const tdmf_mode *mode, double margin_factor,
-                      int order, double tolerance);
+/* Expands the motion of a mode and finds how long its series may be trusted: step->size, not a number
+ * where they are not finite. */
+void tdmf_step_expand(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
+                      double margin_factor, int order, double tolerance);
 
 /* Shortens the step to `longest` and so that the leg keeps its length nearly enough. Before this a step is
  * only expanded. */
@@ -57,7 +57,7 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode);
 double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_TERMS]);
 
 /* Coordinates at a time within the step. */
-tdmf_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);
+tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);
 
 /* Hip work since the step's start. */
 double tdmf_step_work(const tdmf_step *step, double elapsed);

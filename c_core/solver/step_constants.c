@@ -25,37 +25,37 @@ static hip_law signed_law(double sign, const tdmf_hip_law *law) {
     return with_sign;
 }
 
-flight_constants tdmf_step_flight_constants(const tdmf_chart *chart, const tdmf_mode *mode,
+flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
     const flight_constants constants = {
-        .mode = mode_constants_of(chart->model, margin_factor),
-        .law = tdmf_flight_coefficients(chart),
-        .inverse_mobility = 1.0 / chart->model->mobility,
-        .body_share = chart->model->body_share,
-        .servo = signed_law(mode->clamp_closed ? -1.0 : 1.0, &chart->servo),
+        .mode = mode_constants_of(equations->model, margin_factor),
+        .law = tdmf_flight_coefficients(equations),
+        .inverse_mobility = 1.0 / equations->model->mobility,
+        .body_share = equations->model->body_share,
+        .servo = signed_law(mode->clamp_closed ? -1.0 : 1.0, &equations->servo),
     };
     return constants;
 }
 
-ground_constants tdmf_step_ground_constants(const tdmf_chart *chart, const tdmf_mode *mode,
+ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
-    const tdmf_cone cone = tdmf_cone_of(chart->static_friction);
+    const tdmf_cone cone = tdmf_cone_of(equations->static_friction);
     const ground_constants constants = {
-        .mode = mode_constants_of(chart->model, margin_factor),
-        .law = tdmf_ground_coefficients(chart),
+        .mode = mode_constants_of(equations->model, margin_factor),
+        .law = tdmf_ground_coefficients(equations),
         .cone_normal = cone.normal,
         .cone_tangential = cone.tangential,
         .slip_sign = tdmf_slip_sign(mode),
         /* A leg that has wound past a half turn passes upright no more. */
-        .drives = mode->phase == TDMF_PHASE_DRIVE && chart->turn == 0.0 ? 1.0 : 0.0,
-        .servo = signed_law(1.0, &chart->servo),
-        .stance = signed_law(1.0, &chart->stance_law),
-        .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? chart->model->body_share : 0.0,
+        .drives = mode->phase == TDMF_PHASE_DRIVE && equations->turn == 0.0 ? 1.0 : 0.0,
+        .servo = signed_law(1.0, &equations->servo),
+        .stance = signed_law(1.0, &equations->stance_law),
+        .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,
     };
     return constants;
 }
 
-flight_coordinates tdmf_step_flight_coordinates(const tdmf_coordinates *at) {
+flight_coordinates tdmf_step_flight_coordinates(const tdmf_mode_coordinates *at) {
     const flight_coordinates coordinates = {at->length,
                                             at->angle,
                                             at->length_rate,
@@ -64,20 +64,20 @@ flight_coordinates tdmf_step_flight_coordinates(const tdmf_coordinates *at) {
     return coordinates;
 }
 
-ground_coordinates tdmf_step_ground_coordinates(const tdmf_coordinates *at) {
+ground_coordinates tdmf_step_ground_coordinates(const tdmf_mode_coordinates *at) {
     const ground_coordinates coordinates = {
         at->x,      at->y,       at->vx,    at->vy,
         at->foot_x, at->foot_vx, at->angle, {at->work, at->damper_loss, at->friction_loss}};
     return coordinates;
 }
 
-static void set_sums(tdmf_coordinates *at, const energy_sums *done) {
+static void set_sums(tdmf_mode_coordinates *at, const energy_sums *done) {
     at->work = done->work;
     at->damper_loss = done->damper_loss;
     at->friction_loss = done->friction_loss;
 }
 
-void tdmf_step_set_flight(tdmf_coordinates *at, const flight_coordinates *flight) {
+void tdmf_step_set_flight(tdmf_mode_coordinates *at, const flight_coordinates *flight) {
     at->length = flight->length;
     at->angle = flight->angle;
     at->length_rate = flight->length_rate;
@@ -85,7 +85,7 @@ void tdmf_step_set_flight(tdmf_coordinates *at, const flight_coordinates *flight
     set_sums(at, &flight->done);
 }
 
-void tdmf_step_set_ground(tdmf_coordinates *at, const ground_coordinates *ground) {
+void tdmf_step_set_ground(tdmf_mode_coordinates *at, const ground_coordinates *ground) {
     at->x = ground->x;
     at->y = ground->y;
     at->vx = ground->vx;

@@ -64,7 +64,7 @@ static series_sums sums_of(const tdmf_step *step, const double *series, int orde
 }
 
 double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to) {
-    const tdmf_scales *scales = &step->chart->model->scales;
+    const tdmf_scales *scales = &step->equations->model->scales;
     const double *force = step->series.ground.normal_force;
     const partial_sums slope = sums_of(step, force, step->order - 1).rate;
     if (rising ? slope.least > 0.0 : slope.most < 0.0) {
@@ -88,10 +88,10 @@ typedef struct {
 } changing_factors;
 
 static bool has_no_torque(const tdmf_step *step) {
-    const tdmf_hip_law *law = &step->chart->law;
+    const tdmf_hip_law *law = &step->equations->law;
     const bool is_zero =
         law->torque == 0.0 && law->torque_rate == 0.0 && law->gain == 0.0 && law->rate_gain == 0.0;
-    return is_zero && step->chart->contact != TDMF_CONTACT_GRAZE;
+    return is_zero && step->equations->contact != TDMF_CONTACT_GRAZE;
 }
 
 /* A monotone factor changes its sign at most once, and then it shows at the end, a share of the step. */
@@ -120,7 +120,8 @@ static void note_factors_in_flight(const tdmf_step *step, double zero, double en
         note_factor(changing, &f, end);
     }
     if (!keep_sign(sums.rate)) {
-        const factor f = derivative_of(step, momentum, step->order, zero / step->chart->model->scales.time);
+        const factor f =
+            derivative_of(step, momentum, step->order, zero / step->equations->model->scales.time);
         note_factor(changing, &f, end);
     }
 }
@@ -128,13 +129,13 @@ static void note_factors_in_flight(const tdmf_step *step, double zero, double en
 static void note_factors_on_ground(const tdmf_step *step, double zero, double end,
                                    changing_factors *changing) {
     const ground_series *g = &step->series.ground;
-    const int torque_order = step->chart->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
+    const int torque_order = step->equations->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
     if (!keep_sign(sums_of(step, g->moment, step->order).value)) {
         const factor f = factor_of(step, g->moment, step->order, zero);
         note_factor(changing, &f, end);
     }
     if (!keep_sign(sums_of(step, g->torque, torque_order).value)) {
-        const factor f = factor_of(step, g->torque, torque_order, zero / step->chart->model->scales.time);
+        const factor f = factor_of(step, g->torque, torque_order, zero / step->equations->model->scales.time);
         note_factor(changing, &f, end);
     }
 }
@@ -163,11 +164,11 @@ double tdmf_positive_work(const tdmf_step *step, double end, double total) {
     if (has_no_torque(step)) {
         return 0.0;
     }
-    const tdmf_scales *scales = &step->chart->model->scales;
+    const tdmf_scales *scales = &step->equations->model->scales;
     const double zero = TDMF_ZERO_POWER * scales->length * scales->length / scales->time;
     changing_factors changing;
     changing.count = 0;
-    if (step->chart->contact == TDMF_CONTACT_FLIGHT) {
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
         note_factors_in_flight(step, zero, end / step->size, &changing);
     } else {
         note_factors_on_ground(step, zero, end / step->size, &changing);

@@ -127,7 +127,7 @@ static void work_and_losses_are_integrals_of_power(void **unused) {
     check_in_every_mode(integrals_follow_their_definitions);
 }
 
-/* A foot that is pressed on the ground loses energy to friction whichever way it slips. */
+/* A loaded foot loses energy to friction whichever way it slips. */
 static void friction_takes_energy(void **unused) {
     (void)unused;
     static const tdmf_contact_mode slips[] = {TDMF_CONTACT_SLIP_POSITIVE, TDMF_CONTACT_SLIP_NEGATIVE};

@@ -28,7 +28,7 @@ static void sticking_impact_that_slips_at_once(void **unused) {
     assert_string_equal(behind.record.open.word, ""); /* no letter for a stick that did not last */
 }
 
-/* A stretched leg pulls the foot off as soon as it has landed. */
+/* A stretched leg lifts the foot as soon as it has landed. */
 static runner landing_on_stretched_leg(tdmf_hip_phase phase, double climb_after) {
     runner runner = scene_at_impact(phase, -0.3, -0.05);
     runner.mode.liftoff_angle = 0.9;
@@ -67,7 +67,7 @@ static void impact_that_leaves_at_once_stays_in_place(void **unused) {
     }
 }
 
-/* The stretched leg lifts the foot, the hip, which swings the leg forward, presses it down. */
+/* The stretched leg lifts the foot, the hip, which swings the leg forward, holds it down. */
 static void impact_into_graze(void **unused) {
     (void)unused;
     runner runner = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
@@ -154,7 +154,7 @@ static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
     assert_string_equal(runner.record.open.word, "0");
 }
 
-/* Without the drive, which pressed it down, the foot lifts: two events in a chain. */
+/* Without the drive, which held it down, the foot lifts: two events in a chain. */
 static void mid_stance_may_end_the_contact(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
@@ -178,7 +178,7 @@ static void mid_stance_may_start_a_slip(void **unused) {
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
 }
 
-/* Pressed down by a jump, the foot at rest in graze is loaded and slips at once. */
+/* Loaded by a jump, the foot at rest in graze is loaded and slips at once. */
 static void torque_jump_ends_a_graze(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);

@@ -67,7 +67,7 @@ static void place_anywhere(random_source *source, tdmf_model *model, tdmf_ensemb
     memcpy(start, section, sizeof section);
 }
 
-typedef void place_runner(random_source *, tdmf_model *, tdmf_ensemble_case *, double[TDMF_SECTION_COUNT]);
+typedef void put_runner(random_source *, tdmf_model *, tdmf_ensemble_case *, double[TDMF_SECTION_COUNT]);
 
 /* Runners that graze while they retract, past the clamp's kink or past an apex: one in thousands does. */
 static const uint64_t seldom[] = {20264029, 20264524, 20265831, 20264639, 20266581, 20267947};
@@ -77,7 +77,7 @@ static uint64_t seed_of(int runner) {
     return number < sizeof seldom / sizeof seldom[0] ? seldom[number] : 20261121 + number;
 }
 
-static crowd *make_crowd(place_runner *place, int most_strides) {
+static crowd *make_crowd(put_runner *place, int most_strides) {
     crowd *crowd = calloc(1, sizeof *crowd);
     assert_non_null(crowd);
     for (int i = 0; i < RUNNERS; ++i) {

@@ -145,7 +145,7 @@ static void graze_to_contact_watches_the_stance_law(void **unused) {
     assert_guards(runner, TDMF_GUARD_GRAZE_TO_CONTACT, set_lift_of_stance_law, margin);
 }
 
-/* With gains of zero the flight law applies nothing and presses as the leg alone does. */
+/* With gains of zero the flight law applies nothing and the leg alone loads the foot. */
 static void graze_to_flight_watches_the_flight_law(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.4, 0.0);

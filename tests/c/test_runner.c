@@ -20,14 +20,14 @@ static void limits_of_steps_go_along(void **state) {
     double apex[TDMF_SECTION_COUNT];
     memcpy(apex, &reference_gaits[2].apex, sizeof apex);
     assert_true(tdmf_runner_begin(&runner, &its_case, apex, &end));
-    assert_int_equal(tdmf_runner_board(&runner, fields), FLYING_FIELDS);
+    assert_int_equal(tdmf_runner_load(&runner, fields), FLYING_FIELDS);
     memcpy(&now, fields, sizeof now);
     assert_true(now.steps.left > 1e5 && now.steps.span == 0.0 && now.steps.in_span == 0.0);
     const step_count made = {77.0, 0.25, 3.0};
     now.steps = made;
     memcpy(fields, &now, sizeof now);
     assert_true(tdmf_runner_take_event(&runner, fields));
-    assert_int_equal(tdmf_runner_board(&runner, fields), FLYING_FIELDS);
+    assert_int_equal(tdmf_runner_load(&runner, fields), FLYING_FIELDS);
     memcpy(&now, fields, sizeof now);
     assert_memory_equal(&now.steps, &made, sizeof made);
 }

@@ -88,7 +88,7 @@ static void unloaded_foot_at_rest_flies_or_grazes(void **unused) {
     }
 }
 
-/* Where the stance law presses and the flight law lifts, a foot may stay as it was: it starts in contact. */
+/* Where the stance law loads and the flight law lifts, a foot may stay as it was: it starts in contact. */
 static void foot_between_both_laws_begins_in_contact(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.01);

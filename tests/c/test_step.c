@@ -9,32 +9,32 @@ static const double tolerances[] = {1e-5, 1e-8, 1e-11};
 enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 
 /* A leg of any sense stays within these. */
-static bool is_a_leg(const tdmf_chart *chart) {
-    const tdmf_coordinates *at = &chart->start;
-    const tdmf_parameters *p = &chart->model->parameters;
-    const bool flies = chart->contact == TDMF_CONTACT_FLIGHT;
+static bool is_a_leg(const tdmf_mode_equations *equations) {
+    const tdmf_mode_coordinates *at = &equations->start;
+    const tdmf_parameters *p = &equations->model->parameters;
+    const bool flies = equations->contact == TDMF_CONTACT_FLIGHT;
     const double length = flies ? at->length : hypot(at->x, at->y);
     return length > p->leg.min_length && length < 4.0 * p->leg.free_length && (flies || at->y > 0.0);
 }
 
-static void expand(tdmf_step *step, const runner *runner, const tdmf_chart *chart, int order,
+static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations, int order,
                    double tolerance) {
-    tdmf_step_expand(step, chart, &runner->mode, 1.0, order, tolerance);
+    tdmf_step_expand(step, equations, &runner->mode, 1.0, order, tolerance);
     tdmf_step_shorten(step, INFINITY);
 }
 
 /* Goes on by `time`, as exactly as can be, or until the leg makes no sense any more. */
-static bool go_on_exactly(const runner *runner, tdmf_chart *chart, double time) {
+static bool go_on_exactly(const runner *runner, tdmf_mode_equations *equations, double time) {
     double left = time;
-    while (left > 0.0 && is_a_leg(chart)) {
+    while (left > 0.0 && is_a_leg(equations)) {
         tdmf_step step;
-        expand(&step, runner, chart, SERIES_ORDER_LIMIT, 1e-15);
+        expand(&step, runner, equations, SERIES_ORDER_LIMIT, 1e-15);
         const double part = fmin(left, 0.7 * step.size);
-        const tdmf_coordinates reached = tdmf_step_at(&step, part);
-        tdmf_chart_shift(chart, part, &reached);
+        const tdmf_mode_coordinates reached = tdmf_step_at(&step, part);
+        tdmf_shift_mode(equations, part, &reached);
         left -= part;
     }
-    return is_a_leg(chart);
+    return is_a_leg(equations);
 }
 
 static double off(double actual, double expected, double start, double scale) {
@@ -42,9 +42,10 @@ static double off(double actual, double expected, double start, double scale) {
 }
 
 /* The largest of the errors of the coordinates of a mode, in its scales. */
-static double error_of(const tdmf_chart *from, const tdmf_coordinates *a, const tdmf_coordinates *b) {
+static double error_of(const tdmf_mode_equations *from, const tdmf_mode_coordinates *a,
+                       const tdmf_mode_coordinates *b) {
     const tdmf_scales *scales = &from->model->scales;
-    const tdmf_coordinates *start = &from->start;
+    const tdmf_mode_coordinates *start = &from->start;
     if (from->contact == TDMF_CONTACT_FLIGHT) {
         return fmax(fmax(off(a->length, b->length, 0.0, scales->length), off(a->angle, b->angle, 0.0, 1.0)),
                     fmax(off(a->length_rate, b->length_rate, start->length_rate, scales->speed),
@@ -59,19 +60,19 @@ static double error_of(const tdmf_chart *from, const tdmf_coordinates *a, const 
 static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
     static const tdmf_inputs held = {{0.0}, {0.0}};
-    tdmf_chart chart;
-    tdmf_chart_open(&chart, &runner->model, &runner->inputs, &held, &runner->mode, runner->state,
-                    tdmf_leg_direction_of(runner->state));
+    tdmf_mode_equations equations;
+    tdmf_open_mode(&equations, &runner->model, &runner->inputs, &held, &runner->mode, runner->state,
+                   tdmf_leg_direction_of(runner->state));
     for (int i = 0; i < STEPS; ++i) {
         tdmf_step step;
-        tdmf_chart exact = chart;
-        expand(&step, runner, &chart, tdmf_step_order(tolerance), tolerance);
-        const tdmf_coordinates reached = tdmf_step_at(&step, step.size);
+        tdmf_mode_equations exact = equations;
+        expand(&step, runner, &equations, tdmf_step_order(tolerance), tolerance);
+        const tdmf_mode_coordinates reached = tdmf_step_at(&step, step.size);
         if (!go_on_exactly(runner, &exact, step.size)) {
             return;
         }
-        assert_close(error_of(&chart, &reached, &exact.start), 0.0, 4.0 * tolerance);
-        chart = exact;
+        assert_close(error_of(&equations, &reached, &exact.start), 0.0, 4.0 * tolerance);
+        equations = exact;
     }
 }
 

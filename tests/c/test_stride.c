@@ -57,7 +57,7 @@ static void stick(runner *runner, double time) {
     assert_int_equal(runner->mode.contact, TDMF_CONTACT_STICK);
 }
 
-/* A climb by the turning leg: clamped if it swings forward, pressing if backward. */
+/* A climb by the turning leg: clamped if it swings forward, loading the foot if backward. */
 static void unload(runner *runner, double time, double angle_rate, tdmf_contact_mode entered) {
     runner->state[TDMF_LEG_ANGLE] = -0.3;
     runner->state[TDMF_LEG_ANGLE_RATE] = angle_rate;
@@ -75,7 +75,7 @@ static void graze(runner *runner, double time) {
     unload(runner, time, -1.0, TDMF_CONTACT_GRAZE);
 }
 
-/* From graze, pressed down while sliding or at rest. */
+/* From graze, loaded while sliding or at rest. */
 static void reload(runner *runner, double time, double vx) {
     scene_set_vertical_force(runner, 0.1);
     runner->state[TDMF_FOOT_VX] = vx;

@@ -101,7 +101,7 @@ static void upright_runner_at_rest_stands(void **unused) {
     assert_true(motion.state[TDMF_HIP_WORK] == 0.0);
 }
 
-/* The damper carries the foot's weight, and no torque could hold an upright foot: what its press is about to
+/* The damper carries the foot's weight, and no torque could hold an upright foot: what its load is about to
  * do decides. It grows with a leg that shortens, and falls with one that lengthens against its damper. */
 static void upright_foot_without_load_does_not_graze(void **unused) {
     (void)unused;
@@ -256,7 +256,7 @@ static void lift_off_into_flight(void **unused) {
     assert_true(runner.mode.liftoff_angle == -0.45);
 }
 
-/* The leg swings backward and the retract law turns it round, which presses the foot down. */
+/* The leg swings backward and the retract law turns it round, which holds the foot down. */
 static void lift_off_into_graze(void **unused) {
     (void)unused;
     runner runner = lifting_off(-0.45, -1.0, 0.2);
@@ -269,17 +269,17 @@ static void lift_off_into_graze(void **unused) {
 /* After the apex, place follows: at once to the touchdown angle ahead. */
 static void lift_off_while_falling_goes_to_place(void **unused) {
     (void)unused;
-    runner presses = lifting_off(-0.45, 0.5, -0.2);
+    runner holds = lifting_off(-0.45, 0.5, -0.2);
     runner lifts = lifting_off(-0.45, 2.0, -0.2);
-    resolve(&presses, 1);
+    resolve(&holds, 1);
     resolve(&lifts, 1);
-    scene_assert_mode(&presses, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
+    scene_assert_mode(&holds, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
     scene_assert_mode(&lifts, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
     assert_true(lifts.mode.liftoff_angle == -0.45);
 }
 
 /* Where both laws agree up to rounding a graze would have no width; a gain of the hip sets how far they
- * differ: the flight law presses by kd |thetadot| sin(0.45) / r. */
+ * differ: the flight law loads the foot by kd |thetadot| sin(0.45) / r. */
 static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
     (void)unused;
     static const double gains[] = {0.0, 1e-12, 1e-10, 1e-9};
@@ -298,10 +298,10 @@ static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
     }
 }
 
-/* In units of k l0. The flight law presses as above. */
+/* In units of k l0. The flight law holds as above. */
 static void the_narrowest_graze_scales(void **unused) {
     (void)unused;
-    static const double presses[] = {0.5e-10, 2e-10};
+    static const double holds[] = {0.5e-10, 2e-10};
     static const tdmf_contact_mode entered[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
     for (int i = 0; i < 2; ++i) {
         for (double stiffness = 1e-4; stiffness < 1e5; stiffness *= 1e4) {
@@ -313,7 +313,7 @@ static void the_narrowest_graze_scales(void **unused) {
             assert_null(tdmf_model_create(&runner.model, &parameters).variable);
             scene_set_vertical_force(&runner, beyond * stiffness);
             const double lever = sin(0.45) / runner.state[TDMF_LEG_LENGTH];
-            runner.model.parameters.hip.kd = presses[i] * stiffness / lever;
+            runner.model.parameters.hip.kd = holds[i] * stiffness / lever;
             resolve(&runner, 1);
             scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
         }
@@ -485,15 +485,15 @@ static void graze_to_contact_slips_with_its_velocity(void **unused) {
     }
 }
 
-/* A foot at rest sticks if the ground is pressed hard enough, as after a jump of the external torque; at the
- * first press the cone is a point, and the weight of the foot on its slanting leg makes it slip. */
+/* A foot at rest sticks if its load is large enough, as after a jump of the external torque; at the
+ * first load the cone is a point, and the weight of the foot on its slanting leg makes it slip. */
 static void graze_to_contact_at_rest_asks_the_cone(void **unused) {
     (void)unused;
-    runner pressed = grazing(0.05, 0.0);
+    runner loaded = grazing(0.05, 0.0);
     runner touching = grazing(-beyond, 0.0);
-    resolve(&pressed, 1);
+    resolve(&loaded, 1);
     resolve(&touching, 1);
-    scene_assert_mode(&pressed, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
+    scene_assert_mode(&loaded, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     scene_assert_mode(&touching, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
 }
 

@@ -432,25 +432,25 @@ static row coefficients(const tdmf_contact_mode contact, const flight_coefficien
     return row;
 }
 
-static tdmf_chart chart_of(const runner *at) {
-    tdmf_chart chart;
-    tdmf_chart_open(&chart, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state,
-                    tdmf_leg_direction_of(at->state));
-    return chart;
+static tdmf_mode_equations chart_of(const runner *at) {
+    tdmf_mode_equations equations;
+    tdmf_open_mode(&equations, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state,
+                   tdmf_leg_direction_of(at->state));
+    return equations;
 }
 
 static row coefficients_of(const runner *at) {
-    const tdmf_chart chart = chart_of(at);
-    const flight_coefficients flight = tdmf_flight_coefficients(&chart);
-    const ground_coefficients ground = tdmf_ground_coefficients(&chart);
+    const tdmf_mode_equations equations = chart_of(at);
+    const flight_coefficients flight = tdmf_flight_coefficients(&equations);
+    const ground_coefficients ground = tdmf_ground_coefficients(&equations);
     return coefficients(at->mode.contact, &flight, &ground);
 }
 
 static row varied_coefficients(const runner *at, const line *line) {
-    const tdmf_chart chart = chart_of(at);
+    const tdmf_mode_equations equations = chart_of(at);
     const tdmf_direction d = tdmf_direction_of(&at->model, &line->change, &line->variation);
-    const flight_coefficients flight = tdmf_vary_flight_coefficients(&chart, &at->mode, &d);
-    const ground_coefficients ground = tdmf_vary_ground_coefficients(&chart, &at->mode, &d);
+    const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->mode, &d);
+    const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->mode, &d);
     return coefficients(at->mode.contact, &flight, &ground);
 }
 

@@ -27,7 +27,7 @@ typedef enum {
     TDMF_GUARD_SLIP_VELOCITY_ZERO, /* slip: speed in the direction of slip */
     TDMF_GUARD_MID_STANCE,         /* contact, drive: the leg angle */
     TDMF_GUARD_FORCE_PEAK,         /* contact: rate of the vertical ground force, up or down */
-    TDMF_GUARD_GRAZE_TO_CONTACT,   /* graze: the stance law presses the foot down */
+    TDMF_GUARD_GRAZE_TO_CONTACT,   /* graze: the stance law loads the foot */
     TDMF_GUARD_GRAZE_TO_FLIGHT,    /* graze: the flight law lifts it */
     TDMF_GUARD_BODY_DOWN,          /* fall: the body's height */
     TDMF_GUARD_LEG_TOO_SHORT,      /* fall: leg length above its minimum */

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* Coordinates of the apex section, where the centre of mass rises no more: its height and speed, and the leg.
+/* Coordinates of the apex section, where the centre of mass is highest: its height and speed, and the leg.
  */
 enum {
     TDMF_SECTION_COM_HEIGHT,      /* y_c, m */

@@ -1,9 +1,9 @@
 /* The native solver: takes a run from one time to another, event by event.
  *
  * The motion of each contact mode is expanded into Taylor series, as long and of as high an order as the
- * tolerance asks for; guards are polynomials in time, whose first root is found by a march that cannot jump
- * over one. Nothing is allocated and nothing is kept between calls, so that a solver may be copied like any
- * value.
+ * tolerance asks for; guards are polynomials in time, whose first root is found by a integration that cannot
+ * jump over one. Nothing is allocated and nothing is kept between calls, so that a solver may be copied like
+ * any value.
  */
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
@@ -77,7 +77,7 @@ typedef struct {
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion);
 
-/* As many directions are carried along at once: the section's six coordinates and two parameters. */
+/* As many directions are integrated at once: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
 
 /* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it

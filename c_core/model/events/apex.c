@@ -1,4 +1,4 @@
-/* Apex: the centre of mass rises no more, and the hip goes from retract to place. In flight it closes a
+/* Apex: the centre of mass is highest, and the hip goes from retract to place. In flight it closes a
  * stride. */
 #include "apex.h"
 

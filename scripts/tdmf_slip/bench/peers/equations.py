@@ -47,9 +47,10 @@ def accelerations(
     sine, cosine = sin(theta), cos(theta)
     axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
     across = (axial * cosine + FOOT * GRAVITY) / sine if mode == "graze" else torque / r
-    press = axial * cosine - across * sine + FOOT * GRAVITY
-    pull = axial * sine + across * cosine
-    ax = {"flight": pull, "stick": 0.0 * r, "slip": pull - friction * press, "graze": pull}[mode] / FOOT
+    normal = axial * cosine - across * sine + FOOT * GRAVITY
+    tangential = axial * sine + across * cosine
+    forces = {"flight": tangential, "stick": 0.0 * r, "slip": tangential - friction * normal}
+    ax = forces.get(mode, tangential) / FOOT
     ay = (-axial * cosine + across * sine) / FOOT - GRAVITY if mode == "flight" else 0.0 * r
     body_along = axial / BODY - GRAVITY * cosine
     body_across = across / BODY + GRAVITY * sine
@@ -71,7 +72,7 @@ def servo(state: State, target: Number) -> Number:
     return -KP * (state[3] - target) - KD * state[7]
 
 
-def rise(state: State, sin: Function, cos: Function) -> Number:
+def vertical_velocity(state: State, sin: Function, cos: Function) -> Number:
     """Vertical velocity of the centre of mass."""
     _, _, r, theta, _, vy, r_rate, theta_rate = state
     return vy + BODY / (BODY + FOOT) * (r_rate * cos(theta) - r * theta_rate * sin(theta))

@@ -42,13 +42,13 @@ def _compiled_modes() -> tuple[Any, Any]:
         flies = mode <= 1
         torque = -p[0] * (s[3] - p[1]) - p[2] * s[7] if flies else p[0]
         across = (axial * cosine + foot * gravity) / sine if mode == 4 else torque / s[2]
-        press = axial * cosine - across * sine + foot * gravity
-        pull = axial * sine + across * cosine
+        normal = axial * cosine - across * sine + foot * gravity
+        tangential = axial * sine + across * cosine
         ax = 0.0
         if mode == 3:
-            ax = (pull - p[1] * press) / foot
+            ax = (tangential - p[1] * normal) / foot
         elif mode != 2:
-            ax = pull / foot
+            ax = tangential / foot
         ay = (-axial * cosine + across * sine) / foot - gravity if flies else 0.0
         out[0:4] = s[4:8]
         out[4], out[5] = ax, ay
@@ -62,8 +62,8 @@ def _compiled_modes() -> tuple[Any, Any]:
         axial = stiffness * (1.0 - s[2]) - damping * s[6]
         servo = -kp * (s[3] - p[1]) - kd * s[7]
         torque = servo if mode == 4 else p[0]
-        press = axial * cosine - torque / s[2] * sine + foot * gravity
-        pull = -axial * sine - torque / s[2] * cosine
+        normal = axial * cosine - torque / s[2] * sine + foot * gravity
+        tangential = -axial * sine - torque / s[2] * cosine
         if mode == 0:
             out[0] = s[1]
             return 1
@@ -72,13 +72,13 @@ def _compiled_modes() -> tuple[Any, Any]:
             out[1] = p[3] * servo + armed
             return 2
         if mode == 4:
-            out[0] = press
+            out[0] = normal
             return 1
         if mode == 3:
-            out[0], out[1], out[2] = s[4] * p[2] + armed, s[3] + p[3], press
+            out[0], out[1], out[2] = s[4] * p[2] + armed, s[3] + p[3], normal
             return 3
-        out[0], out[1] = p[1] * press - pull, p[1] * press + pull
-        out[2], out[3] = s[3] + p[3], press
+        out[0], out[1] = p[1] * normal - tangential, p[1] * normal + tangential
+        out[2], out[3] = s[3] + p[3], normal
         return 4
 
     return rates, guards

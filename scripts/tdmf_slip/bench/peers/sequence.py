@@ -60,14 +60,15 @@ def guards_of(name: str, state: State, parameters: State, sin: Function, cos: Fu
     if name == "place":
         return [state[1]]
     if name == "retract":
-        return [eq.rise(state, sin, cos), parameters[3] * eq.servo(state, parameters[1]) + eq.ARMED]
+        clamp = parameters[3] * eq.servo(state, parameters[1]) + eq.ARMED
+        return [eq.vertical_velocity(state, sin, cos), clamp]
     if name == "graze":
         return [eq.sticking_force(state, eq.servo(state, parameters[1]), sin, cos)[1]]
-    pull, press = eq.sticking_force(state, parameters[0], sin, cos)
+    tangential, normal = eq.sticking_force(state, parameters[0], sin, cos)
     upright = state[3] + parameters[3]
     if name == "slip":
-        return [state[4] * parameters[2] + eq.ARMED, upright, press]
-    return [parameters[1] * press - pull, parameters[1] * press + pull, upright, press]
+        return [state[4] * parameters[2] + eq.ARMED, upright, normal]
+    return [parameters[1] * normal - tangential, parameters[1] * normal + tangential, upright, normal]
 
 
 def stride(section: State, run: Run, maths: ModuleType = math) -> NDArray[np.float64]:

@@ -1,6 +1,6 @@
 /* What moves in one contact mode, and all that is constant in its equations. */
-#ifndef TDMF_SOLVER_CHART_H
-#define TDMF_SOLVER_CHART_H
+#ifndef TDMF_SOLVER_MODE_EQUATIONS_H
+#define TDMF_SOLVER_MODE_EQUATIONS_H
 
 #include "hip_law.h"
 #include "leg.h"
@@ -14,13 +14,13 @@ typedef struct {
     /* On the ground: the body as seen from the foot, its velocity, and the foot. */
     double x, y, vx, vy, foot_x, foot_vx;
     double work, damper_loss, friction_loss;
-} tdmf_coordinates;
+} tdmf_mode_coordinates;
 
 /* The equations of one mode from one instant on. */
 typedef struct {
     const tdmf_model *model;
     tdmf_contact_mode contact;
-    tdmf_coordinates start;
+    tdmf_mode_coordinates start;
     tdmf_hip_law law; /* of flight or stance; in graze the torque from outside alone */
     /* Laws that guards are made of: off the ground the servo that the clamp is decided by; in graze also the
      * stance law. */
@@ -31,22 +31,23 @@ typedef struct {
     double place_time, place_rate;       /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
     double positive_work;
-} tdmf_chart;
+} tdmf_mode_equations;
 
-/* The chart of a mode at an instant. */
-void tdmf_chart_open(tdmf_chart *chart, const tdmf_model *model, const tdmf_inputs *inputs,
-                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                     tdmf_leg_direction direction);
+/* The equations of a mode at an instant. */
+void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
+                    const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                    tdmf_leg_direction direction);
 
 /* Goes on from the coordinates reached after `elapsed`. */
-void tdmf_chart_shift(tdmf_chart *chart, double elapsed, const tdmf_coordinates *reached);
+void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached);
 
 /* Friction has fallen to zero and stays there. */
-void tdmf_chart_end_friction(tdmf_chart *chart);
+void tdmf_end_friction(tdmf_mode_equations *equations);
 
-/* The state that coordinates after `elapsed` stand for; the positive work is the chart's. Returns
+/* The state that coordinates after `elapsed` stand for; the positive work is the equations'. Returns
  * the leg's direction. */
-tdmf_leg_direction tdmf_chart_state(const tdmf_chart *chart, double elapsed,
-                                    const tdmf_coordinates *coordinates, double state[TDMF_STATE_COUNT]);
+tdmf_leg_direction tdmf_state_in_mode(const tdmf_mode_equations *equations, double elapsed,
+                                      const tdmf_mode_coordinates *coordinates,
+                                      double state[TDMF_STATE_COUNT]);
 
 #endif

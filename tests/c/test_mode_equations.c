@@ -1,6 +1,6 @@
 /* The equations of a mode from one instant on: what is put in comes out, and going on is beginning later. */
-#include "chart.h"
 #include "compare.h"
+#include "mode_equations.h"
 #include "scene.h"
 
 #include <math.h>
@@ -35,16 +35,16 @@ static void assert_same_law(const tdmf_hip_law *actual, const tdmf_hip_law *expe
 }
 
 /* The coordinates need not follow the motion: the leg is the same after `elapsed`. */
-static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_chart *begun,
+static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_mode_equations *begun,
                                           const tdmf_inputs *rates, double elapsed) {
     const tdmf_scales *scales = &runner->model.scales;
     const tdmf_inputs inputs = tdmf_inputs_after(&runner->inputs, rates, elapsed);
     double state[TDMF_STATE_COUNT];
-    tdmf_chart shifted = *begun, later;
-    tdmf_chart_state(begun, elapsed, &begun->start, state);
-    tdmf_chart_shift(&shifted, elapsed, &begun->start);
-    tdmf_chart_open(&later, &runner->model, &inputs, rates, &runner->mode, state,
-                    tdmf_leg_direction_of(state));
+    tdmf_mode_equations shifted = *begun, later;
+    tdmf_state_in_mode(begun, elapsed, &begun->start, state);
+    tdmf_shift_mode(&shifted, elapsed, &begun->start);
+    tdmf_open_mode(&later, &runner->model, &inputs, rates, &runner->mode, state,
+                   tdmf_leg_direction_of(state));
     assert_same_law(&shifted.law, &later.law, scales->energy);
     assert_same_law(&shifted.stance_law, &later.stance_law, scales->energy);
     assert_same_law(&shifted.servo, &later.servo, scales->energy);
@@ -70,15 +70,15 @@ static void a_mode_gives_back_its_state_and_goes_on_as_if_begun_later(void **unu
             const double elapsed = random_uniform(&source, 0.1, 0.9) * runner.model.scales.time;
             const tdmf_inputs rates = random_rates(&source, &runner, runner.model.scales.time);
             double state[TDMF_STATE_COUNT];
-            tdmf_chart chart;
+            tdmf_mode_equations equations;
             for (int k = TDMF_MECHANICAL_COUNT; k < TDMF_STATE_COUNT; ++k) {
                 runner.state[k] = random_uniform(&source, 0.0, 1.0);
             }
-            tdmf_chart_open(&chart, &runner.model, &runner.inputs, &rates, &runner.mode, runner.state,
-                            tdmf_leg_direction_of(runner.state));
-            tdmf_chart_state(&chart, 0.0, &chart.start, state);
+            tdmf_open_mode(&equations, &runner.model, &runner.inputs, &rates, &runner.mode, runner.state,
+                           tdmf_leg_direction_of(runner.state));
+            tdmf_state_in_mode(&equations, 0.0, &equations.start, state);
             assert_same_state(&runner, state);
-            assert_goes_on_as_begun_later(&runner, &chart, &rates, elapsed);
+            assert_goes_on_as_begun_later(&runner, &equations, &rates, elapsed);
         }
     }
 }

@@ -1,0 +1,231 @@
+/* Steps runners side by side. This file is compiled once for each instruction set, with TDMF_RUN_BATCHES the
+ * name of its one function and TDMF_LANES the number of lanes.
+ *
+ * A runner stays in a lane of the batch for its kind of motion until an event takes it elsewhere: so all
+ * lanes of a step follow one formula without switches, each with a step size of its own, and whoever waits
+ * takes the place of whoever leaves. What is discrete is left to the automaton, one runner at a time. */
+#include "batches.h"
+
+#include "lane_step.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. */
+enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = BATCH_COUNT * RUNNERS_OF_A_KIND };
+
+enum { EMPTY = -1 };
+
+typedef union {
+    flying_member flying;
+    standing_member standing;
+    real fields[MEMBER_FIELDS];
+} batch_members;
+
+typedef struct {
+    batch_members members;
+    choice live;
+    int runner_in[LANES]; /* or EMPTY */
+    int count;
+    int waiting[RUNNERS];
+    int waiting_count;
+} batch;
+
+typedef struct {
+    batch batches[BATCH_COUNT];
+    union {
+        flight_series flight;
+        ground_series ground;
+    } series;
+    tdmf_runner runners[RUNNERS];
+    const tdmf_ensemble *ensemble;
+    tdmf_starts *starts;
+    tdmf_ensemble_end *ends;
+    tdmf_ensemble_work work;
+    int order;
+    double tolerance;
+} integration;
+
+static void wait_in(integration *integration, int index) {
+    batch *batch = &integration->batches[tdmf_runner_batch(&integration->runners[index])];
+    batch->waiting[batch->waiting_count++] = index;
+}
+
+/* Puts the next start that runs in a runner's place. */
+static void begin_another(integration *integration, int index) {
+    const tdmf_ensemble *ensemble = integration->ensemble;
+    for (int64_t next = tdmf_next_start(integration->starts); next >= 0;
+         next = tdmf_next_start(integration->starts)) {
+        const int number = ensemble->case_of ? ensemble->case_of[next] : 0;
+        if (tdmf_runner_begin(&integration->runners[index], &ensemble->cases[number], ensemble->starts[next],
+                              &integration->ends[next])) {
+            wait_in(integration, index);
+            return;
+        }
+    }
+}
+
+static void write_lane(batch_members *members, int lane, const double *fields, int count) {
+    for (int field = 0; field < count; ++field) {
+        members->fields[field][lane] = fields[field];
+    }
+}
+
+static void read_lane(const batch_members *members, int lane, double *fields, int count) {
+    for (int field = 0; field < count; ++field) {
+        fields[field] = members->fields[field][lane];
+    }
+}
+
+/* Fills empty lanes. One that stays empty doubles another, so that no lane computes with nothing. */
+static void fill_lanes(integration *integration, batch *batch) {
+    double fields[MEMBER_FIELDS];
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (batch->runner_in[lane] == EMPTY && batch->waiting_count > 0) {
+            batch->runner_in[lane] = batch->waiting[--batch->waiting_count];
+            const int count = tdmf_runner_load(&integration->runners[batch->runner_in[lane]], fields);
+            write_lane(&batch->members, lane, fields, count);
+            batch->live[lane] = -1;
+            ++batch->count;
+        }
+    }
+    if (batch->count == LANES) {
+        return;
+    }
+    int occupied = 0;
+    while (batch->runner_in[occupied] == EMPTY) {
+        ++occupied;
+    }
+    read_lane(&batch->members, occupied, fields, MEMBER_FIELDS);
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (batch->runner_in[lane] == EMPTY) {
+            write_lane(&batch->members, lane, fields, MEMBER_FIELDS);
+        }
+    }
+}
+
+static lane_outcome step_batch(integration *integration, batch_kind kind) {
+    batch *batch = &integration->batches[kind];
+    const int order = integration->order;
+    const double tolerance = integration->tolerance;
+    const ground_case sticks = {.turns = true}, sticks_and_coasts = {.turns = false};
+    const ground_case slips = {.slips = true, .turns = true}, slips_and_coasts = {.slips = true};
+    const ground_case grazes = {.grazes = true, .turns = true};
+    flight_series *flight = &integration->series.flight;
+    ground_series *ground = &integration->series.ground;
+    switch (kind) {
+    case BATCH_PLACE:
+        return step_flying(&batch->members.flying, batch->live, false, order, tolerance, flight);
+    case BATCH_RETRACT:
+        return step_flying(&batch->members.flying, batch->live, true, order, tolerance, flight);
+    case BATCH_STICK:
+        return step_standing(&batch->members.standing, batch->live, sticks, order, tolerance, ground);
+    case BATCH_STICK_AND_COAST:
+        return step_standing(&batch->members.standing, batch->live, sticks_and_coasts, order, tolerance,
+                             ground);
+    case BATCH_SLIP:
+        return step_standing(&batch->members.standing, batch->live, slips, order, tolerance, ground);
+    case BATCH_SLIP_AND_COAST:
+        return step_standing(&batch->members.standing, batch->live, slips_and_coasts, order, tolerance,
+                             ground);
+    default:
+        return step_standing(&batch->members.standing, batch->live, grazes, order, tolerance, ground);
+    }
+}
+
+static void empty_lane(integration *integration, batch *batch, int lane, bool at_event, bool late) {
+    double fields[CHANGING_FIELDS];
+    const int index = batch->runner_in[lane];
+    tdmf_runner *runner = &integration->runners[index];
+    bool goes_on = false;
+    if (at_event) {
+        const int strides = runner->end->strides;
+        read_lane(&batch->members, lane, fields, CHANGING_FIELDS);
+        goes_on = tdmf_runner_take_event(runner, fields);
+        integration->work.strides += runner->end->strides - strides;
+        ++integration->work.events;
+    } else {
+        tdmf_runner_give_up(runner, late ? TDMF_FATE_UNDECIDED : TDMF_FATE_UNSOLVED);
+    }
+    batch->runner_in[lane] = EMPTY;
+    batch->live[lane] = 0;
+    --batch->count;
+    if (goes_on) {
+        wait_in(integration, index);
+    } else {
+        begin_another(integration, index);
+    }
+}
+
+static void step_and_sort(integration *integration, batch_kind kind) {
+    batch *batch = &integration->batches[kind];
+    fill_lanes(integration, batch);
+    integration->work.steps += batch->count;
+    integration->work.places += LANES;
+    const lane_outcome outcome = step_batch(integration, kind);
+    const unsigned events = lanes_of(outcome.at_event);
+    const unsigned late = lanes_of(outcome.late);
+    const unsigned leaving = events | late | lanes_of(outcome.stuck);
+    for (int lane = 0; leaving >> lane != 0; ++lane) {
+        if (leaving >> lane & 1) {
+            empty_lane(integration, batch, lane, events >> lane & 1, late >> lane & 1);
+        }
+    }
+}
+
+/* The batch that the next step serves most runners of. */
+static batch_kind fullest(const integration *integration) {
+    batch_kind best = BATCH_PLACE;
+    int most = -1;
+    for (int kind = 0; kind < BATCH_COUNT; ++kind) {
+        const batch *batch = &integration->batches[kind];
+        if (batch->count + batch->waiting_count > most) {
+            most = batch->count + batch->waiting_count;
+            best = (batch_kind)kind;
+        }
+    }
+    return best;
+}
+
+static void open_batches(integration *integration) {
+    for (int kind = 0; kind < BATCH_COUNT; ++kind) {
+        for (int lane = 0; lane < LANES; ++lane) {
+            integration->batches[kind].runner_in[lane] = EMPTY;
+        }
+    }
+}
+
+static void run(integration *integration) {
+    open_batches(integration);
+    for (int index = 0; index < RUNNERS; ++index) {
+        begin_another(integration, index);
+    }
+    for (;;) {
+        const batch_kind kind = fullest(integration);
+        if (integration->batches[kind].count + integration->batches[kind].waiting_count == 0) {
+            return;
+        }
+        step_and_sort(integration, kind);
+    }
+}
+
+bool TDMF_RUN_BATCHES(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order, tdmf_ensemble_end *ends,
+                      tdmf_ensemble_work *work) {
+    /* C99 has no aligned allocation. */
+    const uintptr_t alignment = sizeof(real);
+    void *block = calloc(1, sizeof(integration) + alignment);
+    if (block == NULL) {
+        return false;
+    }
+    integration *integration = (void *)(((uintptr_t)block + alignment - 1) / alignment * alignment);
+    integration->ensemble = ensemble;
+    integration->starts = starts;
+    integration->ends = ends;
+    integration->order = order;
+    integration->tolerance = ensemble->relative_tolerance;
+    run(integration);
+    integration->work.evaluations = integration->work.steps * order;
+    *work = integration->work;
+    free(block);
+    return true;
+}

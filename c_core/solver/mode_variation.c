@@ -1,0 +1,175 @@
+/* Variations of the maps in mode_equations.c, and their way along a step. d_ stands for the variation of what
+ * follows.
+ */
+#include "mode_variation.h"
+
+#include "coefficients.h"
+#include "kinematics.h"
+#include "series_sums.h"
+
+#include <math.h>
+
+/* ---- flight ------------------------------------------------------------------------------------------- */
+
+static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                        const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
+    const tdmf_point com = tdmf_vary_center_of_mass(model, state, &d->model, d->state);
+    varied_mode->at.length = d->state[TDMF_LEG_LENGTH];
+    varied_mode->at.angle = d->state[TDMF_LEG_ANGLE];
+    varied_mode->at.length_rate = d->state[TDMF_LEG_LENGTH_RATE];
+    varied_mode->at.angle_rate = d->state[TDMF_LEG_ANGLE_RATE];
+    varied_mode->com_x = com.x;
+    varied_mode->com_y = com.y;
+    varied_mode->com_vx = com.vx;
+    varied_mode->com_vy = com.vy;
+}
+
+static void flight_variation_of_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                      const tdmf_direction *d, const tdmf_mode_variation *varied_mode,
+                                      double d_state[TDMF_STATE_COUNT]) {
+    d_state[TDMF_LEG_LENGTH] = varied_mode->at.length;
+    d_state[TDMF_LEG_ANGLE] = varied_mode->at.angle;
+    d_state[TDMF_LEG_LENGTH_RATE] = varied_mode->at.length_rate;
+    d_state[TDMF_LEG_ANGLE_RATE] = varied_mode->at.angle_rate;
+    /* The foot does not move yet: this is how the centre of mass moves from it. */
+    const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, &d->model, d_state);
+    d_state[TDMF_FOOT_X] = varied_mode->com_x - from_foot.x;
+    d_state[TDMF_FOOT_Y] = varied_mode->com_y - from_foot.y;
+    d_state[TDMF_FOOT_VX] = varied_mode->com_vx - from_foot.vx;
+    d_state[TDMF_FOOT_VY] = varied_mode->com_vy - from_foot.vy;
+}
+
+static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
+                           const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
+    const double d_gravity = change->parameters.gravity;
+    varied_mode->at.length = series_at(tangent->length, step->order, t);
+    varied_mode->at.length_rate = series_at(tangent->length_rate, step->order, t);
+    varied_mode->at.angle = series_at(tangent->angle, step->order, t);
+    /* From the momentum r^2 w, which is known to one order more than w. */
+    const double r = series_at(step->series.flight.length, step->order, t);
+    const double momentum = series_at(step->series.flight.momentum, step->order, t);
+    varied_mode->at.angle_rate =
+        (series_at(tangent->momentum, step->order, t) - 2.0 * momentum / r * varied_mode->at.length) /
+        (r * r);
+    varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
+    varied_mode->com_x += t * varied_mode->com_vx;
+    varied_mode->com_y += t * (varied_mode->com_vy - 0.5 * d_gravity * t);
+    varied_mode->com_vy -= t * d_gravity;
+}
+
+/* ---- on the ground ------------------------------------------------------------------------------------ */
+
+static void open_ground(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT],
+                        tdmf_mode_variation *varied_mode) {
+    const tdmf_point body = tdmf_vary_body_from_foot(state, d_state);
+    varied_mode->at.x = body.x;
+    varied_mode->at.y = body.y;
+    varied_mode->at.foot_x = d_state[TDMF_FOOT_X];
+    varied_mode->at.foot_vx = d_state[TDMF_FOOT_VX];
+    varied_mode->at.vx = varied_mode->at.foot_vx + body.vx;
+    varied_mode->at.vy = body.vy;
+}
+
+static void ground_variation_of_state(const double state[TDMF_STATE_COUNT],
+                                      const tdmf_mode_variation *varied_mode,
+                                      double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_mode_coordinates *at = &varied_mode->at;
+    const tdmf_point body = {at->x, at->y, at->vx - at->foot_vx, at->vy};
+    d_state[TDMF_FOOT_X] = at->foot_x;
+    d_state[TDMF_FOOT_VX] = at->foot_vx;
+    tdmf_vary_leg_to(state, body, d_state);
+}
+
+static void advance_ground(const tdmf_step *step, double t, const ground_variation *tangent,
+                           tdmf_mode_variation *varied_mode) {
+    varied_mode->at.x = series_at(tangent->x, step->order, t);
+    varied_mode->at.y = series_at(tangent->y, step->order, t);
+    varied_mode->at.foot_vx = series_at(tangent->foot_vx, step->order, t);
+    varied_mode->at.vx = series_at(tangent->vx, step->order, t) + varied_mode->at.foot_vx;
+    varied_mode->at.vy = series_at(tangent->vy, step->order, t);
+    varied_mode->at.foot_x += series_integral(tangent->foot_vx, step->order, t);
+    varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
+}
+
+/* ---- both --------------------------------------------------------------------------------------------- */
+
+tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equations,
+                                             const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                             const tdmf_variation *variation) {
+    tdmf_mode_variation varied_mode = {.liftoff_angle = variation->liftoff_angle,
+                                       .place_time = variation->state[TDMF_HIP_PLACE_TIME]};
+    varied_mode.at.work = variation->state[TDMF_HIP_WORK];
+    if (equations->contact == TDMF_CONTACT_FLIGHT) {
+        const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
+        open_flight(equations->model, state, &d, &varied_mode);
+    } else {
+        open_ground(state, variation->state, &varied_mode);
+    }
+    return varied_mode;
+}
+
+/* Adds the sizes of a coordinate's coefficients. */
+static void add_sizes(const double *c, double unit, int order, double sizes[SERIES_TERMS]) {
+    for (int k = 0; k <= order; ++k) {
+        sizes[k] += fabs(c[k]) / unit;
+    }
+}
+
+double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, const tdmf_change *change,
+                                  const tdmf_mode_variation *varied_mode, motion_variation *tangent) {
+    const tdmf_scales *scales = &step->equations->model->scales;
+    const int order = step->order;
+    const tdmf_mode_coordinates *at = &varied_mode->at;
+    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
+    variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
+    const tdmf_direction d = tdmf_direction_of(step->equations->model, change, &variation);
+    double sizes[SERIES_TERMS] = {0.0};
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
+        flight_variation *flight = &tangent->flight;
+        const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
+        const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
+        const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
+        vary_flight(&coefficients, &step->series.flight, &varied, start, order, flight);
+        add_sizes(flight->length, scales->length, order, sizes);
+        add_sizes(flight->length_rate, scales->speed, order, sizes);
+        add_sizes(flight->angle, 1.0, order, sizes);
+        add_sizes(flight->momentum, scales->speed * scales->length, order, sizes);
+    } else {
+        ground_variation *ground = &tangent->ground;
+        const ground_coefficients coefficients = tdmf_ground_coefficients(step->equations);
+        const ground_coefficients varied = tdmf_vary_ground_coefficients(step->equations, mode, &d);
+        const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
+        vary_ground(&coefficients, &step->series.ground, &varied, start, order, tdmf_step_ground_case(step),
+                    ground);
+        add_sizes(ground->x, scales->length, order, sizes);
+        add_sizes(ground->y, scales->length, order, sizes);
+        add_sizes(ground->vx, scales->speed, order, sizes);
+        add_sizes(ground->vy, scales->speed, order, sizes);
+        add_sizes(ground->foot_vx, scales->speed, order, sizes);
+    }
+    return tdmf_step_trusts_terms(step, sizes);
+}
+
+void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_change *change,
+                                 const motion_variation *tangent, tdmf_mode_variation *varied_mode) {
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
+        advance_flight(step, elapsed, change, &tangent->flight, varied_mode);
+    } else {
+        advance_ground(step, elapsed, &tangent->ground, varied_mode);
+    }
+}
+
+tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
+                                      const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                      const tdmf_mode_variation *varied_mode) {
+    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
+    variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
+    variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
+    if (equations->contact == TDMF_CONTACT_FLIGHT) {
+        const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
+        flight_variation_of_state(equations->model, state, &d, varied_mode, variation.state);
+    } else {
+        ground_variation_of_state(state, varied_mode, variation.state);
+    }
+    return variation;
+}
