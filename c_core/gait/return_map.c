@@ -35,7 +35,8 @@ static void vary_section_state(const tdmf_model *model, const double state[TDMF_
                                double d_state[TDMF_STATE_COUNT]) {
     write_leg(d_section, d_state);
     /* The foot does not move yet: this is how the centre of mass moves from it. */
-    const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, d, d_state);
+    const tdmf_point from_foot =
+        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), d, d_state);
     d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - from_foot.y;
     d_state[TDMF_FOOT_VX] = d_section[TDMF_SECTION_COM_SPEED] - from_foot.vx;
     d_state[TDMF_FOOT_VY] = -from_foot.vy;
@@ -47,7 +48,8 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion 
                                      const double start_com_x, const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
     const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
-    const tdmf_point d_com = tdmf_vary_center_of_mass(model, motion->state, &d_model, d_state);
+    const tdmf_point d_com = tdmf_vary_center_of_mass(
+        model, motion->state, tdmf_leg_direction_of(motion->state), &d_model, d_state);
     const double shift = d_com.vy / model->parameters.gravity;
     const tdmf_stride_change result = {
         .apex = {d_com.y + com.vy * shift, d_com.vx,
@@ -84,7 +86,9 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const double st
         const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
         vary_section_state(model, state, d_section, &d_model, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
-        bundle->start_com_x[i] = tdmf_vary_center_of_mass(model, state, &d_model, variation->state).x;
+        bundle->start_com_x[i] =
+            tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d_model, variation->state)
+                .x;
     }
 }
 

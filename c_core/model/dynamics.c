@@ -10,11 +10,12 @@
  * variation d_ stands for the change of what follows. */
 #include "dynamics.h"
 
+#include "ground_force.h"
+#include "hip_law.h"
+#include "input_rates.h"
+
 #include <string.h>
 
-/* ---- accelerations ------------------------------------------------------------------------------------ */
-
-/* The horizontal and vertical force of the leg on the foot. */
 typedef struct {
     double x, y;
 } force_on_foot;
@@ -135,7 +136,7 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];
-    derivatives[TDMF_HIP_POSITIVE_WORK] = fmax(power, 0.0);
+    derivatives[TDMF_HIP_POSITIVE_WORK] = power > 0.0 ? power : 0.0;
 }
 
 void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
@@ -165,11 +166,18 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
 }
 
 double tdmf_normal_force_rate(const tdmf_evaluation *at) {
-    double derivatives[TDMF_STATE_COUNT];
-    rates_of_state(at, derivatives);
-    const tdmf_direction along = tdmf_direction_of_motion(derivatives);
-    const tdmf_evaluation d = tdmf_vary_evaluation(at, &along);
-    return d.force.fy;
+    static const tdmf_model unchanged = {0};
+    static const tdmf_hip_law still = {0};
+    const tdmf_acceleration a = tdmf_accelerate(at);
+    const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = at->leg.length_rate,
+                                            [TDMF_LEG_ANGLE] = at->leg.angle_rate,
+                                            [TDMF_LEG_LENGTH_RATE] = a.length,
+                                            [TDMF_LEG_ANGLE_RATE] = a.angle};
+    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+    const double torque_rate = tdmf_vary_law_torque(&law, &still, at->state, rates);
+    const tdmf_evaluation d = {.model = &unchanged,
+                               .leg = tdmf_vary_leg(at->model, &at->leg, &unchanged, rates)};
+    return tdmf_vary_force_under(at, &d, at->torque, torque_rate).fy;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

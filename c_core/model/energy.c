@@ -22,11 +22,11 @@ tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[T
 }
 
 tdmf_energy tdmf_vary_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                             const tdmf_direction *d) {
+                             tdmf_leg_direction direction, const tdmf_direction *d) {
     const tdmf_parameters *p = &model->parameters;
     const tdmf_parameters *d_p = &d->model.parameters;
-    const tdmf_point body = tdmf_body(state);
-    const tdmf_point d_body = tdmf_vary_body(state, d->state);
+    const tdmf_point body = tdmf_body_along(state, direction);
+    const tdmf_point d_body = tdmf_vary_body(state, direction, d->state);
     const double y = state[TDMF_FOOT_Y];
     const double vx = state[TDMF_FOOT_VX];
     const double vy = state[TDMF_FOOT_VY];

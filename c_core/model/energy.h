@@ -2,10 +2,10 @@
 #ifndef TDMF_MODEL_ENERGY_H
 #define TDMF_MODEL_ENERGY_H
 
-#include "direction.h"
+#include "leg.h"
 #include "tdmf_slip/energy.h"
 
 tdmf_energy tdmf_vary_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                             const tdmf_direction *d);
+                             tdmf_leg_direction direction, const tdmf_direction *d);
 
 #endif

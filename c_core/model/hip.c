@@ -16,7 +16,9 @@
 #include "tdmf_slip/hip.h"
 
 #include "evaluation.h"
+#include "ground_force.h"
 #include "hip_law.h"
+#include "hip_torque.h"
 #include "input_rates.h"
 
 tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates) {
@@ -132,6 +134,38 @@ double tdmf_vary_law_torque(const tdmf_hip_law *law, const tdmf_hip_law *d_law,
            law->gain * (d_law->target - d_state[TDMF_LEG_ANGLE]) -
            d_law->rate_gain * state[TDMF_LEG_ANGLE_RATE] - law->rate_gain * d_state[TDMF_LEG_ANGLE_RATE] +
            d_law->torque;
+}
+
+double tdmf_torque_in_mode(const tdmf_evaluation *at) {
+    tdmf_hip_law law;
+    switch (at->mode->contact) {
+    case TDMF_CONTACT_GRAZE:
+        return tdmf_graze_torque(at);
+    case TDMF_CONTACT_FLIGHT:
+        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
+                              at->state[TDMF_HIP_PLACE_TIME]);
+        return tdmf_law_torque(&law, at->state);
+    default:
+        law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+        return tdmf_law_torque(&law, at->state);
+    }
+}
+
+double tdmf_vary_torque_in_mode(const tdmf_evaluation *at, const tdmf_leg *d_leg, const tdmf_direction *d) {
+    tdmf_hip_law law, d_law;
+    switch (at->mode->contact) {
+    case TDMF_CONTACT_GRAZE:
+        return tdmf_vary_graze_torque(at, d_leg, d);
+    case TDMF_CONTACT_FLIGHT:
+        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
+                              at->state[TDMF_HIP_PLACE_TIME]);
+        d_law = tdmf_vary_flight_law(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
+        return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+    default:
+        law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+        d_law = tdmf_vary_stance_law(at->mode, d);
+        return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+    }
 }
 
 double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

@@ -47,7 +47,7 @@ double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs,
     const double vy = before[TDMF_FOOT_VY], d_vy = d_state[TDMF_FOOT_VY];
     const double vx_after = after[TDMF_FOOT_VX];
     const double d_vx_after = vary_slowed(model, inputs, vx, vy, &d->inputs, d_vx, d_vy);
-    tdmf_point d_from_foot = tdmf_vary_body_from_foot(before, d_state);
+    tdmf_point d_from_foot = tdmf_vary_body_from_foot(before, tdmf_leg_direction_of(before), d_state);
     d_from_foot.vx += d_vx - d_vx_after;
     d_from_foot.vy += d_vy;
     d_state[TDMF_FOOT_Y] = 0.0;

@@ -34,8 +34,12 @@ static tdmf_point on_leg(const double state[TDMF_STATE_COUNT], double share, tdm
     return point;
 }
 
+tdmf_point tdmf_body_along(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    return on_leg(state, 1.0, tdmf_body_from_foot(state, direction));
+}
+
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
-    return on_leg(state, 1.0, tdmf_body_from_foot(state, tdmf_leg_direction_of(state)));
+    return tdmf_body_along(state, tdmf_leg_direction_of(state));
 }
 
 tdmf_point tdmf_center_of_mass_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
@@ -65,11 +69,11 @@ void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]
 
 /* ---- variations --------------------------------------------------------------------------------------- */
 
-tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
+tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
                                     const double d_state[TDMF_STATE_COUNT]) {
     const double r = state[TDMF_LEG_LENGTH], d_r = d_state[TDMF_LEG_LENGTH];
-    const double sine = sin(state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double sine = direction.sine;
+    const double cosine = direction.cosine;
     const double d_angle = d_state[TDMF_LEG_ANGLE];
     const double along = state[TDMF_LEG_LENGTH_RATE], d_along = d_state[TDMF_LEG_LENGTH_RATE];
     const double across = r * state[TDMF_LEG_ANGLE_RATE];
@@ -83,14 +87,17 @@ tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
     return d_from_foot;
 }
 
-tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT]) {
-    return on_leg(d_state, 1.0, tdmf_vary_body_from_foot(state, d_state));
+tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                          const double d_state[TDMF_STATE_COUNT]) {
+    return on_leg(d_state, 1.0, tdmf_vary_body_from_foot(state, direction, d_state));
 }
 
 tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                    const tdmf_model *d, const double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
-    tdmf_point d_center = on_leg(d_state, model->body_share, tdmf_vary_body_from_foot(state, d_state));
+                                    tdmf_leg_direction direction, const tdmf_model *d,
+                                    const double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_point from_foot = tdmf_body_from_foot(state, direction);
+    tdmf_point d_center =
+        on_leg(d_state, model->body_share, tdmf_vary_body_from_foot(state, direction, d_state));
     d_center.x += d->body_share * from_foot.x;
     d_center.y += d->body_share * from_foot.y;
     d_center.vx += d->body_share * from_foot.vx;

@@ -7,12 +7,14 @@
 
 /* Position and velocity of the body less those of the foot, and their change. */
 tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction);
-tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
+tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
                                     const double d_state[TDMF_STATE_COUNT]);
 
-tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT]);
+tdmf_point tdmf_vary_body(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                          const double d_state[TDMF_STATE_COUNT]);
 
 /* The public functions, where the leg's direction is at hand. */
+tdmf_point tdmf_body_along(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction);
 tdmf_point tdmf_center_of_mass_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                      tdmf_leg_direction direction);
 void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,
@@ -20,7 +22,8 @@ void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direc
 
 /* `d` has the changes of the model's constants. */
 tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                    const tdmf_model *d, const double d_state[TDMF_STATE_COUNT]);
+                                    tdmf_leg_direction direction, const tdmf_model *d,
+                                    const double d_state[TDMF_STATE_COUNT]);
 
 /* The inverse of tdmf_vary_body_from_foot: the changes of the leg that make this change of the body's place
  * and velocity. */

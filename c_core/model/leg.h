@@ -33,9 +33,10 @@ static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const double stat
     const tdmf_parameters *p = &model->parameters;
     const double length = state[TDMF_LEG_LENGTH];
     const double length_rate = state[TDMF_LEG_LENGTH_RATE];
+    const double shortest = 0.5 * p->leg.min_length;
     const tdmf_leg leg = {
         .length = length,
-        .inverse_length = 1.0 / fmax(length, 0.5 * p->leg.min_length),
+        .inverse_length = 1.0 / (length > shortest ? length : shortest),
         .length_rate = length_rate,
         .angle_rate = state[TDMF_LEG_ANGLE_RATE],
         .sine = direction.sine,
@@ -49,6 +50,7 @@ static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[T
     return tdmf_leg_along(model, state, tdmf_leg_direction_of(state));
 }
 
-tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *leg, const tdmf_direction *d);
+tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *leg, const tdmf_model *d,
+                       const double d_state[TDMF_STATE_COUNT]);
 
 #endif

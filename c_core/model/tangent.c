@@ -13,12 +13,13 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
     const tdmf_direction d = tdmf_direction_of(model, change, variation);
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
     const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
+    const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     tdmf_tangent tangent = {
-        .body = tdmf_vary_body(state, d.state),
-        .com = tdmf_vary_center_of_mass(model, state, &d.model, d.state),
+        .body = tdmf_vary_body(state, direction, d.state),
+        .com = tdmf_vary_center_of_mass(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
         .torque = d_at.torque,
-        .energy = tdmf_vary_energy(model, state, &d),
+        .energy = tdmf_vary_energy(model, state, direction, &d),
     };
     if (!mode->fallen) {
         tdmf_vary_rates_of_state(&at, &d_at, tangent.derivatives);

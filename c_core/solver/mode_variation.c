@@ -13,7 +13,8 @@
 
 static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                         const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
-    const tdmf_point com = tdmf_vary_center_of_mass(model, state, &d->model, d->state);
+    const tdmf_point com =
+        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d->state);
     varied_mode->at.length = d->state[TDMF_LEG_LENGTH];
     varied_mode->at.angle = d->state[TDMF_LEG_ANGLE];
     varied_mode->at.length_rate = d->state[TDMF_LEG_LENGTH_RATE];
@@ -32,7 +33,8 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
     d_state[TDMF_LEG_LENGTH_RATE] = varied_mode->at.length_rate;
     d_state[TDMF_LEG_ANGLE_RATE] = varied_mode->at.angle_rate;
     /* The foot does not move yet: this is how the centre of mass moves from it. */
-    const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, &d->model, d_state);
+    const tdmf_point from_foot =
+        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
     d_state[TDMF_FOOT_X] = varied_mode->com_x - from_foot.x;
     d_state[TDMF_FOOT_Y] = varied_mode->com_y - from_foot.y;
     d_state[TDMF_FOOT_VX] = varied_mode->com_vx - from_foot.vx;
@@ -61,7 +63,7 @@ static void advance_flight(const tdmf_step *step, double t, const tdmf_change *c
 
 static void open_ground(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT],
                         tdmf_mode_variation *varied_mode) {
-    const tdmf_point body = tdmf_vary_body_from_foot(state, d_state);
+    const tdmf_point body = tdmf_vary_body_from_foot(state, tdmf_leg_direction_of(state), d_state);
     varied_mode->at.x = body.x;
     varied_mode->at.y = body.y;
     varied_mode->at.foot_x = d_state[TDMF_FOOT_X];

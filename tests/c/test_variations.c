@@ -291,10 +291,12 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const line line = line_random(&source, &at);
             const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(&at.model, at.state);
-            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d);
+            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d.model, d.state);
             const row exact = leg_and_points(
-                &d_leg, tdmf_vary_body_from_foot(at.state, d.state), tdmf_vary_body(at.state, d.state),
-                tdmf_vary_center_of_mass(&at.model, at.state, &d.model, d.state));
+                &d_leg, tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), d.state),
+                tdmf_vary_body(at.state, tdmf_leg_direction_of(at.state), d.state),
+                tdmf_vary_center_of_mass(&at.model, at.state, tdmf_leg_direction_of(at.state), &d.model,
+                                         d.state));
             assert_row_varies(&line, leg_and_points_of, &exact);
         }
     }
@@ -307,7 +309,9 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
         const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
         const line line = line_random(&source, &at);
         double found[TDMF_STATE_COUNT] = {0.0};
-        tdmf_vary_leg_to(at.state, tdmf_vary_body_from_foot(at.state, line.variation.state), found);
+        tdmf_vary_leg_to(
+            at.state,
+            tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), line.variation.state), found);
         for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
             const bool of_leg = k != TDMF_FOOT_VX && k != TDMF_FOOT_VY;
             const double expected = of_leg ? line.variation.state[k] : 0.0;

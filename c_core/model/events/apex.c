@@ -13,8 +13,9 @@ static double vertical_velocity(const tdmf_evaluation *at) {
 
 static double vary_vertical_velocity(const tdmf_evaluation *at, const tdmf_direction *d,
                                      const tdmf_evaluation *d_at) {
+    const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
     (void)d_at;
-    return tdmf_vary_center_of_mass(at->model, at->state, &d->model, d->state).vy;
+    return tdmf_vary_center_of_mass(at->model, at->state, direction, &d->model, d->state).vy;
 }
 
 static void begin_place(tdmf_run *run) {

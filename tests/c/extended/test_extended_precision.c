@@ -79,7 +79,12 @@ static double *member(tdmf_parameters *parameters, tdmf_inputs *inputs, int k) {
 }
 
 /* By the parameters and the friction, each in units of its own size. */
-static double check_parameters(const scene *scene_at) {
+static double check_parameters(const scene *gait) {
+    /* Parameters that are at a bound, or zero, in Table 1 are moved off it. */
+    scene moved_off = *gait;
+    moved_off.parameters.ground.static_friction_ratio = 1.01L;
+    moved_off.parameters.hip.retraction_rate = 1e-5L;
+    const scene *scene_at = &moved_off;
     double worst = 0.0L;
     for (int k = 0; k <= PARAMETERS; ++k) {
         tdmf_change change;
