@@ -247,7 +247,7 @@ static void a_clock_of_no_phase_is_refused(void **unused) {
     assert_refused(STEPS, &state, "hip.place_time");
     while (phase != TDMF_PHASE_COAST) {
         assert_int_equal(do_step(instance, get_float(instance, "time"), 0.01, &step), fmi3OK);
-        phase = ((struct instance *)instance)->unit.motion.mode.phase;
+        phase = (int)((struct instance *)instance)->unit.motion.mode.phase;
     }
     serialize(instance, &landed);
     const double work = get_float(instance, "hip.work");
