@@ -19,8 +19,7 @@
 
 #include "dynamics.h"
 #include "ground_force.h"
-#include "hip_law.h"
-#include "input_rates.h"
+#include "hip_torque.h"
 #include "margins.h"
 
 /* ---- the torque that unloads the foot ----------------------------------------------------------------- */
@@ -49,58 +48,38 @@ double tdmf_vary_graze_torque(const tdmf_evaluation *at, const tdmf_leg *d_leg, 
 
 /* ---- the ground force under either law ---------------------------------------------------------------- */
 
-static double stance_torque(const tdmf_evaluation *at) {
-    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
-    return tdmf_law_torque(&law, at->state);
-}
-
 /* Nobody locates the clamp of a foot on the ground: it is where the servo has it now. */
 static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
     tdmf_mode mode = *at->mode;
-    mode.clamp_closed = tdmf_law_torque(&servo, at->state) < 0.0;
+    mode.clamp_closed = tdmf_servo_torque(at->model, at->mode, at->state) < 0.0;
     return mode;
 }
 
-static double flight_torque(const tdmf_evaluation *at) {
-    const tdmf_mode mode = mode_by_servo(at);
-    const tdmf_hip_law law =
-        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode, at->state[TDMF_HIP_PLACE_TIME]);
-    return tdmf_law_torque(&law, at->state);
-}
-
 tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) {
-    return tdmf_force_under(at, stance_torque(at));
+    return tdmf_force_under(at, tdmf_stance_torque(at));
 }
 
 tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) {
-    return tdmf_force_under(at, flight_torque(at));
+    const tdmf_mode mode = mode_by_servo(at);
+    return tdmf_force_under(at, tdmf_flight_torque(at, &mode));
 }
 
 tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdmf_direction *d,
                                             const tdmf_evaluation *d_at) {
-    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
-    const tdmf_hip_law d_law = tdmf_vary_stance_law(at->mode, d);
-    const double d_torque = tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
-    return tdmf_vary_force_under(at, d_at, tdmf_law_torque(&law, at->state), d_torque);
+    return tdmf_vary_force_under(at, d_at, tdmf_stance_torque(at), tdmf_vary_stance_torque(at, d));
 }
 
 /* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_direction *d) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
-    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
-    return at->mode->phase != TDMF_PHASE_PLACE && tdmf_law_torque(&servo, at->state) == 0.0 &&
-           tdmf_vary_law_torque(&servo, &d_servo, at->state, d->state) != 0.0;
+    return at->mode->phase != TDMF_PHASE_PLACE && tdmf_servo_torque(at->model, at->mode, at->state) == 0.0 &&
+           tdmf_vary_servo_torque(at->model, at->mode, at->state, d) != 0.0;
 }
 
 tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
                                             const tdmf_evaluation *d_at) {
     const tdmf_mode mode = mode_by_servo(at);
-    const tdmf_hip_law law =
-        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, &mode, at->state[TDMF_HIP_PLACE_TIME]);
-    const tdmf_hip_law d_law = tdmf_vary_flight_law(at->model, &mode, at->state[TDMF_HIP_PLACE_TIME], d);
-    const double d_torque = is_at_kink(at, d) ? NAN : tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
-    return tdmf_vary_force_under(at, d_at, tdmf_law_torque(&law, at->state), d_torque);
+    const double d_torque = is_at_kink(at, d) ? NAN : tdmf_vary_flight_torque(at, &mode, d);
+    return tdmf_vary_force_under(at, d_at, tdmf_flight_torque(at, &mode), d_torque);
 }
 
 /* ---- what becomes of the foot ------------------------------------------------------------------------- */

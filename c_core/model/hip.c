@@ -136,35 +136,62 @@ double tdmf_vary_law_torque(const tdmf_hip_law *law, const tdmf_hip_law *d_law,
            d_law->torque;
 }
 
+double tdmf_servo_torque(const tdmf_model *model, const tdmf_mode *mode,
+                         const double state[TDMF_STATE_COUNT]) {
+    const tdmf_hip_law servo = tdmf_servo(model, mode, state[TDMF_HIP_PLACE_TIME]);
+    return tdmf_law_torque(&servo, state);
+}
+
+double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_mode *mode,
+                              const double state[TDMF_STATE_COUNT], const tdmf_direction *d) {
+    const tdmf_hip_law servo = tdmf_servo(model, mode, state[TDMF_HIP_PLACE_TIME]);
+    const tdmf_hip_law d_servo = tdmf_vary_servo(model, mode, state[TDMF_HIP_PLACE_TIME], d);
+    return tdmf_vary_law_torque(&servo, &d_servo, state, d->state);
+}
+
+double tdmf_stance_torque(const tdmf_evaluation *at) {
+    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+    return tdmf_law_torque(&law, at->state);
+}
+
+double tdmf_vary_stance_torque(const tdmf_evaluation *at, const tdmf_direction *d) {
+    const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
+    const tdmf_hip_law d_law = tdmf_vary_stance_law(at->mode, d);
+    return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+}
+
+double tdmf_flight_torque(const tdmf_evaluation *at, const tdmf_mode *mode) {
+    const tdmf_hip_law law =
+        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, mode, at->state[TDMF_HIP_PLACE_TIME]);
+    return tdmf_law_torque(&law, at->state);
+}
+
+double tdmf_vary_flight_torque(const tdmf_evaluation *at, const tdmf_mode *mode, const tdmf_direction *d) {
+    const tdmf_hip_law law =
+        tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, mode, at->state[TDMF_HIP_PLACE_TIME]);
+    const tdmf_hip_law d_law = tdmf_vary_flight_law(at->model, mode, at->state[TDMF_HIP_PLACE_TIME], d);
+    return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+}
+
 double tdmf_torque_in_mode(const tdmf_evaluation *at) {
-    tdmf_hip_law law;
     switch (at->mode->contact) {
     case TDMF_CONTACT_GRAZE:
         return tdmf_graze_torque(at);
     case TDMF_CONTACT_FLIGHT:
-        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
-                              at->state[TDMF_HIP_PLACE_TIME]);
-        return tdmf_law_torque(&law, at->state);
+        return tdmf_flight_torque(at, at->mode);
     default:
-        law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
-        return tdmf_law_torque(&law, at->state);
+        return tdmf_stance_torque(at);
     }
 }
 
 double tdmf_vary_torque_in_mode(const tdmf_evaluation *at, const tdmf_leg *d_leg, const tdmf_direction *d) {
-    tdmf_hip_law law, d_law;
     switch (at->mode->contact) {
     case TDMF_CONTACT_GRAZE:
         return tdmf_vary_graze_torque(at, d_leg, d);
     case TDMF_CONTACT_FLIGHT:
-        law = tdmf_flight_law(at->model, at->inputs, &tdmf_held_inputs, at->mode,
-                              at->state[TDMF_HIP_PLACE_TIME]);
-        d_law = tdmf_vary_flight_law(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
-        return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+        return tdmf_vary_flight_torque(at, at->mode, d);
     default:
-        law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
-        d_law = tdmf_vary_stance_law(at->mode, d);
-        return tdmf_vary_law_torque(&law, &d_law, at->state, d->state);
+        return tdmf_vary_stance_torque(at, d);
     }
 }
 

@@ -5,8 +5,6 @@
 #include "energy.h"
 #include "kinematics.h"
 
-#include <string.h>
-
 tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT], const tdmf_change *change,
                                 const tdmf_variation *variation) {

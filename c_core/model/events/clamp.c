@@ -1,19 +1,16 @@
 /* Clamp: the servo of retract changes its sign, and the clamp of (12) opens or closes. */
 #include "events.h"
-#include "hip_law.h"
+#include "hip_torque.h"
 
 static double servo_torque(const tdmf_evaluation *at) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
-    return tdmf_armed_against_turning(tdmf_law_torque(&servo, at->state), at->model->scales.energy,
-                                      at->mode->clamp_closed);
+    return tdmf_armed_against_turning(tdmf_servo_torque(at->model, at->mode, at->state),
+                                      at->model->scales.energy, at->mode->clamp_closed);
 }
 
 static double vary_servo_torque(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
-    const tdmf_hip_law servo = tdmf_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME]);
-    const tdmf_hip_law d_servo = tdmf_vary_servo(at->model, at->mode, at->state[TDMF_HIP_PLACE_TIME], d);
     (void)d_at;
-    return tdmf_vary_law_torque(&servo, &d_servo, at->state, d->state);
+    return tdmf_vary_servo_torque(at->model, at->mode, at->state, d);
 }
 
 /* Neither a contact nor a phase changes, so that it is not counted. */

@@ -4,7 +4,7 @@
 #include "dynamics.h"
 #include "friction.h"
 #include "graze.h"
-#include "hip_law.h"
+#include "hip_torque.h"
 #include "kinematics.h"
 #include "record.h"
 
@@ -24,16 +24,12 @@ static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
     return center.vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
 }
 
-static bool servo_is_negative(const tdmf_run *run) {
-    const tdmf_hip_law servo = tdmf_servo(run->model, run->mode, run->state[TDMF_HIP_PLACE_TIME]);
-    return tdmf_law_torque(&servo, run->state) < 0.0;
-}
-
 /* Enters flight or graze, theta_LO unchanged. */
 static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phase phase) {
     tdmf_enter_contact_mode(run, entered);
     run->mode->phase = phase;
-    run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT && servo_is_negative(run);
+    run->mode->clamp_closed =
+        phase == TDMF_PHASE_RETRACT && tdmf_servo_torque(run->model, run->mode, run->state) < 0.0;
 }
 
 void tdmf_fly(tdmf_run *run) {
