@@ -132,7 +132,7 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     const double power = at->torque * leg->angle_rate;
     rates_of_motion(at, &a, derivatives);
     derivatives[TDMF_HIP_WORK] = power;
-    derivatives[TDMF_HIP_PLACE_TIME] = at->mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
+    derivatives[TDMF_HIP_PLACE_TIME] = tdmf_place_time_rate(at->mode);
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];

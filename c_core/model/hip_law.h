@@ -42,6 +42,11 @@ tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_mode *mode, dou
  * makes of it. */
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d);
 
+/* How fast the time since place began runs: 1 in place, else 0. */
+static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
+    return mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
+}
+
 /* Makes it the law some time later. */
 static inline void tdmf_shift_law(tdmf_hip_law *law, double elapsed) {
     law->target += elapsed * law->target_rate;

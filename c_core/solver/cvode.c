@@ -1,8 +1,10 @@
 /* CVODE on the automaton: integrate tdmf_derivatives, stop where one of tdmf_guards reaches zero, take the
- * transition, start anew. Problem: TDMF_STATE_COUNT states, TDMF_GUARD_COUNT root functions, dense Newton. */
+ * transition, start anew. Problem: all states but the clock, which advances as time does, TDMF_GUARD_COUNT
+ * root functions, dense Newton. */
 #include "tdmf_slip/cvode.h"
 
 #include "event_log.h"
+#include "hip_law.h"
 #include "input_rates.h"
 #include "record.h"
 #include "request.h"
@@ -25,7 +27,7 @@ typedef struct {
     const tdmf_inputs *inputs; /* at `start` */
     const tdmf_inputs *rates;
     tdmf_instant start, restart;
-    tdmf_motion *motion;
+    tdmf_motion *motion; /* while CVODE runs, as it was at `restart` */
     tdmf_solver *options;
 } problem;
 
@@ -43,19 +45,48 @@ static tdmf_inputs inputs_after(const problem *problem, double since_restart) {
     return tdmf_inputs_after(problem->inputs, problem->rates, elapsed);
 }
 
-static int right_hand_side(realtype time, N_Vector state, N_Vector slope, void *data) {
+/* ---- the state without its clock ---------------------------------------------------------------------- */
+
+enum {
+    CLOCK = TDMF_HIP_PLACE_TIME,
+    AFTER_CLOCK = TDMF_STATE_COUNT - CLOCK - 1,
+    INTEGRATED_COUNT = TDMF_STATE_COUNT - 1
+};
+
+static void leave_out_clock(const double full[TDMF_STATE_COUNT], N_Vector integrated) {
+    double *elements = N_VGetArrayPointer(integrated);
+    memcpy(elements, full, CLOCK * sizeof *full);
+    memcpy(elements + CLOCK, full + CLOCK + 1, AFTER_CLOCK * sizeof *full);
+}
+
+static void add_clock(const problem *problem, double since_restart, N_Vector integrated,
+                      double full[TDMF_STATE_COUNT]) {
+    const double *elements = N_VGetArrayPointer(integrated);
+    const tdmf_motion *motion = problem->motion;
+    full[CLOCK] = motion->state[CLOCK] + since_restart * tdmf_place_time_rate(&motion->mode);
+    memcpy(full, elements, CLOCK * sizeof *full);
+    memcpy(full + CLOCK + 1, elements + CLOCK, AFTER_CLOCK * sizeof *full);
+}
+
+/* ---- what CVODE calls --------------------------------------------------------------------------------- */
+
+static int right_hand_side(realtype time, N_Vector integrated, N_Vector slope, void *data) {
     problem *problem = data;
     const tdmf_inputs inputs = inputs_after(problem, time);
-    tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state),
-                     N_VGetArrayPointer(slope));
+    double state[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
+    add_clock(problem, time, integrated, state);
+    tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, state, derivatives);
+    leave_out_clock(derivatives, slope);
     ++problem->options->evaluations;
     return 0;
 }
 
-static int root_functions(realtype time, N_Vector state, realtype *guards, void *data) {
+static int root_functions(realtype time, N_Vector integrated, realtype *guards, void *data) {
     const problem *problem = data;
     const tdmf_inputs inputs = inputs_after(problem, time);
-    tdmf_guards(problem->model, &inputs, &problem->motion->mode, N_VGetArrayPointer(state), guards);
+    double state[TDMF_STATE_COUNT];
+    add_clock(problem, time, integrated, state);
+    tdmf_guards(problem->model, &inputs, &problem->motion->mode, state, guards);
     return 0;
 }
 
@@ -68,15 +99,16 @@ static void stay_silent(int code, const char *module, const char *function, char
     (void)data;
 }
 
+/* ---- setting up --------------------------------------------------------------------------------------- */
+
 static void set_tolerances(const tdmf_model *model, double relative, N_Vector tolerances) {
     const tdmf_scales *scales = &model->scales;
     const double units[TDMF_STATE_COUNT] = {
         scales->length, scales->length,     scales->length, 1.0,          scales->speed,  scales->speed,
         scales->speed,  1.0 / scales->time, scales->energy, scales->time, scales->energy, scales->energy,
         scales->energy};
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        N_VGetArrayPointer(tolerances)[i] = relative * units[i];
-    }
+    leave_out_clock(units, tolerances);
+    N_VScale(relative, tolerances, tolerances);
 }
 
 static void destroy(workspace *space) {
@@ -104,9 +136,9 @@ static bool allocate(workspace *space) {
     if (SUNContext_Create(NULL, &space->context) != 0) {
         return false;
     }
-    space->state = N_VNew_Serial(TDMF_STATE_COUNT, space->context);
-    space->tolerances = N_VNew_Serial(TDMF_STATE_COUNT, space->context);
-    space->matrix = SUNDenseMatrix(TDMF_STATE_COUNT, TDMF_STATE_COUNT, space->context);
+    space->state = N_VNew_Serial(INTEGRATED_COUNT, space->context);
+    space->tolerances = N_VNew_Serial(INTEGRATED_COUNT, space->context);
+    space->matrix = SUNDenseMatrix(INTEGRATED_COUNT, INTEGRATED_COUNT, space->context);
     if (space->state == NULL || space->tolerances == NULL || space->matrix == NULL) {
         return false;
     }
@@ -119,7 +151,7 @@ static bool configure(workspace *space, problem *problem) {
     void *cvode = space->integrator;
     const double tolerance = problem->options->relative_tolerance;
     set_tolerances(problem->model, tolerance, space->tolerances);
-    memcpy(N_VGetArrayPointer(space->state), problem->motion->state, sizeof problem->motion->state);
+    leave_out_clock(problem->motion->state, space->state);
     return CVodeSetErrHandlerFn(cvode, stay_silent, NULL) == CV_SUCCESS &&
            CVodeInit(cvode, right_hand_side, 0.0, space->state) == CV_SUCCESS &&
            CVodeSetUserData(cvode, problem) == CV_SUCCESS &&
@@ -128,6 +160,8 @@ static bool configure(workspace *space, problem *problem) {
            CVodeRootInit(cvode, TDMF_GUARD_COUNT, root_functions) == CV_SUCCESS &&
            CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS;
 }
+
+/* ---- the run ------------------------------------------------------------------------------------------ */
 
 /* The first of the guards that CVODE found at zero. */
 static int guard_that_fired(void *integrator) {
@@ -152,7 +186,7 @@ static bool take_events(workspace *space, problem *problem) {
     event.after = motion->mode;
     tdmf_log_event(problem->options->log, &event);
     ++problem->options->events;
-    memcpy(N_VGetArrayPointer(space->state), motion->state, sizeof motion->state);
+    leave_out_clock(motion->state, space->state);
     return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS;
 }
 
@@ -183,7 +217,7 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
         motion->record.now =
             flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? end : tdmf_instant_after(problem->restart, time);
         motion->time = motion->record.now.time;
-        memcpy(motion->state, N_VGetArrayPointer(space->state), sizeof motion->state);
+        add_clock(problem, time, space->state, motion->state);
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }

@@ -67,7 +67,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     const tdmf_mode_equations blank = {.model = model, .contact = mode->contact};
     *equations = blank;
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
-    equations->place_rate = mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
+    equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     equations->start.length = state[TDMF_LEG_LENGTH];

@@ -1,5 +1,5 @@
 /* CVODE beside the native solver: limits and refusals of a call are the same. That the two agree on a run is
- * tested through the unit. */
+ * tested through the unit; here, that they do where a law reads the clock. */
 #include "tdmf_slip/cvode.h"
 
 #include "compare.h"
@@ -140,11 +140,43 @@ static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) 
     assert_true(standing.motion.state[TDMF_FOOT_VX] != 0.0);
 }
 
+/* CVODE does not integrate the clock; its steps read it all the same. */
+static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
+    int placed = 0, others = 0;
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    run run = begin();
+    tdmf_parameters retracted = run.runner.model.parameters;
+    retracted.hip.retraction_rate = 0.01;
+    assert_null(tdmf_model_create(&run.runner.model, &retracted).variable);
+    tdmf_motion native = run.motion;
+    tdmf_solver native_solver = run.solver;
+    run.solver.relative_tolerance = 1e-11;
+    for (int i = 1; i <= 40; ++i) {
+        const double until = 1.3 * i;
+        assert_int_equal(advance(&run, until), TDMF_ARRIVED);
+        assert_int_equal(
+            tdmf_native_advance(&native_solver, &run.runner.model, &run.runner.inputs, &held, until, &native),
+            TDMF_ARRIVED);
+        const bool places = run.motion.mode.phase == TDMF_PHASE_PLACE;
+        assert_true(places == (run.motion.state[TDMF_HIP_PLACE_TIME] > 0.0));
+        assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], native.state[TDMF_HIP_PLACE_TIME], 1e-6);
+        assert_close(run.motion.state[TDMF_LEG_ANGLE], native.state[TDMF_LEG_ANGLE], 1e-6);
+        placed += places;
+        others += !places;
+    }
+    assert_int_equal(run.motion.record.stride.count, native.record.stride.count);
+    assert_true(placed > 5 && others > 5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(limits_are_those_of_a_call),
         cmocka_unit_test(requests_without_sense_are_refused),
         cmocka_unit_test(another_scale_is_the_same_work),
+        cmocka_unit_test(a_leg_that_is_retracted_goes_by_the_clock),
         cmocka_unit_test(an_input_that_has_jumped_is_met_before_the_first_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
