@@ -22,21 +22,23 @@ typedef enum {
     TDMF_GUARD_APEX,                /* off the ground, retract: the centre of mass's vertical velocity */
     TDMF_GUARD_CLAMP,               /* flight, retract: the clamp of (12) opens or closes */
     TDMF_GUARD_LIFT_OFF,            /* contact: vertical ground force */
-    TDMF_GUARD_SLIP_ONSET_POSITIVE, /* stick: distance to the edge of the friction cone */
-    TDMF_GUARD_SLIP_ONSET_NEGATIVE,
-    TDMF_GUARD_SLIP_VELOCITY_ZERO, /* slip: speed in the direction of slip */
-    TDMF_GUARD_MID_STANCE,         /* contact, drive: the leg angle */
-    TDMF_GUARD_FORCE_PEAK,         /* contact: rate of the vertical ground force, up or down */
-    TDMF_GUARD_GRAZE_TO_CONTACT,   /* graze: the stance law loads the foot */
-    TDMF_GUARD_GRAZE_TO_FLIGHT,    /* graze: the flight law lifts it */
-    TDMF_GUARD_BODY_DOWN,          /* fall: the body's height */
-    TDMF_GUARD_LEG_TOO_SHORT,      /* fall: leg length above its minimum */
+    TDMF_GUARD_SLIP_ONSET_POSITIVE, /* stick: distance to the edge of the friction cone, beyond which
+                                       the foot slips forward */
+    TDMF_GUARD_SLIP_ONSET_NEGATIVE, /* stick: the same, backward */
+    TDMF_GUARD_SLIP_VELOCITY_ZERO,  /* slip: speed in the direction of slip */
+    TDMF_GUARD_MID_STANCE,          /* contact, drive: the leg angle */
+    TDMF_GUARD_FORCE_PEAK,          /* contact: rate of the vertical ground force, up or down */
+    TDMF_GUARD_GRAZE_TO_CONTACT,    /* graze: the stance law loads the foot */
+    TDMF_GUARD_GRAZE_TO_FLIGHT,     /* graze: the flight law lifts it */
+    TDMF_GUARD_BODY_DOWN,           /* fall: the body's height */
+    TDMF_GUARD_LEG_TOO_SHORT,       /* fall: leg length above its minimum */
     TDMF_GUARD_COUNT
 } tdmf_guard;
 
 /* In units of the guarded quantity's scale: far above rounding, far below any solver's tolerance. */
 #define TDMF_GUARD_MARGIN 1e-13
 
+/* What the transitions taken have changed. */
 typedef struct {
     bool state_changed; /* some element of the state jumped */
     bool mode_changed;  /* contact, phase, clamp or fall: the right-hand side is another */
@@ -67,6 +69,7 @@ tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, co
 tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                              double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
+/* Transitions at one instant, at the most. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
 /* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is

@@ -25,6 +25,7 @@ typedef struct {
 /* The paper's: 80 kg, 20 kN/m, 1 m, 9.81 m/s2, 40 degrees, no slip. */
 tdmf_classic tdmf_classic_default(void);
 
+/* How a step ends. */
 typedef enum {
     TDMF_CLASSIC_FLIES,     /* to the next apex */
     TDMF_CLASSIC_NO_START,  /* parameters out of range, the apex below touchdown, or the energy too small for
@@ -37,14 +38,15 @@ typedef enum {
 
 /* The mass seen from the foot, m, and its velocity, m/s. */
 typedef struct {
-    double x, y, vx, vy;
+    double x, y;   /* m */
+    double vx, vy; /* m/s */
 } tdmf_classic_point;
 
 /* One step. From the next apex on, values are there if it flies or turns back. */
 typedef struct {
-    tdmf_classic_outcome outcome;
-    tdmf_classic_point touchdown, take_off;
-    double stance_time;     /* s */
+    tdmf_classic_outcome outcome;           /* how it ends */
+    tdmf_classic_point touchdown, take_off; /* first and last of the stance */
+    double stance_time;                     /* s */
     bool early_take_off;    /* the leg reached -arctan mu: the energy left in the spring is lost */
     double stance_friction; /* mu needed in stance: the largest tan of the leg's angle (3) */
     double impact_friction; /* mu needed at the impact of an infinitesimal foot mass (5) */

@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* A force of the ground on the foot. */
 typedef struct {
     double fx, fy; /* N, of the ground on the foot */
 } tdmf_ground_force;

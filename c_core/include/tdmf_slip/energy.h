@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* Energies of the runner at an instant. */
 typedef struct {
     double kinetic;   /* J, body and foot */
     double potential; /* J, zero at the ground */

@@ -13,10 +13,10 @@ extern "C" {
  * lanes of an instruction set. Results differ by rounding. */
 typedef enum {
     TDMF_BEST_INSTRUCTIONS, /* the best that this processor and this build have */
-    TDMF_ONE_BY_ONE,
-    TDMF_TWO_LANES,
-    TDMF_AVX2,   /* four lanes, with fused multiply-add */
-    TDMF_AVX512, /* eight */
+    TDMF_ONE_BY_ONE,        /* the native solver */
+    TDMF_TWO_LANES,         /* two lanes, on any processor */
+    TDMF_AVX2,              /* four lanes, with fused multiply-add */
+    TDMF_AVX512,            /* eight */
     TDMF_INSTRUCTIONS_COUNT
 } tdmf_instructions;
 
@@ -24,30 +24,32 @@ typedef enum {
  * many strides it has to get there. The distance has to be so small that the gait attracts everything within
  * it. Without gaits every runner makes the most strides, or falls. */
 typedef struct {
-    const double (*gaits)[TDMF_SECTION_COUNT];
-    int gait_count;
-    double distance;
-    int most_strides;
+    const double (*gaits)[TDMF_SECTION_COUNT]; /* their apices */
+    int gait_count;                            /* how many */
+    double distance;                           /* a pure number */
+    int most_strides;                          /* then the runner is undecided */
 } tdmf_ensemble_rules;
 
 /* What a runner is given, besides its start. Inputs are held. */
 typedef struct {
-    const tdmf_model *model;
-    tdmf_inputs inputs;
-    tdmf_ensemble_rules rules;
+    const tdmf_model *model;   /* its parameters */
+    tdmf_inputs inputs;        /* throughout */
+    tdmf_ensemble_rules rules; /* when it is done */
 } tdmf_ensemble_case;
 
+/* What is to be run, and how. */
 typedef struct {
-    const tdmf_ensemble_case *cases;
-    int case_count;
+    const tdmf_ensemble_case *cases;            /* what the runners are given */
+    int case_count;                             /* how many cases */
     const int *case_of;                         /* each runner's case; NULL: all the first */
     const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
-    int64_t count;
-    double relative_tolerance; /* as in tdmf_solver */
-    int threads;
-    tdmf_instructions instructions;
+    int64_t count;                              /* of runners */
+    double relative_tolerance;                  /* as in tdmf_solver */
+    int threads;                                /* at the most so many work at once */
+    tdmf_instructions instructions;             /* how they are stepped */
 } tdmf_ensemble;
 
+/* How a runner ends. */
 typedef enum {
     TDMF_FATE_SETTLED,   /* on a gait */
     TDMF_FATE_FELL,      /* the body or the leg is down */
@@ -58,9 +60,9 @@ typedef enum {
 
 /* What became of a runner. */
 typedef struct {
-    int fate; /* a tdmf_fate */
-    int gait; /* which, counted from 0; -1 for none */
-    int strides;
+    int fate;                                             /* a tdmf_fate */
+    int gait;                                             /* which, counted from 0; -1 for none */
+    int strides;                                          /* how many closed */
     int word_code;                                        /* of the last stride, see tdmf_stride */
     double apex[TDMF_SECTION_COUNT];                      /* the last; the start while no stride has closed */
     double time, distance;                                /* s and m, that the strides took */
@@ -69,10 +71,10 @@ typedef struct {
 
 /* Work done in a run, for whoever wants to know. */
 typedef struct {
-    int64_t strides, events;
-    int64_t steps;       /* of runners */
-    int64_t places;      /* lanes stepped; the steps in them over their number is how full they were */
-    int64_t evaluations; /* coefficients of series, as in tdmf_solver */
+    int64_t strides, events; /* of all runners */
+    int64_t steps;           /* of runners */
+    int64_t places;          /* lanes stepped; the steps in them over their number is how full they were */
+    int64_t evaluations;     /* coefficients of series, as in tdmf_solver */
 } tdmf_ensemble_work;
 
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the

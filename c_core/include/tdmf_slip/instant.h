@@ -7,6 +7,7 @@
 extern "C" {
 #endif
 
+/* A time as the unevaluated sum of two doubles. */
 typedef struct {
     double time; /* s */
     double rest; /* s, what rounding has left out of `time` */

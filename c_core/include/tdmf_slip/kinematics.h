@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* A point that moves. */
 typedef struct {
     double x, y, vx, vy; /* m, m/s */
 } tdmf_point;

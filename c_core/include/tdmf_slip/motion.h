@@ -7,10 +7,10 @@
 
 /* Begin it with tdmf_start on its members. */
 typedef struct {
-    double time; /* s */
-    double state[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
+    double time;                    /* s */
+    double state[TDMF_STATE_COUNT]; /* see state.h for the order */
+    tdmf_mode mode;                 /* the discrete part of it */
+    tdmf_record record;             /* what is remembered */
 } tdmf_motion;
 
 #endif

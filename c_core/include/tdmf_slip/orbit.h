@@ -8,8 +8,9 @@
 extern "C" {
 #endif
 
+/* How the search for a gait ended. */
 typedef enum {
-    TDMF_ORBIT_FOUND,
+    TDMF_ORBIT_FOUND,     /* a gait */
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
     TDMF_ORBIT_FELL,      /* the runner falls from the guess */
     TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused */
@@ -19,11 +20,11 @@ typedef enum {
 
 /* A gait and its stride. Values other than the outcome are those of the last apex tried. */
 typedef struct {
-    tdmf_orbit_outcome outcome;
-    int iterations;
+    tdmf_orbit_outcome outcome; /* whether it was found, and else why not */
+    int iterations;             /* of Newton's method */
     double error; /* largest difference of the apex and the next, over the coordinates' scales */
-    double section[TDMF_SECTION_COUNT];
-    tdmf_return stride; /* from `section`, with derivatives, also along the change given */
+    double section[TDMF_SECTION_COUNT]; /* the gait's apex */
+    tdmf_return stride;                 /* from `section`, with derivatives, also along the change given */
 } tdmf_orbit;
 
 /* Scales of the section's coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m). */

@@ -10,33 +10,34 @@
 extern "C" {
 #endif
 
+/* The unit's outputs, by their names in the unit. */
 typedef struct {
     struct {
         double x, y, vx, vy; /* m, m/s */
     } body, com;
     struct {
-        double fx, fy; /* N */
-        int mode;      /* tdmf_contact_mode */
-        int mode_index;
+        double fx, fy;  /* N */
+        int mode;       /* tdmf_contact_mode */
+        int mode_index; /* the same number, for tools without enumerations */
     } contact;
     struct {
         double torque;        /* N.m, total */
         double liftoff_angle; /* rad */
         int phase;            /* tdmf_hip_phase */
-        int phase_index;
+        int phase_index;      /* the same number */
     } hip;
     struct {
         double kinetic, potential, elastic, total, impact_loss; /* J */
     } energy;
     struct {
-        int count;
+        int count;        /* contact and phase changes since the start */
         double last_time; /* s */
     } event;
     struct {
-        int fallen;
+        int fallen; /* 1 from a fall on, else 0 */
     } status;
-    tdmf_stride stride;
-    tdmf_apex apex;
+    tdmf_stride stride; /* the last that closed */
+    tdmf_apex apex;     /* the last */
 } tdmf_outputs;
 
 /* The outputs at an instant of a run that tdmf_start has begun. */

@@ -59,20 +59,20 @@ typedef struct {
 
 /* Accepted parameters with what is derived from them once. Treat as read-only; made by tdmf_model_create. */
 typedef struct {
-    tdmf_parameters parameters;
-    tdmf_scales scales;
-    double inverse_body_mass; /* 1/m */
-    double inverse_foot_mass; /* 1/m_f */
-    double mobility;          /* 1/m + 1/m_f */
-    double total_mass;        /* m + m_f */
-    double body_share;        /* m/(m + m_f) */
+    tdmf_parameters parameters; /* as they were accepted */
+    tdmf_scales scales;         /* of its lengths, times, speeds, forces and energies */
+    double inverse_body_mass;   /* 1/m */
+    double inverse_foot_mass;   /* 1/m_f */
+    double mobility;            /* 1/m + 1/m_f */
+    double total_mass;          /* m + m_f */
+    double body_share;          /* m/(m + m_f) */
 } tdmf_model;
 
 /* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */
 typedef struct {
     const char *variable; /* name as in the FMU, "leg.length" */
-    const char *unit;
-    double value;
+    const char *unit;     /* of value and limits */
+    double value;         /* what was given */
     double minimum;       /* allowed from */
     double maximum;       /* allowed to */
     const char *bound_by; /* the variable or rule that sets the violated limit, or NULL */

@@ -27,8 +27,8 @@ void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTI
 
 /* How the next apex and the stride change with something. */
 typedef struct {
-    double apex[TDMF_SECTION_COUNT];
-    double period, length, work;
+    double apex[TDMF_SECTION_COUNT]; /* of the next apex */
+    double period, length, work;     /* of the stride's quantities of these names */
 } tdmf_stride_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */
@@ -36,14 +36,14 @@ enum { TDMF_RETURN_CHANGES = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
 
 /* What became of a stride. The derivatives are there if it closed and they were asked for. */
 typedef struct {
-    tdmf_stride_outcome outcome;
-    bool began_at_apex; /* the start is one: in flight, above the ground, not refused */
-    double apex[TDMF_SECTION_COUNT];
-    tdmf_stride stride;
-    double liftoff_angle;                           /* theta_LO of the stride, rad */
-    double damper_loss, friction_loss, impact_loss; /* J in the stride */
-    tdmf_stride_change by_section[TDMF_SECTION_COUNT];
-    tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES];
+    tdmf_stride_outcome outcome;     /* whether it closed, and else why not */
+    bool began_at_apex;              /* the start is one: in flight, above the ground, not refused */
+    double apex[TDMF_SECTION_COUNT]; /* the next */
+    tdmf_stride stride;              /* its quantities */
+    double liftoff_angle;            /* theta_LO of the stride, rad */
+    double damper_loss, friction_loss, impact_loss;       /* J in the stride */
+    tdmf_stride_change by_section[TDMF_SECTION_COUNT];    /* by each coordinate of the start */
+    tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES]; /* along each change that was given */
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six

@@ -20,19 +20,20 @@ extern "C" {
 
 /* An event that the solver has located and taken. */
 typedef struct {
-    double time; /* s */
-    int guard;   /* the tdmf_guard that fired */
-    tdmf_mode before, after;
+    double time;                    /* s */
+    int guard;                      /* the tdmf_guard that fired */
+    tdmf_mode before, after;        /* the mode that it ended, and the one that it began */
     double state[TDMF_STATE_COUNT]; /* before */
 } tdmf_event;
 
 /* Where events are noted, for whoever wants to see them; those beyond the capacity are only counted. */
 enum { TDMF_EVENT_CAPACITY = 32 };
 typedef struct {
-    int count;
-    tdmf_event events[TDMF_EVENT_CAPACITY];
+    int count;                              /* of all events, noted or not */
+    tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first ones, in order */
 } tdmf_event_log;
 
+/* Settings of the native solver, and its counters. */
 typedef struct {
     double relative_tolerance; /* of a step, in the runner's scales; above 0 and below 1 */
     long step_limit;           /* steps in one call */
@@ -48,6 +49,7 @@ typedef struct {
  * CVODE is made for such runners. */
 enum { TDMF_STIFFNESS_LIMIT = 10000 };
 
+/* How a call of a solver ended. */
 typedef enum {
     TDMF_ARRIVED,         /* at the time asked for */
     TDMF_FELL,            /* at the fall; the motion stays there */
@@ -69,11 +71,13 @@ tdmf_solver tdmf_solver_default(void);
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
-/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
+/* How the integration of a stride ended. */
 typedef struct {
     tdmf_outcome outcome; /* TDMF_ARRIVED: at `until`, or where the stride closed */
-    bool closed;
+    bool closed;          /* the stride has closed, and is the record's last */
 } tdmf_stride_outcome;
+
+/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion);
 

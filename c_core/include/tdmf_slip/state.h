@@ -31,14 +31,16 @@ enum {
     TDMF_VARIED_COUNT = TDMF_HIP_PLACE_TIME + 1 /* what first variations have of them */
 };
 
+/* What the foot does; the numbers are those of `contact.mode` in the unit. */
 typedef enum {
-    TDMF_CONTACT_FLIGHT = 1,
-    TDMF_CONTACT_STICK,
-    TDMF_CONTACT_SLIP_POSITIVE,
-    TDMF_CONTACT_SLIP_NEGATIVE,
-    TDMF_CONTACT_GRAZE /* the foot rests on the ground without force, held there by the hip */
+    TDMF_CONTACT_FLIGHT = 1,    /* it is off the ground */
+    TDMF_CONTACT_STICK,         /* it is loaded and at rest */
+    TDMF_CONTACT_SLIP_POSITIVE, /* it is loaded and slides forward, x grows */
+    TDMF_CONTACT_SLIP_NEGATIVE, /* it is loaded and slides backward */
+    TDMF_CONTACT_GRAZE          /* the foot rests on the ground without force, held there by the hip */
 } tdmf_contact_mode;
 
+/* Which part of the hip's control law is in force; the numbers are those of `hip.phase` in the unit. */
 typedef enum {
     TDMF_PHASE_DRIVE = 1, /* touchdown to mid-stance: torque -tau0 */
     TDMF_PHASE_COAST,     /* the rest of the stance: no torque */
@@ -48,15 +50,15 @@ typedef enum {
 
 /* Everything discrete that the motion depends on. */
 typedef struct {
-    tdmf_contact_mode contact;
-    tdmf_hip_phase phase;
-    double liftoff_angle;     /* theta_LO, rad */
-    bool mid_stance_pending;  /* this stance began with theta >= 0 and has not passed upright yet; one that
-                                 begins upright, with theta falling, has */
-    bool clamp_closed;        /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
-                                 in contact */
-    bool ground_force_rising; /* contact: f_y grows; it peaks when this turns false */
-    bool fallen;              /* the run is over and the motion frozen */
+    tdmf_contact_mode contact; /* what the foot does */
+    tdmf_hip_phase phase;      /* what the hip does */
+    double liftoff_angle;      /* theta_LO, rad */
+    bool mid_stance_pending;   /* this stance began with theta >= 0 and has not passed upright yet; one that
+                                  begins upright, with theta falling, has */
+    bool clamp_closed;         /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
+                                  in contact */
+    bool ground_force_rising;  /* contact: f_y grows; it peaks when this turns false */
+    bool fallen;               /* the run is over and the motion frozen */
 } tdmf_mode;
 
 /* Foot on the ground and loaded: stick or slip. */

@@ -15,19 +15,19 @@ enum { TDMF_WORD_CAPACITY = 64 };
 
 /* A completed stride, apex to apex; all zero and the word empty until one closes. */
 typedef struct {
-    int count;                /* completed strides so far */
-    double period;            /* T, s */
-    double length;            /* travel of the centre of mass, m */
-    double speed;             /* length / period, m/s */
-    double work;              /* W, net work of the total hip torque, J */
-    double positive_work;     /* the part done at positive power, J */
-    double cost_of_transport; /* W / ((m + m_f) g length)  (13); 0 where length is 0 */
-    int touchdowns;           /* every impact counts */
-    double stance_time;       /* time in stick and slip, s */
-    double duty_factor;       /* stance_time / period */
-    double slip_distance;     /* path the foot slid, m */
-    double peak_force;        /* largest vertical ground force, N */
-    char word[TDMF_WORD_CAPACITY];
+    int count;                     /* completed strides so far */
+    double period;                 /* T, s */
+    double length;                 /* travel of the centre of mass, m */
+    double speed;                  /* length / period, m/s */
+    double work;                   /* W, net work of the total hip torque, J */
+    double positive_work;          /* the part done at positive power, J */
+    double cost_of_transport;      /* W / ((m + m_f) g length)  (13); 0 where length is 0 */
+    int touchdowns;                /* every impact counts */
+    double stance_time;            /* time in stick and slip, s */
+    double duty_factor;            /* stance_time / period */
+    double slip_distance;          /* path the foot slid, m */
+    double peak_force;             /* largest vertical ground force, N */
+    char word[TDMF_WORD_CAPACITY]; /* the gait word: a letter for each contact mode that lasted */
     int word_code; /* the word in base 4 ('|' 0, '-' 1, '0' 2, '+' 3, first letter most significant); -1 where
                       it has more than 15 letters */
 } tdmf_stride;
@@ -45,23 +45,26 @@ typedef struct {
 
 /* Sums over the stride under way; of use to the automaton only. */
 typedef struct {
-    bool began_at_apex;
-    bool flew_since_letter;            /* the next letter belongs to a new stance */
-    tdmf_instant start, contact_start; /* of the stride and of the present contact mode */
-    double start_com_x, contact_start_x, start_work, start_positive_work;
+    bool began_at_apex;                     /* else it is not counted */
+    bool flew_since_letter;                 /* the next letter belongs to a new stance */
+    tdmf_instant start, contact_start;      /* of the stride and of the present contact mode */
+    double start_com_x, contact_start_x;    /* m, at these instants */
+    double start_work, start_positive_work; /* J, at the start of the stride */
+    /* As in tdmf_stride, so far. */
     double stance_time, slip_distance, peak_force;
     int touchdowns;
     char word[TDMF_WORD_CAPACITY];
 } tdmf_open_stride;
 
+/* What is remembered of a run. */
 typedef struct {
     int event_count;        /* contact and phase changes since the start */
     double last_event_time; /* s; the start time while there was none */
     double impact_loss;     /* J, since the start */
     tdmf_instant now;       /* where a solver has got to; of use to solvers only */
-    tdmf_stride stride;
-    tdmf_apex apex;
-    tdmf_open_stride open;
+    tdmf_stride stride;     /* the last that closed */
+    tdmf_apex apex;         /* the last */
+    tdmf_open_stride open;  /* the one under way */
 } tdmf_record;
 
 #ifdef __cplusplus

@@ -18,11 +18,11 @@ extern "C" {
  * direction.
  */
 typedef struct {
-    double derivatives[TDMF_STATE_COUNT];
-    tdmf_point body, com;
-    tdmf_ground_force contact;
-    double torque;
-    tdmf_energy energy;
+    double derivatives[TDMF_STATE_COUNT]; /* of the right-hand side */
+    tdmf_point body, com;                 /* of body and centre of mass */
+    tdmf_ground_force contact;            /* of the ground's force */
+    double torque;                        /* of the total hip torque */
+    tdmf_energy energy;                   /* of the energies */
 } tdmf_tangent;
 
 /* The derivative along a direction in parameters and inputs (`change`), state and theta_LO (`variation`), in

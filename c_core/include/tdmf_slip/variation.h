@@ -14,15 +14,15 @@ extern "C" {
 
 /* A direction in the space of parameters and inputs. */
 typedef struct {
-    tdmf_parameters parameters;
-    tdmf_inputs inputs;
+    tdmf_parameters parameters; /* change of each parameter, per unit of the direction */
+    tdmf_inputs inputs;         /* and of each input */
 } tdmf_change;
 
 /* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the hip's work is varied;
  * the others stay 0. */
 typedef struct {
-    double state[TDMF_STATE_COUNT];
-    double liftoff_angle; /* of mode.liftoff_angle */
+    double state[TDMF_STATE_COUNT]; /* of each element of the state */
+    double liftoff_angle;           /* of mode.liftoff_angle */
 } tdmf_variation;
 
 /* What a start makes of a change of the values that it was given. */

@@ -1,3 +1,4 @@
+/* Which version of the library this is, and what compiled it. */
 #ifndef TDMF_SLIP_VERSION_H
 #define TDMF_SLIP_VERSION_H
 
