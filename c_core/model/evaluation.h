@@ -1,29 +1,32 @@
-/* A runner at one instant: the leg, the hip's torque and the ground force, computed once and in this order,
- * for all that reads them. */
+/* Evaluation of an instant, once and in the one order in which each quantity follows from those before it. In
+ * line: a right-hand side is hardly more than this. */
 #ifndef TDMF_MODEL_EVALUATION_H
 #define TDMF_MODEL_EVALUATION_H
 
-#include "direction.h"
-#include "leg.h"
-#include "tdmf_slip/contact.h"
+#include "evaluated.h"
+#include "ground_force.h"
+#include "hip_torque.h"
 
-typedef struct {
-    const tdmf_model *model;
-    const tdmf_inputs *inputs;
-    const tdmf_mode *mode;
-    const double *state;
-    tdmf_leg leg;
-    double torque;           /* tau, total */
-    tdmf_ground_force force; /* of the mode */
-} tdmf_evaluation;
+/* Where the leg is at hand. The other arguments are not copied. */
+static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                                const tdmf_leg *leg) {
+    tdmf_evaluation at;
+    at.model = model;
+    at.inputs = inputs;
+    at.mode = mode;
+    at.state = state;
+    at.leg = *leg;
+    at.torque = tdmf_torque_in_mode(&at);
+    at.force = tdmf_force_in_mode(&at);
+    return at;
+}
 
-/* The arguments are not copied. */
-tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                              const double state[TDMF_STATE_COUNT]);
-
-/* The same, where the leg is at hand. */
-tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                  const double state[TDMF_STATE_COUNT], const tdmf_leg *leg);
+static inline tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_inputs *inputs,
+                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(model, state);
+    return tdmf_evaluate_leg(model, inputs, mode, state, &leg);
+}
 
 /* How what is evaluated changes along a direction, in the same shape; the mode is held but for its lift-off
  * angle. */

@@ -3,8 +3,8 @@
 #ifndef TDMF_MODEL_FRICTION_H
 #define TDMF_MODEL_FRICTION_H
 
+#include "contact_mode.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/state.h"
 
 /* rho mu, of a foot at rest: its cone is |f_x| <= rho mu f_y  (2), and an impact inside the same cone stops
  * it. */
@@ -26,7 +26,7 @@ static inline double tdmf_sliding_friction(const tdmf_inputs *inputs) {
 /* The same with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip.
  */
 static inline double tdmf_signed_friction(const tdmf_inputs *inputs, const tdmf_mode *mode) {
-    return tdmf_slip_sign(mode) * tdmf_sliding_friction(inputs);
+    return tdmf_sign_of_slip(mode) * tdmf_sliding_friction(inputs);
 }
 
 /* The edges of the friction cone as guards, normal f_y + tangential f_x and normal f_y - tangential f_x: they

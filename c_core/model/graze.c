@@ -18,33 +18,7 @@
 #include "graze.h"
 
 #include "dynamics.h"
-#include "ground_force.h"
-#include "hip_torque.h"
 #include "margins.h"
-
-/* ---- the torque that unloads the foot ----------------------------------------------------------------- */
-
-/* sin(theta) with its zero kept out of the denominator. */
-static double bounded_sine(const tdmf_leg *leg) {
-    return copysign(fmax(fabs(leg->sine), TDMF_SMALLEST_SINE), leg->sine);
-}
-
-double tdmf_graze_torque(const tdmf_evaluation *at) {
-    const tdmf_leg *leg = &at->leg;
-    const double load = leg->axial_force * leg->cosine + tdmf_foot_weight(at->model);
-    return load / (bounded_sine(leg) * leg->inverse_length);
-}
-
-double tdmf_vary_graze_torque(const tdmf_evaluation *at, const tdmf_leg *d_leg, const tdmf_direction *d) {
-    const tdmf_leg *leg = &at->leg;
-    const double d_load = d_leg->axial_force * leg->cosine + leg->axial_force * d_leg->cosine +
-                          tdmf_vary_foot_weight(at->model, &d->model);
-    const double sine = bounded_sine(leg);
-    const double d_sine = sine == leg->sine ? d_leg->sine : 0.0;
-    const double lever = sine * leg->inverse_length;
-    const double d_lever = d_sine * leg->inverse_length + sine * d_leg->inverse_length;
-    return (d_load - at->torque * d_lever) / lever;
-}
 
 /* ---- the ground force under either law ---------------------------------------------------------------- */
 

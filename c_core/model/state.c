@@ -1,22 +1,15 @@
 /* Small questions about state and mode. */
 #include "tdmf_slip/state.h"
 
+#include "contact_mode.h"
 #include "ranges.h"
 
 bool tdmf_in_contact(const tdmf_mode *mode) {
-    return mode->contact == TDMF_CONTACT_STICK || mode->contact == TDMF_CONTACT_SLIP_POSITIVE ||
-           mode->contact == TDMF_CONTACT_SLIP_NEGATIVE;
+    return tdmf_is_loaded(mode);
 }
 
 double tdmf_slip_sign(const tdmf_mode *mode) {
-    switch (mode->contact) {
-    case TDMF_CONTACT_SLIP_POSITIVE:
-        return 1.0;
-    case TDMF_CONTACT_SLIP_NEGATIVE:
-        return -1.0;
-    default:
-        return 0.0;
-    }
+    return tdmf_sign_of_slip(mode);
 }
 
 void tdmf_default_state(double state[TDMF_STATE_COUNT]) {

@@ -35,18 +35,19 @@ static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},          {TDMF
                                   {TDMF_GUARD_MID_STANCE, DRIVE},          {TDMF_GUARD_LIFT_OFF, ALWAYS},
                                   {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS}, {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
 
+typedef struct {
+    const watched *first, *end;
+} watch_list;
+
 #define LIST(events)                                                                                         \
-    { events, sizeof(events) / sizeof((events)[0]) }
+    { events, (events) + sizeof(events) / sizeof((events)[0]) }
 
 /* By contact mode, in the order in which they are taken at one instant. */
-static const struct {
-    const watched *events;
-    size_t count;
-} watched_by[] = {[TDMF_CONTACT_FLIGHT] = LIST(in_flight),
-                  [TDMF_CONTACT_STICK] = LIST(in_stick),
-                  [TDMF_CONTACT_SLIP_POSITIVE] = LIST(in_slip),
-                  [TDMF_CONTACT_SLIP_NEGATIVE] = LIST(in_slip),
-                  [TDMF_CONTACT_GRAZE] = LIST(in_graze)};
+static const watch_list watched_by[] = {[TDMF_CONTACT_FLIGHT] = LIST(in_flight),
+                                        [TDMF_CONTACT_STICK] = LIST(in_stick),
+                                        [TDMF_CONTACT_SLIP_POSITIVE] = LIST(in_slip),
+                                        [TDMF_CONTACT_SLIP_NEGATIVE] = LIST(in_slip),
+                                        [TDMF_CONTACT_GRAZE] = LIST(in_graze)};
 
 static const tdmf_event_kind *const kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_TOUCHDOWN] = &tdmf_touchdown,
@@ -68,10 +69,6 @@ const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {
     return kinds[guard];
 }
 
-static bool is_watched(const watched *event, const tdmf_mode *mode) {
-    return (event->phases & 1 << mode->phase) != 0;
-}
-
 void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                  const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
@@ -81,22 +78,23 @@ void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_
         return;
     }
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    const watched *events = watched_by[mode->contact].events;
-    for (size_t i = 0; i < watched_by[mode->contact].count; ++i) {
-        if (is_watched(&events[i], mode)) {
-            guards[events[i].guard] = kinds[events[i].guard]->guard(&at);
+    const watch_list list = watched_by[mode->contact];
+    const int phase = 1 << mode->phase;
+    for (const watched *event = list.first; event != list.end; ++event) {
+        if ((event->phases & phase) != 0) {
+            guards[event->guard] = kinds[event->guard]->guard(&at);
         }
     }
 }
 
 /* The guard of the transition that is taken first, if any is due. */
 static tdmf_guard first_due(const tdmf_evaluation *at) {
-    const watched *events = watched_by[at->mode->contact].events;
-    const size_t count = at->mode->fallen ? 0 : watched_by[at->mode->contact].count;
-    for (size_t i = 0; i < count; ++i) {
-        const tdmf_event_kind *kind = kinds[events[i].guard];
-        if (kind->reset != NULL && is_watched(&events[i], at->mode) && kind->guard(at) <= 0.0) {
-            return events[i].guard;
+    const watch_list list = watched_by[at->mode->contact];
+    const int phase = at->mode->fallen ? 0 : 1 << at->mode->phase;
+    for (const watched *event = list.first; event != list.end; ++event) {
+        const tdmf_event_kind *kind = kinds[event->guard];
+        if (kind->reset != NULL && (event->phases & phase) != 0 && kind->guard(at) <= 0.0) {
+            return event->guard;
         }
     }
     return TDMF_GUARD_COUNT;

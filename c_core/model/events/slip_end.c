@@ -1,16 +1,17 @@
 /* End of a slip: the foot's velocity vanishes; the foot sticks, or slips the other way. */
 #include "contact_change.h"
+#include "contact_mode.h"
 #include "kinematics.h"
 #include "record.h"
 
 static double slip_speed(const tdmf_evaluation *at) {
-    return tdmf_armed(tdmf_slip_sign(at->mode) * at->state[TDMF_FOOT_VX], at->model->scales.speed);
+    return tdmf_armed(tdmf_sign_of_slip(at->mode) * at->state[TDMF_FOOT_VX], at->model->scales.speed);
 }
 
 static double vary_slip_speed(const tdmf_evaluation *at, const tdmf_direction *d,
                               const tdmf_evaluation *d_at) {
     (void)d_at;
-    return tdmf_slip_sign(at->mode) * d->state[TDMF_FOOT_VX];
+    return tdmf_sign_of_slip(at->mode) * d->state[TDMF_FOOT_VX];
 }
 
 /* A slip that only touches zero velocity and goes on is not counted. */

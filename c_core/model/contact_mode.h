@@ -1,0 +1,23 @@
+/* What state.h answers about a mode, in line for those who ask at every evaluation. */
+#ifndef TDMF_MODEL_CONTACT_MODE_H
+#define TDMF_MODEL_CONTACT_MODE_H
+
+#include "tdmf_slip/state.h"
+
+static inline bool tdmf_is_loaded(const tdmf_mode *mode) {
+    return mode->contact == TDMF_CONTACT_STICK || mode->contact == TDMF_CONTACT_SLIP_POSITIVE ||
+           mode->contact == TDMF_CONTACT_SLIP_NEGATIVE;
+}
+
+static inline double tdmf_sign_of_slip(const tdmf_mode *mode) {
+    switch (mode->contact) {
+    case TDMF_CONTACT_SLIP_POSITIVE:
+        return 1.0;
+    case TDMF_CONTACT_SLIP_NEGATIVE:
+        return -1.0;
+    default:
+        return 0.0;
+    }
+}
+
+#endif
