@@ -77,7 +77,7 @@ static double turning(const tdmf_evaluation *at, const tdmf_acceleration *a) {
            2.0 * leg->length_rate * leg->angle_rate;
 }
 
-tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
+static inline tdmf_acceleration accelerate(const tdmf_evaluation *at) {
     const tdmf_leg *leg = &at->leg;
     tdmf_acceleration a;
     accelerate_foot(at, &a);
@@ -86,6 +86,10 @@ tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
                a.foot_ax * leg->sine - a.foot_ay * leg->cosine;
     a.angle = turning(at, &a) * leg->inverse_length;
     return a;
+}
+
+tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
+    return accelerate(at);
 }
 
 static tdmf_acceleration vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d) {
@@ -128,7 +132,7 @@ static void rates_of_motion(const tdmf_evaluation *at, const tdmf_acceleration *
 
 static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]) {
     const tdmf_leg *leg = &at->leg;
-    const tdmf_acceleration a = tdmf_accelerate(at);
+    const tdmf_acceleration a = accelerate(at);
     const double power = at->torque * leg->angle_rate;
     rates_of_motion(at, &a, derivatives);
     derivatives[TDMF_HIP_WORK] = power;
@@ -168,7 +172,7 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
 double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     static const tdmf_model unchanged = {0};
     static const tdmf_hip_law still = {0};
-    const tdmf_acceleration a = tdmf_accelerate(at);
+    const tdmf_acceleration a = accelerate(at);
     const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = at->leg.length_rate,
                                             [TDMF_LEG_ANGLE] = at->leg.angle_rate,
                                             [TDMF_LEG_LENGTH_RATE] = a.length,
