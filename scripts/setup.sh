@@ -123,7 +123,7 @@ build_distribution() {
         -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms"
         -C build-dir=build/platforms/wheel)
     say "Building source distribution and wheel into dist"
-    rm -rf dist
+    rm -f dist/*.whl dist/*.tar.gz dist/*.fmu
     { .venv/bin/python -m build --sdist --no-isolation -o dist . &&
         .venv/bin/python -m build --wheel --no-isolation -o dist "${define[@]}" . &&
         .venv/bin/python -m wheel tags --remove --platform-tag "manylinux_${GLIBC/./_}_x86_64" dist/*.whl; } \
@@ -132,6 +132,20 @@ build_distribution() {
         fail "the distribution could not be built"
     }
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
+}
+
+# The site, in dist/site, with warnings as errors.
+build_site() {
+    need_debian_packages graphviz
+    install_locked site
+    say "Building the site into dist/site"
+    rm -rf dist/site build/site
+    mkdir -p build
+    .venv/bin/python -m sphinx --builder html --fail-on-warning --keep-going --quiet --jobs 2 \
+        --doctree-dir build/site documentation dist/site >build/site.log 2>&1 || {
+        cat build/site.log >&2
+        fail "the site could not be built"
+    }
 }
 
 # Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are

@@ -8,7 +8,8 @@ from .library.runner import Runner
 from .paper.validation import Validation, validate
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
-from .unit.simulation import Run, simulate
+from .unit.run import Run
+from .unit.simulation import simulate
 from .unit.unit import Unit, fmu_path, load
 from .version import __version__
 

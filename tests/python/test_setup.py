@@ -45,6 +45,7 @@ def locked(*names):
         ("environment", DEPENDENCIES, 10),
         ("environment", EXTRAS["test"] + EXTRAS["importers"] + EXTRAS["bench"], 8),
         ("platforms", EXTRAS["platforms"], 4),
+        ("site", EXTRAS["site"], 5),
         ("fmi_sim", EXTRAS["fmi-sim"], 1),
     ],
 )
@@ -58,9 +59,10 @@ def test_a_lock_has_what_pyproject_asks_for(lock, requirements, least):
 
 def test_locks_agree_and_have_all_that_is_needed_in_turn():
     """As the installed packages tell what they need."""
-    environment, platforms = locked("environment"), locked("platforms")
-    assert all(environment.get(name, version) == version for name, version in platforms.items())
-    versions, checked = environment | platforms, 0
+    versions, checked = {}, 0
+    for lock in (locked("environment"), locked("platforms"), locked("site")):
+        assert all(versions.get(name, version) == version for name, version in lock.items())
+        versions |= lock
     for name, version in versions.items():
         try:
             distribution = importlib.metadata.distribution(name)
@@ -87,7 +89,9 @@ def test_the_package_itself_pins_nothing():
 
 
 def test_scripts_install_python_packages_by_hash_only():
-    text = "".join((ROOT / "scripts" / name).read_text() for name in ("setup.sh", "run", "test", "release"))
+    text = "".join(
+        (ROOT / "scripts" / name).read_text() for name in ("setup.sh", "run", "test", "release", "site")
+    )
     calls = re.findall(r"pip install .*", text.replace("\\\n", " "))
     assert len(calls) == 2
     assert all("--require-hashes" in call or re.search(r"--no-deps .*\.$", call) for call in calls), calls

@@ -18,10 +18,15 @@ class Attraction:
     """How stable a gait is, by the largest eigenvalue and by what it attracts."""
 
     friction: float
+    """Of the ground."""
     word: str
+    """The gait's."""
     lambda_max: float
+    """Size of the largest eigenvalue."""
     volume: Volume
+    """How much of the box settles on the gait."""
     robustness: Robustness
+    """The largest disturbances that the runner recovers from."""
 
 
 def measure(gait: Orbit) -> Attraction:

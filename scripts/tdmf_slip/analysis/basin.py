@@ -43,10 +43,15 @@ class Slice:
     """Starts that differ from a gait's apex in two coordinates: a block of work."""
 
     runner: Runner
+    """Whose starts."""
     apex: tuple[float, ...]
+    """The gait's, shape (6,)."""
     axes: tuple[str, str]
+    """Names of the two coordinates."""
     rows: tuple[float, ...]
+    """Values of the first."""
     columns: tuple[float, ...]
+    """Values of the second."""
 
     def starts(self) -> NDArray[np.float64]:
         """One to a row, the columns running fastest."""

@@ -32,7 +32,9 @@ class Border:
     value: float
     """Of the parameter."""
     before: str
+    """The word before it, in the order of the branch."""
     after: str
+    """The word after it."""
 
     def as_json(self, name: str = "friction") -> dict[str, object]:
         """As a plain object."""

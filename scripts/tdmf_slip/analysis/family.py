@@ -26,6 +26,7 @@ class Point:
     """A gait on a branch."""
 
     orbit: Orbit
+    """The gait."""
     value: float
     """Of the parameter."""
     direction: NDArray[np.float64]

@@ -31,6 +31,7 @@ class Column:
     """A number of a gait, as a variable of a dataset."""
 
     value_of: Callable[[Orbit], float]
+    """Reads it off a gait."""
     variable: str | None
     """The unit's variable that has its unit and description, if there is one."""
     unit: str = ""
@@ -260,7 +261,9 @@ class Row:
     """A row of a grid: a block of work."""
 
     runner: Runner
+    """Whose gaits."""
     frictions: tuple[float, ...]
+    """At which."""
 
 
 def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:

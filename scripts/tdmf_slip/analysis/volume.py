@@ -36,7 +36,9 @@ class Volume:
     """A Monte-Carlo estimate of how much of the box `BOX` a gait attracts."""
 
     samples: int
+    """Starts that were drawn."""
     settled: int
+    """So many of them settled on the gait."""
     box: float
     """The box's own volume, in the section's scales."""
     unsolved: int = 0
@@ -81,10 +83,15 @@ class Drawing:
     """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
 
     runner: Runner
+    """Whose starts."""
     apex: tuple[float, ...]
+    """The gait's, shape (6,)."""
     seed: int
+    """Of the whole estimate."""
     number: int
+    """Of the block."""
     count: int
+    """Starts in it."""
 
     def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""

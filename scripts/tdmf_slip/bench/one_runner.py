@@ -64,6 +64,7 @@ class Peer(Protocol):
     """Makes one stride at a time, at a tolerance."""
 
     name: str
+    """As the table has it."""
     seconds: float
     """Spent in integrators so far; 0 where nobody says."""
     evaluations: int | None

@@ -18,9 +18,13 @@ class Measurement:
     """One solver at the loosest tolerance that reaches an accuracy."""
 
     group: str
+    """One runner, or many."""
     solver: str
+    """Its name."""
     accuracy: float
+    """That was asked for."""
     tolerance: float
+    """That reaches it."""
     error: float
     """Of the apex after one stride, the largest coordinate over its scale; from the worst of the starts."""
     evaluations: float | None
@@ -34,12 +38,15 @@ class Bench:
     """What was measured, and on what."""
 
     measurements: tuple[Measurement, ...]
+    """In the order of the table."""
     ours: Mapping[str, str]
     """By group, the solver of ours that the others are compared with."""
     threads: int
+    """Of the ensemble."""
     scaling: float
     """Of the ensemble over so many threads: strides a second each, over those of one alone."""
     versions: Mapping[str, str]
+    """By library."""
     missing: tuple[str, ...] = ()
     """Peers that are not installed."""
 

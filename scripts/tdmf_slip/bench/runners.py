@@ -28,6 +28,7 @@ class Runners:
     """Runners that start about a gait's apex."""
 
     gait: Orbit
+    """About which."""
     case: ensemble.Case
     """Whose parameters they have."""
     starts: NDArray[np.float64]

@@ -10,6 +10,7 @@ from ..files.whole import check_place
 from ..terminal.text import columns, quantity
 from ..unit.events import as_json
 from ..unit.inputs import read_tables
+from ..unit.run import Run
 from ..unit.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
@@ -18,7 +19,6 @@ from ..unit.simulation import (
     ONLY_IN,
     TIMES,
     TOLERANCES,
-    Run,
     simulate,
 )
 from ..unit.tables import WRITERS, write_table

@@ -19,7 +19,7 @@ def variables_command(as_json_object: bool) -> None:
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))
     else:
-        print(table(("name", "unit", "range", "default", "causality", "meaning"), list(map(_row, variables))))
+        print(table(("name", "unit", "range", "default", "causality", "meaning"), list(map(row, variables))))
 
 
 def _object(variable: Variable) -> dict[str, object]:
@@ -38,7 +38,19 @@ def _object(variable: Variable) -> dict[str, object]:
     }
 
 
-def _row(variable: Variable) -> tuple[str, str, str, str, str, str]:
+def row(variable: Variable) -> tuple[str, str, str, str, str, str]:
+    """A variable in words: name, unit, range, default, causality, meaning.
+
+    Parameters
+    ----------
+    variable : Variable
+        Of the unit.
+
+    Returns
+    -------
+    tuple of str
+        Empty where there is nothing to tell.
+    """
     unit = "" if variable.unit == "1" else variable.unit
     return (
         variable.name,

@@ -1,5 +1,7 @@
 """The C library, called from Python: all its public functions and structs, declared by its public headers.
 
+::
+
     from tdmf_slip.library.binding import c, ffi
 
     parameters = c.tdmf_default_parameters()

@@ -1,7 +1,9 @@
 """Many runners at once, by the C library's ensemble engine: threads, and several runners to each processor.
 
-ends, work = run_ensemble([Case(runner)], starts, most_strides=100)
-ends["fate"] == FATES.index("settled")
+::
+
+    ends, work = run_ensemble([Case(runner)], starts, most_strides=100)
+    ends["fate"] == FATES.index("settled")
 """
 
 import os
@@ -58,8 +60,11 @@ class Work:
     """What a run of the engine took."""
 
     strides: int
+    """Closed by all runners."""
     events: int
+    """Taken by all runners."""
     steps: int
+    """Of all runners."""
     places: int
     """Lanes stepped, with or without a runner in them."""
     evaluations: int

@@ -25,6 +25,7 @@ class Event:
     contact_before: int
     """Contact mode, by the library's number; as the following."""
     contact_after: int
+    """Contact mode that it began."""
     state: tuple[float, ...]
     """Before the event, in the library's order."""
 
@@ -34,6 +35,7 @@ class Letter:
     """A letter of a gait word: a contact mode in which the ground bears the foot."""
 
     letter: str
+    """`+`, `0` or `-`."""
     duration: float
     """s that the mode lasts."""
 

@@ -34,9 +34,13 @@ class Claim:
     """One published statement beside the computed one."""
 
     what: str
+    """Is claimed of."""
     published: str
+    """The paper's words or number."""
     computed: str
+    """Ours."""
     agrees: bool
+    """Whether they say the same."""
 
     @property
     def verdict(self) -> str:
@@ -49,9 +53,11 @@ class Evidence:
     """What the claims are judged by."""
 
     sweep: Sweep
+    """Gaits over the friction."""
     slip: classic_slip.FixedPoint
     """The stable gait of the classic SLIP at 40 degrees."""
     fold: classic_slip.FixedPoint
+    """Where the gaits of the classic SLIP meet."""
 
 
 def gather(runner: Runner, show_progress: bool = False) -> Evidence:

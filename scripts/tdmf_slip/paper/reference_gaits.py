@@ -24,13 +24,21 @@ class ReferenceGait:
     """A recorded gait of the paper's runner."""
 
     friction: float
+    """Of the ground."""
     word: str
+    """The gait's."""
     period: float
+    """Of a stride."""
     length: float
+    """Of a stride."""
     speed: float
+    """On average over a stride."""
     work: float
+    """Of the hip in a stride."""
     cost_of_transport: float
+    """Of a stride."""
     liftoff_angle: float
+    """Of the leg, rad."""
     apex: Sequence[float]
     """In the order of `COORDINATES`."""
     events: Sequence[object]
@@ -44,11 +52,15 @@ class Drift:
     friction: float
     """Not a number for what is not of one gait."""
     what: str
+    """Is compared."""
     computed: float | str
+    """Now."""
     reference: float | str
+    """Recorded."""
     deviation: float
     """Relative for a gait's quantities, over its scale for its apex; 0 or 1 for its word; else absolute."""
     allowed: float
+    """The largest deviation that passes."""
 
     @property
     def passed(self) -> bool:

@@ -21,7 +21,9 @@ class Validation:
     gaits: Sequence[SettledRun]
     """Of the unit, at the five frictions."""
     claims: Sequence[Claim]
+    """The paper's statements beside what is computed."""
     drifts: Sequence[Drift]
+    """Every value beside its reference."""
 
     @property
     def passed(self) -> bool:

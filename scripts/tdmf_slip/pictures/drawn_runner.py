@@ -20,7 +20,9 @@ class Pose:
     """Where body and foot are, over l0."""
 
     body: tuple[float, float]
+    """x and y."""
     foot: tuple[float, float]
+    """x and y."""
 
 
 def pose(stride: Stride, time: float) -> Pose:

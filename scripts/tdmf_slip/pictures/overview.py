@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 
 from ..errors import InputError
 from ..unit.events import MODE
-from ..unit.simulation import Run
+from ..unit.run import Run
 from ..unit.unit import Unit
 from . import style
 

@@ -33,7 +33,9 @@ class Piece:
     """A part of the stride in one contact mode."""
 
     mode: str
+    """Name of the contact mode."""
     rows: slice
+    """Of the stride."""
 
 
 class Stride:

@@ -13,7 +13,9 @@ class Interrupt:
     """One that may come while it is held back."""
 
     handler: Callable[[int, FrameType | None], object] | int | None
+    """What it was meant for."""
     came: threading.Event = dataclasses.field(default_factory=threading.Event)
+    """Set when it came."""
 
     def note(self, _number: int, _frame: object) -> None:
         """Handle the signal. An exception raised here could be lost: Python ignores those of finalizers."""

@@ -20,9 +20,13 @@ class Job:
     """A run: a block of work."""
 
     values: Mapping[str, Value]
+    """Start values by name."""
     strides: int
+    """How many."""
     relative_tolerance: float
+    """Of the solver."""
     interface: str
+    """`me` or `cs`."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,7 @@ class Result:
     stride: Mapping[str, float | int | str]
     """The last completed stride, by the unit's names in the group `stride`."""
     fallen: bool
+    """The run ended in a fall."""
     problem: str
     """Why there is no result, or nothing."""
 

@@ -30,9 +30,13 @@ class Experiment:
     """What FMPy is asked to do with an instance; times in s."""
 
     stop_time: float
+    """The run begins at 0."""
     relative_tolerance: float
+    """Of the importer."""
     output_interval: float
+    """Between recorded rows."""
     start_values: Mapping[str, Value]
+    """By name, checked."""
     inputs: NDArray[np.void] | None = None
     """Structured array: `time` and one column per input."""
     variables: tuple[str, ...] = ()

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +9,10 @@ from numpy.typing import NDArray
 from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError, RunError
 from ..terminal import progress
-from .events import MODE, PHASE, Event, events_of
+from .events import MODE, PHASE, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
+from .run import Run
 from .unit import Unit, load
 from .variable import Given, Value
 
@@ -36,39 +36,6 @@ ONLY_IN: Mapping[str, str] = {
     "solver.relative_tolerance": "cs",
 }
 """Settings that have a meaning in one interface only, and in which."""
-
-
-@dataclass(frozen=True)
-class Run:
-    """What a run gave. All values are in the units of the model description, see `units`."""
-
-    table: NDArray[np.void]
-    """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
-    units: Mapping[str, str]
-    """Unit of each field."""
-    fallen: bool
-    fall_time: float | None
-    """s; None where the runner has not fallen."""
-    final: Mapping[str, float | int | bool | str]
-    """Every variable of the unit at the end of the run, also where the runner has fallen."""
-    events: list[Event] = field(default_factory=list)
-    messages: list[str] = field(default_factory=list)
-    """What the unit had to say."""
-
-    stride: Mapping[str, float | int | str] = field(default_factory=dict)
-    """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""
-    apex: Mapping[str, float] = field(default_factory=dict)
-    """The section at the last apex: `time`, `com_height` and so on."""
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Of the table's fields, `time` first."""
-        return tuple(self.units)
-
-    @property
-    def strides(self) -> int:
-        """How many were completed."""
-        return int(self.final["stride.count"])
 
 
 def simulate(

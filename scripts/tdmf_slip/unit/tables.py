@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..files.whole import check_place, whole
-from .simulation import Run
+from .run import Run
 from .unit import Unit
 
 

@@ -27,18 +27,25 @@ class Variable:
     """One variable of the unit, with its declared type folded in."""
 
     name: str
+    """As `leg.stiffness`."""
     reference: int
+    """Its value reference."""
     type: str
     """Real, Integer, Boolean, String or Enumeration."""
     unit: str
     """Unit of every value, empty where there is none."""
     description: str
+    """Its meaning."""
     causality: str
+    """As FMI has it: `parameter`, `input`, `output` and so on."""
     settable: bool
     """A start value is accepted."""
     minimum: float
+    """Least value; minus infinity for none."""
     maximum: float
+    """Largest value; infinity for none."""
     start: Value | None
+    """Its default, if it has one."""
     items: Mapping[int, str]
     """Names of an enumeration's values."""
     display_units: Mapping[str, float]

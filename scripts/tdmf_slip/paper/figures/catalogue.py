@@ -55,7 +55,9 @@ class Figure:
     """How a figure is drawn into a file, and its data by column."""
 
     draw: Callable[[Path], None]
+    """Into a file."""
     table: Callable[[], Columns]
+    """Its data, by column."""
 
 
 def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bool = False) -> list[Path]:

@@ -21,8 +21,11 @@ class Path:
     """One step from apex to apex; the foot stands at x = 0."""
 
     time: NDArray[np.float64]
+    """Since the apex."""
     x: NDArray[np.float64]
+    """Of the mass."""
     y: NDArray[np.float64]
+    """Of the mass."""
     phase: list[str]
     """fall, stance or rise."""
 

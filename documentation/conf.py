@@ -1,0 +1,60 @@
+"""How Sphinx builds the site; ./scripts/site calls it."""
+
+import sys
+from pathlib import Path
+
+import tdmf_slip
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "extensions"))
+
+project = "TDMF-SLIP"
+author = "The TDMF-SLIP authors"
+copyright = "2026, the TDMF-SLIP authors"
+release = version = tdmf_slip.__version__
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.graphviz",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+    "c_reference",
+    "command_reference",
+    "mathml",
+    "python_reference",
+    "variable_reference",
+]
+exclude_patterns = ["extensions", "live", "data"]
+default_role = "literal"
+suppress_warnings = ["ref.python"]  # of two attributes with one name
+
+myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "attrs_inline"]
+myst_heading_anchors = 3
+myst_update_mathjax = False
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 240
+nb_execution_show_tb = True
+nb_merge_streams = True
+
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+autodoc_member_order = "bysource"
+python_maximum_signature_line_length = 88
+c_maximum_signature_line_length = 88
+graphviz_output_format = "svg"
+
+html_theme = "furo"
+html_title = "TDMF-SLIP"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_logo = "../fmu_src/model.png"
+html_favicon = "../fmu_src/model.png"
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sphinx = False
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#1f5fa8", "color-brand-content": "#1f5fa8"},
+    "dark_css_variables": {"color-brand-primary": "#7fb2ea", "color-brand-content": "#7fb2ea"},
+}

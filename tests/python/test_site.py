@@ -1,0 +1,174 @@
+"""The site that ./scripts/site builds: whole, with nothing fetched from elsewhere and nothing untold."""
+
+import html.parser
+import pathlib
+import re
+import subprocess
+import sys
+import urllib.parse
+
+import pytest
+import tdmf_slip
+from tdmf_slip.cli.main import COMMANDS
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SITE = ROOT / "dist" / "site"
+SOURCES = ROOT / "documentation"
+PAGES = sorted(SITE.rglob("*.html"))
+sys.path.insert(0, str(SOURCES / "extensions"))
+pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")
+built = pytest.mark.skipif(not PAGES, reason="NOT TESTED: the site; ./scripts/site builds it")
+LOADS = {"script": "src", "link": "href", "img": "src", "iframe": "src", "object": "data", "source": "src"}
+"""What a browser fetches by itself, and the attribute that says from where."""
+
+
+class Page(html.parser.HTMLParser):
+    """Links, anchors and what is loaded."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.anchors, self.loaded = [], set(), []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        """Note what a tag refers to."""
+        values = dict(attributes)
+        self.anchors |= {values[name] for name in ("id", "name") if values.get(name)}
+        if tag == "a" and values.get("href"):
+            self.links.append(values["href"])
+        if tag in LOADS and values.get(LOADS[tag]) and values.get("rel") != "canonical":
+            self.loaded.append(values[LOADS[tag]])
+
+
+@pytest.fixture(scope="module")
+def pages():
+    return {path: Page(path) for path in PAGES}
+
+
+def is_elsewhere(address):
+    return bool(urllib.parse.urlsplit(address).netloc)
+
+
+@built
+def test_no_page_loads_anything_from_elsewhere(pages):
+    loaded = [(path.name, address) for path, page in pages.items() for address in page.loaded]
+    assert len(loaded) > 100
+    assert [found for found in loaded if is_elsewhere(found[1])] == []
+
+
+@built
+def test_no_style_and_no_script_loads_anything_from_elsewhere():
+    """A script may name an address, but it imports and fetches none."""
+    styles, scripts = list(SITE.rglob("*.css")), list(SITE.rglob("*.js"))
+    assert len(styles) >= 4 and len(scripts) >= 4
+    loads = re.compile(
+        r"""(?:@import|url\(|\bimport\(|\bfetch\(|\bimportScripts\(|\.src\s*=)\s*["']?(?:https?:)?//[^"')\s]+"""
+    )
+    found = {path.name: loads.findall(path.read_text(encoding="utf-8")) for path in (*styles, *scripts)}
+    assert {name: addresses for name, addresses in found.items() if addresses} == {}
+
+
+@built
+def test_links_and_anchors_inside_the_site_lead_somewhere(pages):
+    followed, broken = 0, []
+    for path, page in pages.items():
+        for link in [*page.links, *page.loaded]:
+            parts = urllib.parse.urlsplit(link)
+            if parts.scheme or parts.netloc:
+                continue
+            target = (path.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else path
+            known = pages[target].anchors if target in pages else set()
+            fragment = urllib.parse.unquote(parts.fragment)
+            is_state = target.name == "live.html"  # which has its state there
+            if not target.is_file() or (fragment and fragment not in known and not is_state):
+                broken.append(f"{path.relative_to(SITE)}: {link}")
+            followed += 1
+    assert followed > 1000
+    assert broken == []
+
+
+@built
+def test_every_public_name_has_its_place(pages):
+    anchors = set().union(*(page.anchors for page in pages.values()))
+    top = [getattr(tdmf_slip, name) for name in tdmf_slip.__all__ if not name.startswith("_")]
+    python = {f"{thing.__module__}.{thing.__name__}" for thing in top}
+    variables = {re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") for name in tdmf_slip.load().variables}
+    headers = "".join(path.read_text() for path in (ROOT / "c_core/include/tdmf_slip").glob("*.h"))
+    functions = {f"c.{name}" for name in re.findall(r"^(?!typedef)\w[\w *]*\b(tdmf_\w+)\(", headers, re.M)}
+    types = {f"c.{name}" for name in re.findall(r"^\} (tdmf_\w+);", headers, re.M)}
+    commands = {f"tdmf-slip-{name}" for name in COMMANDS}
+    for wanted, least in ((python, 15), (variables, 80), (functions, 45), (types, 30), (commands, 8)):
+        assert len(wanted) >= least
+        assert wanted - anchors == set()
+
+
+# ---- a public name that nothing tells of ----
+
+
+def test_a_python_name_without_a_docstring_is_refused(tmp_path):
+    from python_reference import check
+    from sphinx.errors import ExtensionError
+
+    (tmp_path / "__init__.py").write_text('"""Told."""\n')
+    module = tmp_path / "module.py"
+    told = '"""Told."""\n\n\nclass Thing:\n    """Told."""\n\n    size: float\n    """Told."""\n'
+    module.write_text(told)
+    check(tmp_path)
+    for untold, name in (
+        ("\n\ndef function():\n    return 1\n", "function"),
+        ("    weight: float\n", "Thing.weight"),
+        ("\n    def method(self):\n        return 1\n", "Thing.method"),
+    ):
+        module.write_text(told + untold)
+        with pytest.raises(ExtensionError, match=rf"module: {re.escape(name)}"):
+            check(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("declared", "untold"),
+    [
+        ("void tdmf_do(int count);", "tdmf_do"),
+        ("/* Told. */\ntypedef struct {\n    int count;\n} tdmf_thing;", "tdmf_thing: count"),
+        ("typedef enum { TDMF_ONE /* told */ } tdmf_number;", "tdmf_number"),
+        (
+            "/* Told. */\ntypedef enum {\n    TDMF_ONE, /* told */\n    TDMF_TWO\n} tdmf_n;",
+            "tdmf_n: TDMF_TWO",
+        ),
+        ("#define TDMF_LIMIT 3", "TDMF_LIMIT"),
+    ],
+)
+def test_a_c_name_without_a_comment_is_found(tmp_path, declared, untold):
+    from c_headers import headers
+
+    (tmp_path / "thing.h").write_text(f"/* A header. */\n\n/* Told. */\nint tdmf_told(void);\n\n{declared}\n")
+    header = headers(tmp_path)["thing.h"]
+    assert header.comment == "A header." and header.undocumented == [untold]
+
+
+def test_such_a_name_fails_the_build(tmp_path):
+    """Sphinx itself, on a page with one header of which a function is not told."""
+    (tmp_path / "headers").mkdir()
+    (tmp_path / "headers/thing.h").write_text("/* A header. */\n\nint tdmf_untold(void);\n")
+    (tmp_path / "index.md").write_text("# Page\n\n```{c-header} thing.h\n```\n")
+    (tmp_path / "conf.py").write_text(
+        f"import sys\nsys.path.insert(0, {str(SOURCES / 'extensions')!r})\n"
+        "import pathlib\nimport c_headers\nimport c_reference\n"
+        "folder = pathlib.Path(__file__).parent / 'headers'\n"
+        "c_reference.headers = lambda: c_headers.headers(folder)\nc_reference.FOLDER = folder\n"
+        "extensions = ['myst_parser', 'c_reference']\n"
+    )
+    command = [
+        sys.executable,
+        "-m",
+        "sphinx",
+        "--quiet",
+        "--fail-on-warning",
+        str(tmp_path),
+        str(tmp_path / "out"),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode != 0 and "tdmf_untold" in done.stderr
+    told = "/* A header. */\n\n/* Told, and defined. */\nint tdmf_guards(void);\n"
+    (tmp_path / "headers/thing.h").write_text(told)
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
