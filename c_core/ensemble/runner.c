@@ -4,6 +4,7 @@
 #include "events.h"
 #include "hip_law.h"
 #include "input_rates.h"
+#include "longest_stride.h"
 #include "margins.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
@@ -17,9 +18,6 @@
 /* A stride is given up after so many steps or events; none that closes comes near. */
 static const long step_limit = 200000;
 static const long event_limit = 100000;
-
-/* In sqrt(m/k): a stride that takes longer counts as none. */
-static const double longest_stride = 1e4;
 
 static void open_stride(tdmf_runner *runner) {
     runner->stride_began = runner->motion.time;
@@ -71,7 +69,7 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
 }
 
 static double time_left_of(const tdmf_runner *runner) {
-    return longest_stride * runner->its_case->model->scales.time -
+    return TDMF_LONGEST_STRIDE * runner->its_case->model->scales.time -
            (runner->motion.time - runner->stride_began);
 }
 
@@ -219,7 +217,7 @@ static tdmf_fate fate_of(tdmf_outcome outcome) {
 
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const tdmf_ensemble_case *its_case = runner->its_case;
-    const double until = runner->stride_began + longest_stride * its_case->model->scales.time;
+    const double until = runner->stride_began + TDMF_LONGEST_STRIDE * its_case->model->scales.time;
     const tdmf_stride_outcome stride =
         tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
     if (!stride.closed) {

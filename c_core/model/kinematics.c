@@ -67,6 +67,14 @@ void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]
     tdmf_set_foot_velocity_along(vx, vy, tdmf_leg_direction_of(state), state);
 }
 
+void tdmf_set_center_of_mass(const tdmf_model *model, tdmf_point center, double state[TDMF_STATE_COUNT]) {
+    const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
+    state[TDMF_FOOT_X] = center.x - model->body_share * from_foot.x;
+    state[TDMF_FOOT_Y] = center.y - model->body_share * from_foot.y;
+    state[TDMF_FOOT_VX] = center.vx - model->body_share * from_foot.vx;
+    state[TDMF_FOOT_VY] = center.vy - model->body_share * from_foot.vy;
+}
+
 /* ---- variations --------------------------------------------------------------------------------------- */
 
 tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
@@ -103,6 +111,18 @@ tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[
     d_center.vx += d->body_share * from_foot.vx;
     d_center.vy += d->body_share * from_foot.vy;
     return d_center;
+}
+
+void tdmf_vary_foot_to(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                       tdmf_leg_direction direction, const tdmf_model *d, tdmf_point d_center,
+                       double d_state[TDMF_STATE_COUNT]) {
+    /* While the foot does not move, this is how the centre of mass moves from it. */
+    d_state[TDMF_FOOT_X] = d_state[TDMF_FOOT_Y] = d_state[TDMF_FOOT_VX] = d_state[TDMF_FOOT_VY] = 0.0;
+    const tdmf_point from_foot = tdmf_vary_center_of_mass(model, state, direction, d, d_state);
+    d_state[TDMF_FOOT_X] = d_center.x - from_foot.x;
+    d_state[TDMF_FOOT_Y] = d_center.y - from_foot.y;
+    d_state[TDMF_FOOT_VX] = d_center.vx - from_foot.vx;
+    d_state[TDMF_FOOT_VY] = d_center.vy - from_foot.vy;
 }
 
 void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d, double d_state[TDMF_STATE_COUNT]) {

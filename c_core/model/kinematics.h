@@ -25,6 +25,13 @@ tdmf_point tdmf_vary_center_of_mass(const tdmf_model *model, const double state[
                                     tdmf_leg_direction direction, const tdmf_model *d,
                                     const double d_state[TDMF_STATE_COUNT]);
 
+/* Moves the foot so that the centre of mass is there and moves so, and the change of the foot that makes this
+ * change of the centre of mass; the leg is that of the state, and its change that of `d_state`. */
+void tdmf_set_center_of_mass(const tdmf_model *model, tdmf_point center, double state[TDMF_STATE_COUNT]);
+void tdmf_vary_foot_to(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                       tdmf_leg_direction direction, const tdmf_model *d, tdmf_point d_center,
+                       double d_state[TDMF_STATE_COUNT]);
+
 /* The inverse of tdmf_vary_body_from_foot: the changes of the leg that make this change of the body's place
  * and velocity. */
 void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d_from_foot,

@@ -32,13 +32,8 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
     d_state[TDMF_LEG_ANGLE] = varied_mode->at.angle;
     d_state[TDMF_LEG_LENGTH_RATE] = varied_mode->at.length_rate;
     d_state[TDMF_LEG_ANGLE_RATE] = varied_mode->at.angle_rate;
-    /* The foot does not move yet: this is how the centre of mass moves from it. */
-    const tdmf_point from_foot =
-        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
-    d_state[TDMF_FOOT_X] = varied_mode->com_x - from_foot.x;
-    d_state[TDMF_FOOT_Y] = varied_mode->com_y - from_foot.y;
-    d_state[TDMF_FOOT_VX] = varied_mode->com_vx - from_foot.vx;
-    d_state[TDMF_FOOT_VY] = varied_mode->com_vy - from_foot.vy;
+    const tdmf_point com = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx, varied_mode->com_vy};
+    tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, com, d_state);
 }
 
 static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,

@@ -20,9 +20,13 @@
 #include <math.h>
 #include <string.h>
 
+/* Where an integration ends, if not sooner: at the time asked for. */
+typedef enum { AT_TIME, AT_APEX, AT_LIFT_OFF } integration_end;
+
 typedef struct {
     tdmf_solver *solver;
     const tdmf_model *model;
+    integration_end end;
     tdmf_inputs inputs; /* at motion->time */
     tdmf_inputs rates;
     tdmf_motion *motion; /* its state is that of the last event; the equations may be ahead of it */
@@ -147,6 +151,19 @@ static tdmf_side side_of(const integration *integration) {
     return side;
 }
 
+static bool stance_is_over(const integration *integration) {
+    return integration->end == AT_LIFT_OFF && !tdmf_in_contact(&integration->motion->mode);
+}
+
+/* A stance that is looked at alone has all of its work behind it. */
+static tdmf_side side_after(const integration *integration) {
+    tdmf_side side = side_of(integration);
+    if (stance_is_over(integration)) {
+        side.derivatives[TDMF_HIP_WORK] = 0.0;
+    }
+    return side;
+}
+
 static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_side *before,
                       const tdmf_mode *after) {
     tdmf_event event = {.time = time, .guard = (int)guard, .before = before->mode, .after = *after};
@@ -177,7 +194,7 @@ static bool resolve(integration *integration, tdmf_guard guard) {
     if (!take_transitions(integration)) {
         return false;
     }
-    const tdmf_side after = side_of(integration);
+    const tdmf_side after = side_after(integration);
     log_event(integration->solver->log, motion->time, guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
@@ -300,6 +317,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     }
     integration->solver = solver;
     integration->model = model;
+    integration->end = AT_TIME;
     integration->inputs = *inputs;
     integration->rates = *rates;
     integration->motion = motion;
@@ -319,13 +337,17 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     return true;
 }
 
-/* Until the time asked for or, if asked, until one more stride has closed. */
-static tdmf_outcome advance(integration *integration, bool one_stride) {
+static bool is_at_end(const integration *integration, int strides_before) {
+    return (integration->end == AT_APEX && integration->motion->record.stride.count > strides_before) ||
+           stance_is_over(integration);
+}
+
+static tdmf_outcome advance(integration *integration) {
     tdmf_motion *motion = integration->motion;
     const int count = motion->record.stride.count;
     tdmf_outcome outcome = TDMF_ARRIVED;
     while (outcome == TDMF_ARRIVED && time_left(integration) > 0.0 && !motion->mode.fallen &&
-           !(one_stride && motion->record.stride.count > count)) {
+           !is_at_end(integration, count)) {
         outcome = integration->events_left <= 0 ? TDMF_TOO_MANY_EVENTS : advance_once(integration);
     }
     if (integration->equations_are_ahead) {
@@ -343,13 +365,14 @@ tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, c
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     integration integration;
     const bool begun = begin(&integration, solver, model, inputs, tdmf_rates_or_held(rates), until, motion);
-    return begun ? advance(&integration, false) : TDMF_REFUSED;
+    return begun ? advance(&integration) : TDMF_REFUSED;
 }
 
 static tdmf_stride_outcome advance_a_stride(integration *integration) {
     const tdmf_record *record = &integration->motion->record;
     const int count = record->stride.count;
-    const tdmf_outcome outcome = advance(integration, true);
+    integration->end = AT_APEX;
+    const tdmf_outcome outcome = advance(integration);
     const tdmf_stride_outcome result = {outcome, record->stride.count > count};
     return result;
 }
@@ -364,18 +387,39 @@ tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *mo
                : refused;
 }
 
+static bool begin_varied(integration *integration, tdmf_solver *solver, const tdmf_model *model,
+                         const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                         const tdmf_change *changes, tdmf_variation *variations, int count) {
+    if (count < 0 || count > TDMF_VARIATION_LIMIT ||
+        !begin(integration, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)) {
+        return false;
+    }
+    integration->count = count;
+    integration->changes = changes;
+    integration->variations = variations;
+    open_mode(integration);
+    return true;
+}
+
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs, double until, tdmf_motion *motion,
                                               const tdmf_change *changes, tdmf_variation *variations,
                                               int count) {
     integration integration;
-    if (count < 0 || count > TDMF_VARIATION_LIMIT ||
-        !begin(&integration, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)) {
+    return begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)
+               ? advance_a_stride(&integration)
+               : refused;
+}
+
+tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
+                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                       const tdmf_change *changes, tdmf_variation *variations, int count) {
+    integration integration;
+    if (!begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)) {
         return refused;
     }
-    integration.count = count;
-    integration.changes = changes;
-    integration.variations = variations;
-    open_mode(&integration);
-    return advance_a_stride(&integration);
+    integration.end = AT_LIFT_OFF;
+    const tdmf_outcome outcome = advance(&integration);
+    const tdmf_stride_outcome result = {outcome, stance_is_over(&integration)};
+    return result;
 }

@@ -95,6 +95,13 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_mo
                                               const tdmf_change *changes, tdmf_variation *variations,
                                               int count);
 
+/* As tdmf_native_stride_varied, for one stance: of a foot in contact, until it is loaded no more, which
+ * `closed` tells. From lift-off on, the hip does no work in the variations, and the state is that of
+ * lift-off. Without variations `count` is 0. */
+tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
+                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                       const tdmf_change *changes, tdmf_variation *variations, int count);
+
 /* An outcome in words. */
 const char *tdmf_outcome_text(tdmf_outcome outcome);
 

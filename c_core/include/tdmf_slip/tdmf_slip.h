@@ -17,6 +17,7 @@
 #include "tdmf_slip/orbit.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/parameters.h"
+#include "tdmf_slip/reduced_map.h"
 #include "tdmf_slip/return_map.h"
 #include "tdmf_slip/solver.h"
 #include "tdmf_slip/state.h"

@@ -2,6 +2,7 @@
  * more, with `double` meaning long double. A central difference over a step h errs by h^2 of a third
  * derivative, and by the map's own error over h: that of its events, which are located to a part of their
  * margin. */
+#include "check_reduced_map.h"
 #include "random.h"
 #include "stride_results.h"
 #include "tdmf_slip/orbit.h"
@@ -255,7 +256,7 @@ static int check_light_runners(void) {
 }
 
 int main(void) {
-    int failures = check_light_runners();
+    int failures = check_light_runners() + check_reduced_map();
     for (int i = 0; i < GAITS; ++i) {
         scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0L}};
         scene.inputs.ground.friction = frictions[i];

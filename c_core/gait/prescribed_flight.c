@@ -1,0 +1,172 @@
+/* With t the time since the apex, phi = theta0 - omega t the leg's angle and s = m/(m + m_f), the foot and
+ * the body are at the heights
+ *
+ *     y = y_c - s r cos(phi),      y_m = y_c + (1 - s) r cos(phi),      y_c = y_c0 - g t^2/2.
+ *
+ * Both are a parabola less a swing A cos(phi), whose first zero after the apex is found by steps that cannot
+ * pass one: with the least curvature that the sum can have, h + h' t + h'' t^2/2 is below it. */
+#include "prescribed_flight.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- the centre of mass ------------------------------------------------------------------------------- */
+
+typedef struct {
+    double x, y; /* m/s2 */
+} acceleration;
+
+static acceleration acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
+    (void)inputs;
+    const acceleration a = {0.0, -model->parameters.gravity};
+    return a;
+}
+
+static acceleration vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_direction *d) {
+    (void)model;
+    (void)inputs;
+    const acceleration d_a = {0.0, -d->model.parameters.gravity};
+    return d_a;
+}
+
+tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from, double t) {
+    const acceleration a = acceleration_of(model, inputs);
+    const tdmf_point later = {from.x + t * (from.vx + 0.5 * t * a.x), from.y + t * (from.vy + 0.5 * t * a.y),
+                              from.vx + t * a.x, from.vy + t * a.y};
+    return later;
+}
+
+tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+                               tdmf_point from, tdmf_point d_from, double t, double d_time) {
+    const acceleration a = acceleration_of(model, inputs);
+    const acceleration d_a = vary_acceleration(model, inputs, d);
+    const tdmf_point d_later = {d_from.x + t * (d_from.vx + 0.5 * t * d_a.x) + (from.vx + t * a.x) * d_time,
+                                d_from.y + t * (d_from.vy + 0.5 * t * d_a.y) + (from.vy + t * a.y) * d_time,
+                                d_from.vx + t * d_a.x + a.x * d_time, d_from.vy + t * d_a.y + a.y * d_time};
+    return d_later;
+}
+
+double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from) {
+    const acceleration a = acceleration_of(model, inputs);
+    return a.y < 0.0 ? from.vy / -a.y : INFINITY;
+}
+
+double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+                              tdmf_point from, tdmf_point d_from) {
+    const acceleration a = acceleration_of(model, inputs);
+    const acceleration d_a = vary_acceleration(model, inputs, d);
+    return (d_from.vy + tdmf_time_to_apex(model, inputs, from) * d_a.y) / -a.y;
+}
+
+/* ---- the leg ------------------------------------------------------------------------------------------ */
+
+static double placed_length(const tdmf_model *model, const tdmf_inputs *inputs) {
+    (void)inputs;
+    return model->parameters.leg.free_length;
+}
+
+static void write_leg(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                      double state[TDMF_STATE_COUNT]) {
+    const tdmf_parameters *p = &model->parameters;
+    state[TDMF_LEG_LENGTH] = placed_length(model, inputs);
+    state[TDMF_LEG_ANGLE] = p->hip.touchdown_angle - p->hip.retraction_rate * time;
+    state[TDMF_LEG_LENGTH_RATE] = 0.0;
+    state[TDMF_LEG_ANGLE_RATE] = -p->hip.retraction_rate;
+}
+
+void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex, double time,
+                           double state[TDMF_STATE_COUNT]) {
+    write_leg(model, inputs, time, state);
+    tdmf_set_center_of_mass(model, tdmf_ballistic(model, inputs, apex, time), state);
+    state[TDMF_HIP_PLACE_TIME] = time;
+}
+
+/* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
+void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
+    const acceleration a = acceleration_of(model, inputs);
+    const double rate = state[TDMF_LEG_ANGLE_RATE];
+    const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
+    memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
+    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
+    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
+    derivatives[TDMF_LEG_ANGLE] = rate;
+    derivatives[TDMF_FOOT_VX] = a.x + model->body_share * rate * rate * from_foot.x;
+    derivatives[TDMF_FOOT_VY] = a.y + model->body_share * rate * rate * from_foot.y;
+    derivatives[TDMF_HIP_PLACE_TIME] = 1.0;
+}
+
+void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+                                tdmf_point apex, tdmf_point d_apex, double time,
+                                const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
+    memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
+    write_leg(&d->model, &d->inputs, time, d_state); /* linear in what changes */
+    const tdmf_point d_com = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
+    tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, d_com, d_state);
+}
+
+/* ---- the way down ------------------------------------------------------------------------------------- */
+
+enum { STEP_LIMIT = 10000 };
+
+/* start + rate t + curvature t^2/2 - swing cos(angle - turning t) */
+typedef struct {
+    double start, rate, curvature, swing, angle, turning;
+} height;
+
+/* When a parabola that falls reaches a level, at or after t = 0. */
+static double time_to_level(double above, double rate, double curvature) {
+    if (above <= 0.0) {
+        return 0.0;
+    }
+    const double root = sqrt(rate * rate - 2.0 * curvature * above);
+    return rate > 0.0 ? (rate + root) / -curvature : 2.0 * above / (root - rate);
+}
+
+/* The first zero; not a number where the steps do not find it. */
+static double first_zero(const height *h) {
+    const double reach = fabs(h->swing);
+    const double lowest = h->curvature - reach * h->turning * h->turning;
+    double t = time_to_level(h->start - reach, h->rate, h->curvature);
+    for (int i = 0; i < STEP_LIMIT; ++i) {
+        const double angle = h->angle - h->turning * t;
+        const double above = h->start + t * (h->rate + 0.5 * t * h->curvature) - h->swing * cos(angle);
+        const double rate = h->rate + t * h->curvature - h->swing * h->turning * sin(angle);
+        const double next = t + time_to_level(above, rate, lowest);
+        if (!(next > t)) {
+            return next == t ? t : NAN;
+        }
+        t = next;
+    }
+    return NAN;
+}
+
+/* The lowest that the leg's direction can point in the descent is at one of its ends, or straight down. */
+static bool body_may_come_first(const height *foot, double time) {
+    const double right_angle = 1.57;
+    return fabs(foot->angle) > right_angle || fabs(foot->angle - foot->turning * time) > right_angle;
+}
+
+tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex) {
+    const double length = placed_length(model, inputs);
+    const acceleration a = acceleration_of(model, inputs);
+    height foot = {apex.y,
+                   apex.vy,
+                   a.y,
+                   model->body_share * length,
+                   model->parameters.hip.touchdown_angle,
+                   model->parameters.hip.retraction_rate};
+    height body = foot;
+    body.swing = foot.swing - length;
+    tdmf_descent descent = {INFINITY, false};
+    if (a.y < 0.0) {
+        descent.time = first_zero(&foot);
+        if (body_may_come_first(&foot, descent.time)) {
+            const double body_down = first_zero(&body);
+            descent.body_first = body_down <= descent.time;
+            descent.time = descent.body_first ? body_down : descent.time;
+        }
+    }
+    return descent;
+}

@@ -1,0 +1,202 @@
+/* A stride of the reduced map and its variations, which go through the impact and the stance as those of the
+ * full model do. At lift-off they are those at a fixed time, with the centre of mass ballistic from there. */
+#include "tdmf_slip/reduced_map.h"
+
+#include "prescribed_flight.h"
+#include "reduced_stride.h"
+#include "tdmf_slip/dynamics.h"
+#include "tdmf_slip/energy.h"
+
+#include <string.h>
+
+/* ---- variations --------------------------------------------------------------------------------------- */
+
+typedef struct {
+    int count;
+    tdmf_change changes[TDMF_VARIATION_LIMIT];
+    tdmf_variation variations[TDMF_VARIATION_LIMIT];
+} bundle;
+
+static void open_bundle(bundle *bundle, const tdmf_change *changes, int count) {
+    bundle->count = TDMF_REDUCED_COUNT + count;
+    for (int i = 0; i < count; ++i) {
+        bundle->changes[TDMF_REDUCED_COUNT + i] = changes[i];
+    }
+}
+
+/* From the apex through the impact. */
+static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex,
+                       const tdmf_motion *motion, const tdmf_side *before) {
+    tdmf_side after = {.mode = motion->mode};
+    memcpy(after.state, motion->state, sizeof after.state);
+    tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
+    for (int i = 0; i < bundle->count; ++i) {
+        const tdmf_direction d = tdmf_direction_of(model, &bundle->changes[i], NULL);
+        const tdmf_point d_apex = {.y = i == TDMF_REDUCED_COM_HEIGHT, .vx = i == TDMF_REDUCED_COM_SPEED};
+        tdmf_variation falling = {.liftoff_angle = 0.0};
+        tdmf_vary_prescribed_state(model, inputs, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
+                                   before->state, falling.state);
+        bundle->variations[i] = tdmf_saltation(model, inputs, TDMF_GUARD_TOUCHDOWN, before, &after,
+                                               &bundle->changes[i], &falling);
+    }
+}
+
+/* From lift-off, the state given, to the next apex. */
+static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *inputs,
+                               const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                               const tdmf_variation *variation) {
+    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    const tdmf_point com = tdmf_center_of_mass(model, state);
+    const tdmf_point d_com =
+        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d.model, variation->state);
+    const double time = tdmf_time_to_apex(model, inputs, com);
+    const double d_time = tdmf_vary_time_to_apex(model, inputs, &d, com, d_com);
+    const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);
+    const tdmf_reduced_change result = {.apex = {d_apex.y, d_apex.vx},
+                                        .period = d_time,
+                                        .length = d_apex.x,
+                                        .work = variation->state[TDMF_HIP_WORK]};
+    return result;
+}
+
+/* From the state at lift-off. */
+static void close_bundle(const bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
+                         const double lift_off[TDMF_STATE_COUNT], tdmf_reduced_return *result) {
+    for (int i = 0; i < bundle->count; ++i) {
+        const tdmf_reduced_change change =
+            fly(model, inputs, lift_off, &bundle->changes[i], &bundle->variations[i]);
+        if (i < TDMF_REDUCED_COUNT) {
+            result->by_section[i] = change;
+        } else {
+            result->by_parameter[i - TDMF_REDUCED_COUNT] = change;
+        }
+    }
+}
+
+/* ---- the map ------------------------------------------------------------------------------------------ */
+
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    tdmf_motion motion;
+    tdmf_point from;  /* the centre of mass at the apex */
+    tdmf_side before; /* the impact */
+    double lift_off[TDMF_STATE_COUNT];
+    double leg_loss;
+    bundle bundle;
+} run;
+
+static double energy_of(const run *run, const double state[TDMF_STATE_COUNT]) {
+    return tdmf_mechanical_energy(run->model, state).total;
+}
+
+/* From the apex into contact. */
+static tdmf_reduced_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until) {
+    const tdmf_reduced_outcome begun = tdmf_reduced_begin(run->model, run->inputs, apex, &run->motion);
+    if (begun != TDMF_REDUCED_CLOSED) {
+        return begun;
+    }
+    const double energy_at_apex = energy_of(run, run->motion.state);
+    run->from = tdmf_center_of_mass(run->model, run->motion.state);
+    const tdmf_reduced_outcome landed =
+        tdmf_reduced_touch_down(run->model, run->inputs, until, &run->motion, &run->before);
+    if (landed == TDMF_REDUCED_CLOSED) {
+        run->leg_loss = energy_at_apex - energy_of(run, run->before.state);
+        touch_down(&run->bundle, run->model, run->inputs, run->from, &run->motion, &run->before);
+    }
+    return landed;
+}
+
+static tdmf_reduced_outcome outcome_of_stance(tdmf_stride_outcome stance) {
+    if (stance.closed) {
+        return TDMF_REDUCED_CLOSED;
+    }
+    switch (stance.outcome) {
+    case TDMF_ARRIVED:
+        return TDMF_REDUCED_STUCK;
+    case TDMF_FELL:
+        return TDMF_REDUCED_FELL;
+    case TDMF_REFUSED:
+        return TDMF_REDUCED_REFUSED;
+    default:
+        return TDMF_REDUCED_UNSOLVED;
+    }
+}
+
+static tdmf_reduced_outcome stand(run *run, tdmf_solver *solver, double until, tdmf_outcome *outcome) {
+    bundle *bundle = &run->bundle;
+    const tdmf_stride_outcome stance =
+        tdmf_native_stance(solver, run->model, run->inputs, run->motion.time + until, &run->motion,
+                           bundle->changes, bundle->variations, bundle->count);
+    *outcome = stance.outcome;
+    return outcome_of_stance(stance);
+}
+
+static tdmf_reduced_outcome rise(run *run) {
+    memcpy(run->lift_off, run->motion.state, sizeof run->lift_off);
+    const tdmf_reduced_outcome risen = tdmf_reduced_fly(run->model, run->inputs, &run->motion);
+    run->leg_loss += energy_of(run, run->lift_off) - energy_of(run, run->motion.state);
+    return risen;
+}
+
+static void note_stride(const run *run, tdmf_reduced_return *result) {
+    const tdmf_record *record = &run->motion.record;
+    result->apex[TDMF_REDUCED_COM_HEIGHT] = record->apex.com_height;
+    result->apex[TDMF_REDUCED_COM_SPEED] = record->apex.com_speed;
+    result->stride = record->stride;
+    result->liftoff_angle = run->lift_off[TDMF_LEG_ANGLE];
+    result->damper_loss = run->lift_off[TDMF_ENERGY_DAMPER_LOSS];
+    result->friction_loss = run->lift_off[TDMF_ENERGY_FRICTION_LOSS];
+    result->impact_loss = record->impact_loss;
+    result->leg_loss = run->leg_loss;
+    close_bundle(&run->bundle, run->model, run->inputs, run->lift_off, result);
+}
+
+tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
+                                     const tdmf_change *changes, int count) {
+    run run = {.model = model, .inputs = inputs};
+    tdmf_reduced_return result;
+    memset(&result, 0, sizeof result);
+    if (count < 0 || count > TDMF_REDUCED_CHANGES) {
+        result.outcome = TDMF_REDUCED_REFUSED;
+        return result;
+    }
+    if (derivatives) {
+        open_bundle(&run.bundle, changes, count);
+    }
+    result.outcome = descend(&run, apex, until);
+    if (result.outcome == TDMF_REDUCED_CLOSED) {
+        result.outcome = stand(&run, solver, until, &result.solver);
+    }
+    if (result.outcome == TDMF_REDUCED_CLOSED) {
+        result.outcome = rise(&run);
+    }
+    if (result.outcome == TDMF_REDUCED_CLOSED) {
+        note_stride(&run, &result);
+    }
+    return result;
+}
+
+const char *tdmf_reduced_outcome_text(tdmf_reduced_outcome outcome) {
+    switch (outcome) {
+    case TDMF_REDUCED_CLOSED:
+        return "the stride has a next apex";
+    case TDMF_REDUCED_FOOT_BELOW:
+        return "the foot is not above the ground at the apex";
+    case TDMF_REDUCED_NO_TOUCHDOWN:
+        return "the foot does not come down in the time that a stride may take";
+    case TDMF_REDUCED_NO_STANCE:
+        return "the impact leaves the foot without load";
+    case TDMF_REDUCED_STUCK:
+        return "the foot does not leave the ground in the time that a stride may take";
+    case TDMF_REDUCED_NO_APEX:
+        return "the centre of mass does not rise at lift-off";
+    case TDMF_REDUCED_FELL:
+        return "the runner fell";
+    case TDMF_REDUCED_UNSOLVED:
+        return "the solver did not get through the stance";
+    default:
+        return "a value is out of range";
+    }
+}

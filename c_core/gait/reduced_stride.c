@@ -1,0 +1,95 @@
+/* Flight, impact and apex of the reduced map. */
+#include "reduced_stride.h"
+
+#include "events.h"
+#include "prescribed_flight.h"
+#include "tdmf_slip/automaton.h"
+
+#include <string.h>
+
+/* The state at an apex, integrals zero. */
+static void write_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex,
+                       double state[TDMF_STATE_COUNT]) {
+    tdmf_prescribed_state(model, inputs, apex, 0.0, state);
+    /* The leg begins to turn at the apex. Here it is at rest, so that no rounding moves the centre of mass.
+     */
+    state[TDMF_LEG_ANGLE_RATE] = 0.0;
+    state[TDMF_FOOT_VX] = apex.vx;
+    state[TDMF_FOOT_VY] = 0.0;
+}
+
+static tdmf_run run_of(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
+    const tdmf_run run = {model,
+                          inputs,
+                          motion->time,
+                          motion->state,
+                          &motion->mode,
+                          &motion->record,
+                          tdmf_leg_direction_of(motion->state)};
+    return run;
+}
+
+static void move_time(tdmf_motion *motion, double elapsed) {
+    motion->record.now = tdmf_instant_after(motion->record.now, elapsed);
+    motion->time = motion->record.now.time;
+}
+
+tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
+                                        const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
+    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT], apex[TDMF_REDUCED_COM_SPEED], 0.0};
+    memset(motion, 0, sizeof *motion);
+    write_apex(model, inputs, com, motion->state);
+    if (motion->state[TDMF_FOOT_Y] <= 0.0) {
+        return TDMF_REDUCED_FOOT_BELOW;
+    }
+    if (tdmf_start(model, inputs, 0.0, motion->state, &motion->mode, &motion->record).variable != NULL ||
+        !motion->record.open.began_at_apex) {
+        return TDMF_REDUCED_REFUSED;
+    }
+    return TDMF_REDUCED_CLOSED;
+}
+
+tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
+                                             tdmf_motion *motion, tdmf_side *before) {
+    const tdmf_point apex = tdmf_center_of_mass(model, motion->state);
+    if (motion->state[TDMF_FOOT_Y] <= 0.0) {
+        return TDMF_REDUCED_FOOT_BELOW;
+    }
+    const tdmf_descent descent = tdmf_descend(model, inputs, apex);
+    if (!(descent.time <= until)) {
+        return TDMF_REDUCED_NO_TOUCHDOWN;
+    }
+    move_time(motion, descent.time);
+    tdmf_prescribed_state(model, inputs, apex, descent.time, motion->state);
+    if (descent.body_first) {
+        return TDMF_REDUCED_FELL;
+    }
+    motion->state[TDMF_FOOT_Y] = 0.0; /* up to rounding it is */
+    if (before != NULL) {
+        memcpy(before->state, motion->state, sizeof before->state);
+        before->mode = motion->mode;
+        tdmf_prescribed_derivatives(model, inputs, before->state, before->derivatives);
+    }
+    tdmf_run run = run_of(model, inputs, motion);
+    tdmf_touchdown.reset(&run);
+    tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, &motion->mode,
+                       &motion->record);
+    return tdmf_in_contact(&motion->mode) ? TDMF_REDUCED_CLOSED : TDMF_REDUCED_NO_STANCE;
+}
+
+tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      tdmf_motion *motion) {
+    const tdmf_point lift_off = tdmf_center_of_mass(model, motion->state);
+    const double time = tdmf_time_to_apex(model, inputs, lift_off);
+    if (!(lift_off.vy > 0.0)) {
+        return TDMF_REDUCED_NO_APEX;
+    }
+    tdmf_point apex = tdmf_ballistic(model, inputs, lift_off, time);
+    apex.vy = 0.0;
+    write_apex(model, inputs, apex, motion->state);
+    move_time(motion, time);
+    motion->mode.contact = TDMF_CONTACT_FLIGHT; /* also where the full model would graze */
+    tdmf_run run = run_of(model, inputs, motion);
+    tdmf_apex_event.reset(&run);
+    return TDMF_REDUCED_CLOSED;
+}

@@ -1,0 +1,431 @@
+/* The reduced map: its fixed points against the reference, its derivatives against differences, and what
+ * becomes of a stride that has no next apex. */
+#include "compare.h"
+#include "differentiate.h"
+#include "prescribed_flight.h"
+#include "random.h"
+#include "reduced_gaits.h"
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double tight = 1e-13;
+static const double longest = 1e4;
+
+enum {
+    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    INPUTS = sizeof(tdmf_inputs) / sizeof(double),
+    COORDINATES = TDMF_REDUCED_COUNT + PARAMETERS + INPUTS,
+    RESULTS = TDMF_REDUCED_COUNT + 3
+};
+
+/* What a stride depends on. */
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_inputs inputs;
+    double apex[TDMF_REDUCED_COUNT];
+} apex_scene;
+
+static apex_scene at_gait(const reduced_gait *gait) {
+    apex_scene scene = {parameters_of_reduced_gait(gait), inputs_of_reduced_gait(gait), {0.0}};
+    memcpy(scene.apex, gait->apex, sizeof scene.apex);
+    return scene;
+}
+
+static tdmf_model model_of(const apex_scene *scene) {
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    return model;
+}
+
+static tdmf_reduced_return stride_from(const apex_scene *scene, double tolerance, bool derivatives,
+                                       const tdmf_change *changes, int count) {
+    const tdmf_model model = model_of(scene);
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = tolerance;
+    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, longest, derivatives, changes,
+                            count);
+}
+
+/* ---- fixed points ------------------------------------------------------------------------------------- */
+
+/* Real ones, the larger first. */
+static void eigenvalues_of(const tdmf_reduced_return *stride, double eigenvalues[2]) {
+    const double a = stride->by_section[0].apex[0], b = stride->by_section[1].apex[0];
+    const double c = stride->by_section[0].apex[1], d = stride->by_section[1].apex[1];
+    const double middle = 0.5 * (a + d), root = sqrt(0.25 * (a - d) * (a - d) + b * c);
+    eigenvalues[0] = middle + root;
+    eigenvalues[1] = middle - root;
+}
+
+static void the_map_leaves_the_gaits_of_the_reference_where_they_are(void **state) {
+    (void)state;
+    for (int i = 0; i < REDUCED_GAITS; ++i) {
+        const reduced_gait *gait = &reduced_gaits[i];
+        const apex_scene scene = at_gait(gait);
+        double eigenvalues[2];
+        const tdmf_reduced_return stride = stride_from(&scene, tight, true, NULL, 0);
+        assert_int_equal(stride.outcome, TDMF_REDUCED_CLOSED);
+        assert_string_equal(stride.stride.word, gait->word);
+        assert_close(stride.apex[0], gait->apex[0], 1e-11);
+        assert_close(stride.apex[1], gait->apex[1], 1e-11);
+        assert_close(stride.stride.period, gait->period, 1e-10);
+        assert_close(stride.stride.length, gait->length, 1e-10);
+        assert_close(stride.stride.speed, gait->speed, 1e-11);
+        assert_close(stride.stride.work, gait->work, 1e-11);
+        eigenvalues_of(&stride, eigenvalues);
+        assert_close(eigenvalues[0], gait->eigenvalues[0], 1e-9);
+        assert_close(eigenvalues[1], gait->eigenvalues[1], 1e-9);
+    }
+}
+
+static void gaits_are_found_to_rounding(void **state) {
+    (void)state;
+    for (int i = 0; i < REDUCED_GAITS; ++i) {
+        const reduced_gait *gait = &reduced_gaits[i];
+        const apex_scene scene = at_gait(gait);
+        const tdmf_model model = model_of(&scene);
+        const double guess[TDMF_REDUCED_COUNT] = {gait->apex[0] + 0.02, gait->apex[1] - 0.02};
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = tight;
+        const tdmf_reduced_orbit orbit =
+            tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, guess, NULL, 0);
+        assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
+        assert_true(orbit.iterations <= 6);
+        assert_close(orbit.apex[0], gait->apex[0], 1e-11);
+        assert_close(orbit.apex[1], gait->apex[1], 1e-11);
+        assert_string_equal(orbit.stride.stride.word, gait->word);
+    }
+}
+
+/* ---- derivatives -------------------------------------------------------------------------------------- */
+
+static double *coordinate(apex_scene *scene, int k) {
+    if (k < TDMF_REDUCED_COUNT) {
+        return &scene->apex[k];
+    }
+    k -= TDMF_REDUCED_COUNT;
+    return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
+}
+
+static void results_of(const tdmf_reduced_return *stride, double results[RESULTS]) {
+    const double values[RESULTS] = {stride->apex[0], stride->apex[1], stride->stride.period,
+                                    stride->stride.length, stride->stride.work};
+    memcpy(results, values, sizeof values);
+}
+
+typedef struct {
+    apex_scene scene;
+    int coordinate;
+} coordinate_line;
+
+static void results_on_line(long double t, const void *context, double results[]) {
+    coordinate_line moved = *(const coordinate_line *)context;
+    *coordinate(&moved.scene, moved.coordinate) += (double)t;
+    const tdmf_reduced_return stride = stride_from(&moved.scene, tight, false, NULL, 0);
+    assert_int_equal(stride.outcome, TDMF_REDUCED_CLOSED);
+    results_of(&stride, results);
+}
+
+static void exact_derivatives(const apex_scene *scene, int k, double derivatives[RESULTS]) {
+    apex_scene unit;
+    memset(&unit, 0, sizeof unit);
+    *coordinate(&unit, k) = 1.0;
+    const tdmf_change change = {unit.parameters, unit.inputs};
+    const tdmf_reduced_return stride = stride_from(scene, tight, true, &change, 1);
+    const tdmf_reduced_change *exact =
+        k < TDMF_REDUCED_COUNT ? &stride.by_section[k] : &stride.by_parameter[0];
+    const double values[RESULTS] = {exact->apex[0], exact->apex[1], exact->period, exact->length,
+                                    exact->work};
+    memcpy(derivatives, values, sizeof values);
+}
+
+/* To `tolerance` of the largest, or of 1. Errors of differences: 1e-13 of the motion over the step. */
+static void assert_differentiated(const apex_scene *scene, int k, double step, double tolerance) {
+    const coordinate_line on = {*scene, k};
+    double exact[RESULTS], differences[RESULTS], size = 1.0;
+    exact_derivatives(scene, k, exact);
+    derivatives_at_zero(results_on_line, &on, (long double)step, RESULTS, differences);
+    for (int i = 0; i < RESULTS; ++i) {
+        size = fmax(size, fabs(exact[i]));
+    }
+    for (int i = 0; i < RESULTS; ++i) {
+        assert_close(exact[i], differences[i], tolerance * size);
+    }
+}
+
+static void the_jacobian_is_that_of_the_map(void **state) {
+    (void)state;
+    for (int i = 0; i < REDUCED_GAITS; ++i) {
+        apex_scene scene = at_gait(&reduced_gaits[i]);
+        scene.apex[0] += 0.01;
+        scene.apex[1] -= 0.01;
+        for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
+            assert_differentiated(&scene, k, 1e-4, 1e-8);
+        }
+    }
+}
+
+/* A torque from outside does work up to lift-off and makes the work of a stance depend on all. */
+static void parameters_and_inputs_are_differentiated(void **state) {
+    (void)state;
+    for (int i = 0; i < REDUCED_GAITS; ++i) {
+        apex_scene scene = at_gait(&reduced_gaits[i]);
+        scene.apex[0] += 0.01;
+        scene.parameters.hip.retraction_rate += 1e-3;
+        scene.parameters.ground.static_friction_ratio += 0.01;
+        scene.inputs.hip.external_torque = -0.003;
+        for (int k = 0; k < COORDINATES; ++k) {
+            assert_differentiated(&scene, k, 1e-5 * fmax(0.01, fabs(*coordinate(&scene, k))), 1e-7);
+        }
+    }
+}
+
+/* ---- energy and scaling ------------------------------------------------------------------------------- */
+
+static double energy_of_apex(const tdmf_model *model, const double apex[TDMF_REDUCED_COUNT]) {
+    return model->total_mass * (model->parameters.gravity * apex[0] + 0.5 * apex[1] * apex[1]);
+}
+
+static apex_scene random_scene(random_source *source) {
+    apex_scene scene = at_gait(&reduced_gaits[2]);
+    scene.parameters.foot.mass *= random_magnitude(source, 0.3, 3.0);
+    scene.parameters.leg.damping *= random_magnitude(source, 0.3, 3.0);
+    scene.parameters.hip.stance_torque *= random_magnitude(source, 0.3, 2.0);
+    scene.parameters.hip.touchdown_angle = random_uniform(source, 0.3, 1.2);
+    scene.parameters.hip.retraction_rate = random_uniform(source, -0.05, 0.05);
+    scene.parameters.ground.static_friction_ratio = random_uniform(source, 1.0, 1.5);
+    scene.inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
+    scene.inputs.hip.external_torque = random_uniform(source, -0.02, 0.02);
+    scene.apex[0] = random_uniform(source, 0.8, 3.0);
+    scene.apex[1] = random_uniform(source, -0.5, 2.0);
+    return scene;
+}
+
+static void the_energy_of_the_centre_of_mass_closes(void **state) {
+    enum { STRIDES = 300 };
+    random_source source = {5};
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < STRIDES; ++i) {
+        const apex_scene scene = random_scene(&source);
+        const tdmf_model model = model_of(&scene);
+        const tdmf_reduced_return stride = stride_from(&scene, tight, false, NULL, 0);
+        if (stride.outcome != TDMF_REDUCED_CLOSED) {
+            continue;
+        }
+        ++compared;
+        const double change = energy_of_apex(&model, stride.apex) - energy_of_apex(&model, scene.apex);
+        assert_close(change,
+                     stride.stride.work - stride.damper_loss - stride.friction_loss - stride.impact_loss -
+                         stride.leg_loss,
+                     1e-12);
+        assert_true(stride.damper_loss >= 0.0 && stride.friction_loss >= 0.0 && stride.impact_loss >= 0.0);
+    }
+    assert_true(compared > 150);
+}
+
+/* Mass by a, stiffness by b, length by d: time by sqrt(a/b), speed by d sqrt(b/a), energy by b d^2. */
+static void a_scaled_runner_makes_the_scaled_stride(void **state) {
+    enum { STRIDES = 200 };
+    random_source source = {6};
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < STRIDES; ++i) {
+        const apex_scene scene = random_scene(&source);
+        const double mass = random_magnitude(&source, 1e-2, 1e2);
+        const double stiffness = random_magnitude(&source, 1e-2, 1e4);
+        const double length = random_magnitude(&source, 0.1, 10.0);
+        const double time = sqrt(mass / stiffness), speed = length / time,
+                     energy = stiffness * length * length;
+        apex_scene scaled = scene;
+        tdmf_parameters *p = &scaled.parameters;
+        p->body.mass *= mass;
+        p->foot.mass *= mass;
+        p->leg.stiffness *= stiffness;
+        p->leg.damping *= sqrt(mass * stiffness);
+        p->leg.free_length *= length;
+        p->leg.min_length *= length;
+        p->gravity *= length / (time * time);
+        p->hip.stance_torque *= energy;
+        p->hip.kp *= energy;
+        p->hip.kd *= energy * time;
+        p->hip.retraction_rate /= time;
+        scaled.inputs.hip.external_torque *= energy;
+        scaled.apex[0] *= length;
+        scaled.apex[1] *= speed;
+        const tdmf_reduced_return a = stride_from(&scene, tight, true, NULL, 0);
+        const tdmf_model scaled_model = model_of(&scaled);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = tight;
+        const tdmf_reduced_return b = tdmf_reduced_map(&solver, &scaled_model, &scaled.inputs, scaled.apex,
+                                                       longest * time, true, NULL, 0);
+        assert_int_equal(a.outcome, b.outcome);
+        assert_string_equal(a.stride.word, b.stride.word);
+        if (a.outcome != TDMF_REDUCED_CLOSED) {
+            continue;
+        }
+        ++compared;
+        assert_close(a.apex[0], b.apex[0] / length, 1e-10);
+        assert_close(a.apex[1], b.apex[1] / speed, 1e-10);
+        assert_close(a.stride.period, b.stride.period / time, 1e-9);
+        assert_close(a.stride.work, b.stride.work / energy, 1e-10);
+        assert_close(a.by_section[1].apex[0], b.by_section[1].apex[0] * speed / length, 1e-7);
+    }
+    assert_true(compared > 100);
+}
+
+/* ---- what has no next apex ---------------------------------------------------------------------------- */
+
+static tdmf_reduced_outcome outcome_from(const apex_scene *scene) {
+    return stride_from(scene, tight, true, NULL, 0).outcome;
+}
+
+static void a_stride_that_does_not_close_says_why(void **state) {
+    const apex_scene gait = at_gait(&reduced_gaits[2]);
+    apex_scene scene = gait;
+    (void)state;
+    scene.apex[0] = 0.5; /* the foot hangs 0.696 below the centre of mass */
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FOOT_BELOW);
+    scene = gait;
+    scene.apex[0] = 200.0; /* the spring gives way */
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FELL);
+    scene = gait;
+    scene.parameters.hip.retraction_rate = -0.15; /* the leg is past horizontal before the foot is down */
+    scene.apex[0] = 3.0;
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FELL);
+    scene = gait;
+    scene.parameters.hip.touchdown_angle = 0.1; /* the drive is over at once, and it goes down over its leg */
+    scene.apex[0] = 2.3;
+    scene.apex[1] = 1.4;
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_NO_APEX);
+    /* It sinks into a stand, upright, and stays there. */
+    scene = gait;
+    scene.parameters.hip.stance_torque = 0.0;
+    scene.parameters.leg.damping = 2.0;
+    scene.parameters.hip.touchdown_angle = 0.0;
+    scene.apex[0] = 1.0;
+    scene.apex[1] = 0.0;
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_STUCK);
+    /* It comes backwards, so that the leg grows, and its damper pulls at the foot. */
+    scene = gait;
+    scene.parameters.leg.damping = 2.0;
+    scene.parameters.hip.touchdown_angle = 1.2;
+    scene.inputs.ground.friction = 50.0;
+    scene.apex[0] = 0.6;
+    scene.apex[1] = -2.0;
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_NO_STANCE);
+}
+
+static void what_is_no_number_or_out_of_range_is_refused(void **state) {
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300};
+    const apex_scene gait = at_gait(&reduced_gaits[2]);
+    const tdmf_model model = model_of(&gait);
+    tdmf_change changes[TDMF_REDUCED_CHANGES + 1];
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
+        for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+            apex_scene scene = gait;
+            scene.apex[k] = bad[i];
+            const tdmf_reduced_outcome outcome = outcome_from(&scene);
+            assert_true(outcome == TDMF_REDUCED_REFUSED || outcome == TDMF_REDUCED_FOOT_BELOW);
+        }
+    }
+    apex_scene scene = gait;
+    scene.inputs.ground.friction = -1.0;
+    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_REFUSED);
+    memset(changes, 0, sizeof changes);
+    assert_int_equal(stride_from(&gait, tight, true, changes, TDMF_REDUCED_CHANGES + 1).outcome,
+                     TDMF_REDUCED_REFUSED);
+    assert_int_equal(stride_from(&gait, tight, true, changes, -1).outcome, TDMF_REDUCED_REFUSED);
+    assert_int_equal(stride_from(&gait, tight, true, changes, TDMF_REDUCED_CHANGES).outcome,
+                     TDMF_REDUCED_CLOSED);
+    assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_REDUCED_REFUSED);
+    solver.step_limit = 2;
+    const tdmf_reduced_return tired =
+        tdmf_reduced_map(&solver, &model, &gait.inputs, gait.apex, longest, true, NULL, 0);
+    assert_int_equal(tired.outcome, TDMF_REDUCED_UNSOLVED);
+    assert_int_equal(tired.solver, TDMF_TOO_MANY_STEPS);
+}
+
+static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
+    static const tdmf_reduced_return nothing;
+    apex_scene scene = at_gait(&reduced_gaits[2]);
+    (void)state;
+    const tdmf_reduced_return plain = stride_from(&scene, tight, false, NULL, 0);
+    assert_memory_equal(plain.by_section, nothing.by_section, sizeof plain.by_section);
+    assert_memory_equal(plain.by_parameter, nothing.by_parameter, sizeof plain.by_parameter);
+    scene.apex[0] = 200.0;
+    const tdmf_reduced_return fell = stride_from(&scene, tight, true, NULL, 0);
+    assert_memory_equal(fell.apex, nothing.apex, sizeof fell.apex);
+    assert_memory_equal(&fell.stride, &nothing.stride, sizeof fell.stride);
+    assert_memory_equal(fell.by_section, nothing.by_section, sizeof fell.by_section);
+}
+
+static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
+    apex_scene scene = at_gait(&reduced_gaits[2]);
+    const tdmf_model model = model_of(&scene);
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    scene.apex[0] = 0.5;
+    assert_int_equal(tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, scene.apex, NULL, 0).outcome,
+                     TDMF_ORBIT_NO_START);
+    scene.apex[0] = 200.0;
+    assert_int_equal(tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, scene.apex, NULL, 0).outcome,
+                     TDMF_ORBIT_FELL);
+    assert_int_equal(tdmf_settle_reduced(&solver, &model, &scene.inputs, 10, scene.apex), 0);
+    scene = at_gait(&reduced_gaits[2]);
+    scene.apex[0] += 0.05;
+    assert_int_equal(tdmf_settle_reduced(&solver, &model, &scene.inputs, 200, scene.apex), 200);
+    assert_close(scene.apex[0], reduced_gaits[2].apex[0], 1e-8);
+}
+
+/* ---- the flight down ---------------------------------------------------------------------------------- */
+
+/* The leg turns many times in the fall: the first of many heights zero is the touchdown. Sampled densely. */
+static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
+    enum { SCENES = 200, SAMPLES = 20000 };
+    random_source source = {7};
+    int landed = 0;
+    (void)state;
+    for (int i = 0; i < SCENES; ++i) {
+        apex_scene scene = random_scene(&source);
+        scene.parameters.hip.retraction_rate = random_uniform(&source, -3.0, 3.0);
+        const tdmf_model model = model_of(&scene);
+        const tdmf_point apex = {0.0, scene.apex[0], scene.apex[1], 0.0};
+        double at_start[TDMF_STATE_COUNT];
+        tdmf_prescribed_state(&model, &scene.inputs, apex, 0.0, at_start);
+        if (at_start[TDMF_FOOT_Y] <= 0.0) {
+            continue;
+        }
+        ++landed;
+        const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, apex);
+        for (int k = 0; k < SAMPLES; ++k) {
+            double there[TDMF_STATE_COUNT];
+            tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time * k / SAMPLES, there);
+            assert_true(there[TDMF_FOOT_Y] > 0.0 && tdmf_body(there).y > 0.0);
+        }
+        tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time, at_start);
+        assert_close(descent.body_first ? tdmf_body(at_start).y : at_start[TDMF_FOOT_Y], 0.0, 1e-14);
+    }
+    assert_true(landed > 150);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_map_leaves_the_gaits_of_the_reference_where_they_are),
+        cmocka_unit_test(gaits_are_found_to_rounding),
+        cmocka_unit_test(the_jacobian_is_that_of_the_map),
+        cmocka_unit_test(parameters_and_inputs_are_differentiated),
+        cmocka_unit_test(the_energy_of_the_centre_of_mass_closes),
+        cmocka_unit_test(a_scaled_runner_makes_the_scaled_stride),
+        cmocka_unit_test(a_stride_that_does_not_close_says_why),
+        cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
+        cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
+        cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),
+        cmocka_unit_test(the_first_touchdown_is_found_however_the_leg_turns),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
