@@ -141,6 +141,11 @@ bool unit_is_time(double time) {
     return fabs(time) <= largest_time;
 }
 
+static double within_largest(double value) {
+    const double bounded = value < unit_largest_state ? value : unit_largest_state;
+    return bounded > -unit_largest_state ? bounded : -unit_largest_state;
+}
+
 bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         if (isnan(state[i])) {
@@ -148,7 +153,7 @@ bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]) {
         }
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        unit->motion.state[i] = fmax(-unit_largest_state, fmin(unit_largest_state, state[i]));
+        unit->motion.state[i] = within_largest(state[i]);
     }
     return true;
 }

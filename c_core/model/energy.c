@@ -5,9 +5,10 @@
 
 #include "kinematics.h"
 
-tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+tdmf_energy tdmf_mechanical_energy_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                         tdmf_leg_direction direction) {
     const tdmf_parameters *p = &model->parameters;
-    const tdmf_point body = tdmf_body(state);
+    const tdmf_point body = tdmf_body_along(state, direction);
     const double vx = state[TDMF_FOOT_VX];
     const double vy = state[TDMF_FOOT_VY];
     const double compression = p->leg.free_length - state[TDMF_LEG_LENGTH];
@@ -19,6 +20,10 @@ tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[T
     };
     energy.total = energy.kinetic + energy.potential + energy.elastic;
     return energy;
+}
+
+tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
+    return tdmf_mechanical_energy_along(model, state, tdmf_leg_direction_of(state));
 }
 
 tdmf_energy tdmf_vary_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
