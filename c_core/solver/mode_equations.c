@@ -64,8 +64,7 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
-    const tdmf_mode_equations blank = {.model = model, .contact = mode->contact};
-    *equations = blank;
+    *equations = (tdmf_mode_equations){.model = model, .contact = mode->contact};
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
