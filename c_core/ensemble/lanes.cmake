@@ -26,7 +26,11 @@ endfunction()
 
 # Vector types are an extension of GCC and clang. GCC for Windows does not align wide vectors on the stack.
 if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULATE_ID STREQUAL "MSVC")
-    add_lanes(two_lanes tdmf_run_two_lanes 2 -ffp-contract=off)
+    set(two_lanes -ffp-contract=off)
+    if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+        list(APPEND two_lanes -msimd128) # elsewhere two lanes need no flag
+    endif()
+    add_lanes(two_lanes tdmf_run_two_lanes 2 ${two_lanes})
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
         add_lanes(avx2 tdmf_run_avx2 4 -mavx2 -mfma -ffp-contract=fast)
         add_lanes(avx512 tdmf_run_avx512 8 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512

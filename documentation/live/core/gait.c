@@ -1,0 +1,105 @@
+/* "Find the gait": settling, Newton's method, eigenvalues. */
+#include "values.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const double tolerance = 1e-13; /* as `tdmf-slip gait` has it */
+
+static double jacobian[TDMF_SECTION_COUNT * TDMF_SECTION_COUNT]; /* by rows */
+static double eigenvalues[2 * TDMF_SECTION_COUNT];
+static char word[TDMF_WORD_CAPACITY];
+static double scales[TDMF_SECTION_COUNT];
+
+LIVE_EXPORT(live_gait_eigenvalues)
+double *live_gait_eigenvalues(void) {
+    return eigenvalues;
+}
+
+LIVE_EXPORT(live_gait_word)
+const char *live_gait_word(void) {
+    return word;
+}
+
+/* Of the section's coordinates, by the values accepted last. */
+LIVE_EXPORT(live_section_scales)
+double *live_section_scales(void) {
+    tdmf_section_scales(&live.model, scales);
+    return scales;
+}
+
+static tdmf_solver tight_solver(void) {
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = tolerance;
+    return solver;
+}
+
+/* Runs so many strides from the apex in the section and writes the last; gives how many closed. */
+LIVE_EXPORT(live_settle)
+int live_settle(int strides) {
+    tdmf_solver solver = tight_solver();
+    return tdmf_settle(&solver, &live.model, &live.inputs, strides, live.section);
+}
+
+static const char *reason(const tdmf_orbit *orbit) {
+    switch (orbit->outcome) {
+    case TDMF_ORBIT_NOT_FOUND:
+        return "Newton's method did not converge";
+    case TDMF_ORBIT_NO_START:
+        return "there is no apex above the ground";
+    case TDMF_ORBIT_NO_STRIDE:
+        return "no stride closes in the time that it may take";
+    default:
+        return tdmf_outcome_text(orbit->stride.outcome.outcome);
+    }
+}
+
+static bool find_eigenvalues(const tdmf_orbit *orbit) {
+    for (int row = 0; row < TDMF_SECTION_COUNT; ++row) {
+        for (int column = 0; column < TDMF_SECTION_COUNT; ++column) {
+            jacobian[TDMF_SECTION_COUNT * row + column] = orbit->stride.by_section[column].apex[row];
+        }
+    }
+    return live_eigenvalues(TDMF_SECTION_COUNT, jacobian, eigenvalues);
+}
+
+static void write_stride(const tdmf_return *stride) {
+    const double none[TDMF_STATE_COUNT] = {0.0};
+    tdmf_outputs outputs;
+    memset(&outputs, 0, sizeof outputs);
+    outputs.stride = stride->stride;
+    outputs.hip.liftoff_angle = stride->liftoff_angle;
+    live_write_outputs(&outputs, none);
+    memcpy(word, stride->stride.word, sizeof word);
+}
+
+/* The gait near the apex in the section, which becomes the gait's; its stride is in the outputs. Where there
+ * is none, the message says why. */
+LIVE_EXPORT(live_find_gait)
+bool live_find_gait(void) {
+    tdmf_solver solver = tight_solver();
+    const double friction = live.inputs.ground.friction;
+    live.message[0] = '\0';
+    if (!(friction > 0.0)) {
+        snprintf(live.message, sizeof live.message,
+                 "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
+                 "allowed for "
+                 "gaits: above 0");
+        return false;
+    }
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &live.model, &live.inputs, live.section, NULL);
+    if (orbit.outcome != TDMF_ORBIT_FOUND) {
+        snprintf(live.message, sizeof live.message, "No gait at friction %g: %s.", friction, reason(&orbit));
+        return false;
+    }
+    if (!find_eigenvalues(&orbit)) {
+        snprintf(
+            live.message, sizeof live.message,
+            "At friction %g a stride is on the edge of an event or of a law, where it has no derivatives.",
+            friction);
+        return false;
+    }
+    memcpy(live.section, orbit.section, sizeof live.section);
+    write_stride(&orbit.stride);
+    return true;
+}

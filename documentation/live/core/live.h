@@ -1,0 +1,49 @@
+/* What the live page asks of the core, as functions that JavaScript can call: numbers go through arrays of
+ * doubles whose places are told by name in the page's own table. There is one runner to an instance. No
+ * physics here. */
+#ifndef LIVE_H
+#define LIVE_H
+
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/tdmf_slip.h"
+
+/* A function that the page calls. */
+#define LIVE_EXPORT(name) __attribute__((export_name(#name)))
+
+enum { LIVE_MESSAGE_CAPACITY = 512 };
+
+/* What all files share. */
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    double section[TDMF_SECTION_COUNT];  /* an apex, handed in or out */
+    char message[LIVE_MESSAGE_CAPACITY]; /* a sentence on the last refusal or failure; else empty */
+} live_shared;
+extern live_shared live;
+
+/* ---- generated from modelDescription.xml --------------------------------------------------------------- */
+
+typedef enum { LIVE_PARAMETER, LIVE_INPUT } live_group;
+typedef struct {
+    live_group group;
+    size_t offset;
+} live_value;
+extern const live_value live_values[];
+extern const int live_value_count;
+enum { LIVE_VALUE_CAPACITY = 64, LIVE_OUTPUT_CAPACITY = 96 };
+
+typedef enum { LIVE_STATE, LIVE_DOUBLE, LIVE_INT } live_kind;
+typedef struct {
+    live_kind kind;
+    size_t place; /* of a state its index, else the offset in tdmf_outputs */
+} live_output;
+extern const live_output live_outputs[];
+extern const int live_output_count;
+
+/* ---- eigenvalues --------------------------------------------------------------------------------------- */
+
+/* Eigenvalues of a real square matrix of up to TDMF_SECTION_COUNT rows, by rows; pairs of real and imaginary
+ * part, the largest first. False where they do not converge or the matrix is not finite. */
+bool live_eigenvalues(int count, const double *matrix, double *pairs);
+
+#endif

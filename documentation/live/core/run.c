@@ -1,0 +1,169 @@
+/* The run that the page shows: started, advanced with samples for its plots, read. */
+#include "values.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A sample of the run. Where something jumps there are two of the same time. */
+enum {
+    SAMPLE_TIME,
+    SAMPLE_FOOT_X,
+    SAMPLE_FOOT_VX,
+    SAMPLE_FX,
+    SAMPLE_FY,
+    SAMPLE_MODE,
+    SAMPLE_SIZE,
+    SAMPLE_CAPACITY = 4096,
+    PIECES_IN_A_CALL = 20000
+};
+
+static tdmf_motion motion;
+static double start_state[TDMF_STATE_COUNT];
+static double samples[SAMPLE_CAPACITY][SAMPLE_SIZE];
+static int sample_count;
+
+/* Mechanical states at which a run begins. */
+LIVE_EXPORT(live_state)
+double *live_state_place(void) {
+    return start_state;
+}
+
+LIVE_EXPORT(live_samples)
+double *live_samples_place(void) {
+    return &samples[0][0];
+}
+
+/* Of the last call of live_advance. */
+LIVE_EXPORT(live_sample_count)
+int live_samples_counted(void) {
+    return sample_count;
+}
+
+/* Writes the state at the apex in the section; its foot is above x = 0. */
+LIVE_EXPORT(live_state_at_section)
+void live_state_at_section(void) {
+    tdmf_section_state(&live.model, live.section, start_state);
+}
+
+/* Writes the section that has the height, the forward speed and the leg of the state. */
+LIVE_EXPORT(live_section_at_state)
+void live_section_at_state(void) {
+    const tdmf_point com = tdmf_center_of_mass(&live.model, start_state);
+    const double section[TDMF_SECTION_COUNT] = {com.y,
+                                                com.vx,
+                                                start_state[TDMF_LEG_LENGTH],
+                                                start_state[TDMF_LEG_ANGLE],
+                                                start_state[TDMF_LEG_LENGTH_RATE],
+                                                start_state[TDMF_LEG_ANGLE_RATE]};
+    memcpy(live.section, section, sizeof section);
+}
+
+/* Begins a run at time 0. Where it is refused, the run before stays as it is, and the message says why. */
+LIVE_EXPORT(live_start)
+bool live_start(void) {
+    tdmf_motion next = {.time = 0.0};
+    memcpy(next.state, start_state, sizeof next.state);
+    const tdmf_refusal refusal =
+        tdmf_start(&live.model, &live.inputs, 0.0, next.state, &next.mode, &next.record);
+    if (live_refused(&refusal)) {
+        return false;
+    }
+    motion = next;
+    sample_count = 0;
+    return true;
+}
+
+/* Goes on with the values that live_accept took last: mode tests are repeated, as after a jump of an input.
+ */
+LIVE_EXPORT(live_go_on)
+void live_go_on(void) {
+    if (!motion.mode.fallen) {
+        tdmf_resolve(&live.model, &live.inputs, motion.time, motion.state, &motion.mode, &motion.record);
+    }
+}
+
+static void sample(double time, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    if (sample_count == SAMPLE_CAPACITY) {
+        return;
+    }
+    const tdmf_ground_force force = tdmf_contact_force(&live.model, &live.inputs, mode, state);
+    double *row = samples[sample_count++];
+    row[SAMPLE_TIME] = time;
+    row[SAMPLE_FOOT_X] = state[TDMF_FOOT_X];
+    row[SAMPLE_FOOT_VX] = state[TDMF_FOOT_VX];
+    row[SAMPLE_FX] = force.fx;
+    row[SAMPLE_FY] = force.fy;
+    row[SAMPLE_MODE] = mode->contact;
+}
+
+static void sample_events(const tdmf_event_log *log) {
+    for (int i = 0; i < log->count && i < TDMF_EVENT_CAPACITY; ++i) {
+        sample(log->events[i].time, &log->events[i].before, log->events[i].state);
+    }
+}
+
+/* Advances to a time, or to the next event, whichever comes first; samples the end, and both sides of an
+ * event. */
+static tdmf_outcome advance_to_event(double until, bool *event) {
+    tdmf_event_log log = {.count = 0};
+    tdmf_solver solver = tdmf_solver_default();
+    solver.log = &log;
+    solver.event_limit = 1;
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&solver, &live.model, &live.inputs, NULL, until, &motion);
+    sample_events(&log);
+    sample(motion.time, &motion.mode, motion.state);
+    *event = outcome == TDMF_TOO_MANY_EVENTS;
+    return *event ? TDMF_ARRIVED : outcome;
+}
+
+/* Advances to a time, stopping after the first event if asked. On the ground a sample is taken at least every
+ * `interval`. Gives the tdmf_outcome; but for arrival and fall, the message says what went wrong. */
+LIVE_EXPORT(live_advance)
+int live_advance(double until, double interval, bool to_event) {
+    tdmf_outcome outcome = TDMF_ARRIVED;
+    sample_count = 0;
+    live.message[0] = '\0';
+    for (int piece = 0; outcome == TDMF_ARRIVED && motion.time < until; ++piece) {
+        const bool flies = motion.mode.contact == TDMF_CONTACT_FLIGHT;
+        bool event = false;
+        if (piece == PIECES_IN_A_CALL) {
+            outcome = TDMF_TOO_MANY_EVENTS;
+            break;
+        }
+        outcome = advance_to_event(flies ? until : fmin(until, motion.time + interval), &event);
+        if (event && to_event) {
+            break;
+        }
+    }
+    if (outcome != TDMF_ARRIVED && outcome != TDMF_FELL) {
+        snprintf(live.message, sizeof live.message, "The run stopped: %s.", tdmf_outcome_text(outcome));
+    }
+    return (int)outcome;
+}
+
+/* Fills the outputs with those of the present instant. */
+LIVE_EXPORT(live_read)
+void live_read(void) {
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&live.model, &live.inputs, &motion.mode, &motion.record, motion.state);
+    live_write_outputs(&outputs, motion.state);
+}
+
+LIVE_EXPORT(live_time)
+double live_time(void) {
+    return motion.time;
+}
+
+/* Of the last completed stride. */
+LIVE_EXPORT(live_word)
+const char *live_word(void) {
+    return motion.record.stride.word;
+}
+
+/* sqrt(m/k), s. */
+LIVE_EXPORT(live_time_scale)
+double live_time_scale(void) {
+    return live.model.scales.time;
+}

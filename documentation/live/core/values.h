@@ -1,0 +1,13 @@
+/* Refusals in words, and outputs by the page's table. */
+#ifndef LIVE_VALUES_H
+#define LIVE_VALUES_H
+
+#include "live.h"
+
+/* Whether something was refused; the message then says what, else it is empty. */
+bool live_refused(const tdmf_refusal *refusal);
+
+/* Fills the array of outputs. */
+void live_write_outputs(const tdmf_outputs *outputs, const double state[TDMF_STATE_COUNT]);
+
+#endif

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""Make the live page's tables of modelDescription.xml, of the presets and of the paper's gaits.
+
+    generate.py c     OUTPUT    C: where each value and output is in the core's structs
+    generate.py page  OUTPUT    JavaScript: names, units, ranges, defaults and descriptions; presets; words
+
+Needs nothing but Python's standard library, because the C build runs it.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from generate_variables import Table, agreement, generated, storage  # noqa: E402
+
+PACKAGE = ROOT / "scripts/tdmf_slip"
+MODE, PHASE = "contact.mode", "hip.phase"
+
+
+def values_of(table):
+    """What `live_accept` takes, in its order: the core's parameters, then the inputs."""
+    return [*table.core_parameters(), *table.inputs()]
+
+
+def starts_of(table):
+    """The mechanical states, at which a run begins."""
+    return [v for v in table.states if v.value.get("start")]
+
+
+def outputs_of(table):
+    """Numbers that are read off a run: states, and what the core's outputs hold."""
+    rows = [(v, *storage(v, table)) for v in table.variables if v.type != "String"]
+    return [(v, place) for v, kind, place in rows if kind in ("STATE", "OUTPUT")]
+
+
+def c_table(table):
+    """The C file behind the tables of live.h."""
+    structs = {"parameter": ("LIVE_PARAMETER", "tdmf_parameters"), "input": ("LIVE_INPUT", "tdmf_inputs")}
+    values = [
+        f"    {{{structs[v.causality][0]}, offsetof({structs[v.causality][1]}, {v.name})}},"
+        for v in values_of(table)
+    ]
+    outputs = []
+    for variable, place in outputs_of(table):
+        kind = "LIVE_DOUBLE" if variable.type == "Real" else "LIVE_INT"
+        outputs.append(f"    {{{'LIVE_STATE' if variable in table.states else kind}, {place}}},")
+    return generated(
+        [
+            '#include "live.h"',
+            "",
+            "#include <stddef.h>",
+            "",
+            "const live_value live_values[] = {",
+            *values,
+            "};",
+            "const int live_value_count = sizeof live_values / sizeof live_values[0];",
+            agreement(f"{len(values)} <= LIVE_VALUE_CAPACITY", "values_fit"),
+            "",
+            "const live_output live_outputs[] = {",
+            *outputs,
+            "};",
+            "const int live_output_count = sizeof live_outputs / sizeof live_outputs[0];",
+            agreement(f"{len(outputs)} <= LIVE_OUTPUT_CAPACITY", "outputs_fit"),
+        ]
+    )
+
+
+def described(variable):
+    """A variable as the page knows it."""
+    number = {"Real": float, "Integer": int, "Enumeration": int}.get(variable.type, str)
+    given = {key: variable.value.get(key) for key in ("min", "max", "start")}
+    return {
+        "name": variable.name,
+        "unit": variable.unit or "",
+        "description": variable.element.get("description"),
+        "causality": variable.causality,
+        **{key: number(text) for key, text in given.items() if text},
+    }
+
+
+def display_units(table):
+    """By unit: the one that it is shown in, and how many of it make one."""
+    units = {}
+    for unit in table.root.find("UnitDefinitions"):
+        shown = unit.find("DisplayUnit")
+        if shown is not None:
+            units[unit.get("name")] = {"name": shown.get("name"), "factor": float(shown.get("factor"))}
+    return units
+
+
+def items(table, name):
+    """By number: name and description of an enumeration's items."""
+    return {
+        int(item.get("value")): {"name": item.get("name"), "description": item.get("description")}
+        for item in table.by_name[name].items
+    }
+
+
+def in_unit(table, name, given):
+    """A value of a preset in its variable's unit; a text ends in a unit."""
+    if not isinstance(given, str):
+        return float(given)
+    number, _, unit = given.partition(" ")
+    shown = display_units(table)[table.by_name[name].unit]
+    if unit != shown["name"]:
+        raise SystemExit(f"presets: {name} = {given}: the unit is not {shown['name']}")
+    return float(number) / shown["factor"]
+
+
+def flat(content, prefix=""):
+    """Nested tables as whole names."""
+    for key, value in content.items():
+        if isinstance(value, dict):
+            yield from flat(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value
+
+
+def presets(table):
+    """The paper's gaits, then the package's parameter files; only what differs from the defaults."""
+    gaits = json.loads((PACKAGE / "paper/reference_gaits.json").read_text(encoding="utf-8"))["gaits"]
+    found = [
+        {
+            "name": f"paper, friction {gait['friction']:g}",
+            "word": gait["word"],
+            "values": {"ground.friction": gait["friction"]},
+            "apex": gait["apex"],
+        }
+        for gait in gaits
+    ]
+    known = {v.name for v in (*values_of(table), *starts_of(table))}
+    for path in sorted((PACKAGE / "unit/presets").glob("*.toml")):
+        given = dict(flat(tomllib.loads(path.read_text(encoding="utf-8"))))
+        values = {name: in_unit(table, name, value) for name, value in given.items() if name in known}
+        differing = {
+            name: value
+            for name, value in values.items()
+            if not math.isclose(value, float(table.by_name[name].start), rel_tol=1e-15)
+        }
+        if differing:
+            found.append({"name": f"{path.stem} scale", "values": differing})
+    return found
+
+
+def page_table(table):
+    """The page's module of data."""
+    data = {
+        "values": [described(v) for v in values_of(table)],
+        "starts": [described(v) for v in starts_of(table)],
+        "outputs": [described(v) for v, _ in outputs_of(table)],
+        "displayUnits": display_units(table),
+        "contactModes": items(table, MODE),
+        "hipPhases": items(table, PHASE),
+        "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
+        "presets": presets(table),
+    }
+    lines = [
+        f"export const {name} = {json.dumps(value, ensure_ascii=False)};" for name, value in data.items()
+    ]
+    return "\n".join(
+        ["// Generated from modelDescription.xml by documentation/live/generate.py.", *lines, ""]
+    )
+
+
+def main():
+    """Run the command."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("what", choices=["c", "page"])
+    parser.add_argument("output", type=pathlib.Path)
+    arguments = parser.parse_args()
+    table = Table(ROOT / "modelDescription.xml")
+    text = {"c": c_table, "page": page_table}[arguments.what](table)
+    arguments.output.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

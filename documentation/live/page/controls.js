@@ -1,0 +1,154 @@
+/**
+ * A slider and a field for every parameter, input and start value of the model description.
+ * @module
+ */
+import { presets, starts, values } from "./data.js";
+import { printed, shownUnit } from "./numbers.js";
+
+const SLIDER_STEPS = 1000;
+const SPAN = 10; // of a slider about a positive value, each way
+const OPEN = new Set(["ground", "control", "hip"]);
+
+const groupOf = ({ name }) => (name.includes(".") ? name.split(".")[0] : "world");
+
+/** How large a value of a unit is, in a runner: k l0 for a force and so on. */
+function scaleOf(unit, state) {
+  const length = state["leg.free_length"];
+  const rate = Math.sqrt(state["leg.stiffness"] / state["body.mass"]);
+  const force = state["leg.stiffness"] * length;
+  return { m: length, N: force, "N.m": force * length, "rad/s": rate, "m/s": length * rate }[unit] ?? 1;
+}
+
+/** Ends of a slider: the variable's range, narrowed about the value that a preset gives it. */
+function sliderRange(variable, value, state) {
+  const { min = -Infinity, max = Infinity, unit } = variable;
+  if (value > 0 && min >= 0) {
+    return { low: Math.max(min, value / SPAN), high: Math.min(max, value * SPAN), log: true };
+  }
+  const reach = value === 0 ? 0.3 * scaleOf(unit, state) : 3 * Math.abs(value);
+  return { low: Math.max(min, -reach), high: Math.min(max, reach), log: false };
+}
+
+/** One control. */
+class Control {
+  constructor(variable, changed) {
+    this.variable = variable;
+    this.shown = shownUnit(variable.unit);
+    this.element = document.createElement("div");
+    this.element.className = "control";
+    const id = `value-${variable.name}`;
+    this.slider = element("input", { type: "range", min: 0, max: SLIDER_STEPS, step: 1 });
+    this.slider.setAttribute("aria-label", `${variable.name}, slider`);
+    this.field = element("input", { type: "text", id, inputMode: "decimal", autocomplete: "off", spellcheck: false });
+    this.field.name = variable.name;
+    const label = element("label", { htmlFor: id });
+    label.append(element("code", { textContent: variable.name }));
+    const name = element("div", { className: "name" });
+    name.append(label);
+    const set = element("div", { className: "set" });
+    set.append(this.slider, this.field, element("span", { textContent: printed(this.shown.name) }));
+    const note = element("p", { id: `${id}-note`, textContent: `${variable.description}; ${this.range}` });
+    this.field.setAttribute("aria-describedby", note.id);
+    this.element.append(name, set, note);
+    this.slider.addEventListener("input", () => changed(variable.name, this.sliderValue()));
+    this.field.addEventListener("change", () => changed(variable.name, this.fieldValue()));
+  }
+
+  /** Default and range in words. */
+  get range() {
+    const { min, max, start } = this.variable;
+    const unit = this.shown.name ? ` ${printed(this.shown.name)}` : "";
+    const text = (value) => Number((value * this.shown.factor).toPrecision(6)).toString().replace("e+", "e");
+    return `default ${text(start)}, from ${text(min)} to ${text(max)}${unit}`.replaceAll("-", "−");
+  }
+
+  /** What the field says, in the variable's unit; not a number where it says none. */
+  fieldValue() {
+    const text = this.field.value.trim().replace("−", "-").replace(",", ".");
+    return text === "" ? NaN : Number(text) / this.shown.factor;
+  }
+
+  sliderValue() {
+    const { low, high, log } = this.reach;
+    const share = Number(this.slider.value) / SLIDER_STEPS;
+    const value = log ? low * (high / low) ** share : low + share * (high - low);
+    return Number(value.toPrecision(4));
+  }
+
+  /** About which value the slider reaches. */
+  centre(value, state) {
+    this.reach = sliderRange(this.variable, value, state);
+  }
+
+  show(value) {
+    const { low, high, log } = this.reach;
+    const share = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    this.slider.value = SLIDER_STEPS * Math.max(0, Math.min(1, share));
+    if (this.fieldValue() !== value || this.field.getAttribute("aria-invalid")) {
+      this.field.value = String(Number((value * this.shown.factor).toPrecision(12)));
+    }
+    this.field.removeAttribute("aria-invalid");
+  }
+
+  refuse() {
+    this.field.setAttribute("aria-invalid", "true");
+  }
+}
+
+function element(tag, properties) {
+  return Object.assign(document.createElement(tag), properties);
+}
+
+/** All controls, in groups by the first part of their names. */
+export class Controls {
+  /**
+   * @param {HTMLElement} parent
+   * @param {function(string, number): void} changed Is told a name and a value, which may be refused.
+   */
+  constructor(parent, changed) {
+    this.all = new Map();
+    for (const [title, variables] of [...grouped(values), ["start of the run", starts]]) {
+      const group = element("details", { open: OPEN.has(title) });
+      group.append(element("summary", { textContent: title }));
+      for (const variable of variables) {
+        const control = new Control(variable, changed);
+        this.all.set(variable.name, control);
+        group.append(control.element);
+      }
+      parent.append(group);
+    }
+  }
+
+  /** Sliders reach about these values from now on. */
+  centre(state) {
+    this.all.forEach((control, name) => control.centre(state[name], state));
+  }
+
+  show(state) {
+    this.all.forEach((control, name) => control.show(state[name]));
+  }
+
+  refuse(name) {
+    this.all.get(name)?.refuse();
+  }
+}
+
+/** Variables by group; what can change in a run comes first. */
+function grouped(variables) {
+  const groups = new Map();
+  const inputsFirst = [...variables].sort((a, b) => (b.causality === "input") - (a.causality === "input"));
+  for (const variable of inputsFirst) {
+    const name = groupOf(variable);
+    groups.set(name, [...(groups.get(name) ?? []), variable]);
+  }
+  return groups;
+}
+
+/** Fills the list of presets; `chosen` is handed one of them. */
+export function fillPresets(select, chosen) {
+  select.append(new Option("– choose –", ""));
+  presets.forEach(({ name, word }, i) => {
+    select.append(new Option(word ? `${name}: ${word.replaceAll("-", "−")}` : name, i));
+  });
+  select.addEventListener("change", () => select.value !== "" && chosen(presets[Number(select.value)]));
+}

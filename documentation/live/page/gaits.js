@@ -1,0 +1,59 @@
+/**
+ * Where gaits are looked for, with the core's Newton's method: where a runner settles, and along the friction. The same
+ * way as `tdmf-slip gait`.
+ * @module
+ */
+import { values } from "./data.js";
+
+export const FRICTION = "ground.friction";
+const SETTLING_STRIDES = 400;
+const SMALLEST_STEP = 1e-4; // in the logarithm of the friction
+const HOME = values.find(({ name }) => name === FRICTION).start;
+
+/** Follows a gait to another friction by steps of its logarithm, halved where Newton's method does not get there. */
+export function followFriction(core, given, from, gait, to) {
+  let here = Math.log(from);
+  const end = Math.log(to);
+  let step = end - here;
+  let found = gait;
+  while (here !== end) {
+    const next = Math.abs(end - here) <= Math.abs(step) ? end : here + step;
+    core.accept({ ...given, [FRICTION]: next === end ? to : Math.exp(next) });
+    const tried = core.gaitNear(found.apex);
+    if (tried) {
+      found = tried;
+      here = next;
+      step *= 2;
+    } else if (Math.abs(step) < SMALLEST_STEP) {
+      return null;
+    } else {
+      step /= 2;
+    }
+  }
+  return found;
+}
+
+function settled(core, apex) {
+  return core.gaitNear(core.settle(apex, SETTLING_STRIDES).apex);
+}
+
+/**
+ * The gait of a runner.
+ * @param {Core} core
+ * @param {Object<string, number>} given Parameters and inputs, accepted before.
+ * @param {number[]} apex Where the runner starts.
+ * @returns {{gait: ?Gait, message: string}}
+ */
+export function findGait(core, given, apex) {
+  core.accept(given);
+  const gait = settled(core, apex);
+  const { message } = core;
+  if (gait || !(given[FRICTION] > 0)) {
+    return { gait, message };
+  }
+  const home = { ...given, [FRICTION]: HOME };
+  const start = core.accept(home) ? settled(core, apex) : null;
+  const followed = start && followFriction(core, given, HOME, start, given[FRICTION]);
+  core.accept(given);
+  return { gait: followed, message: followed ? "" : message };
+}

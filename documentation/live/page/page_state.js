@@ -1,0 +1,73 @@
+/**
+ * The values of the page, each accepted by the core before it counts; the address follows them.
+ * @module
+ */
+import { defaults, hashOf, stateOf } from "./address.js";
+import { starts, values } from "./data.js";
+
+const INPUTS = new Set(values.filter(({ causality }) => causality === "input").map(({ name }) => name));
+const STARTS = new Set(starts.map(({ name }) => name));
+const ADDRESS_DELAY = 250; // ms; browsers limit how often an address may change
+
+/** Whether a value may change while the unit runs. */
+export const isInput = (name) => INPUTS.has(name);
+export const isStart = (name) => STARTS.has(name);
+
+export class PageState {
+  constructor(core, run) {
+    this.core = core;
+    this.run = run;
+    this.values = defaults();
+  }
+
+  /** @returns {string} Why the state of the address, or a part of it, was refused; else empty. */
+  readAddress() {
+    const { state, problem } = stateOf(location.hash);
+    const refused = this.startAt(state);
+    if (refused && !this.run.outputs) {
+      this.startAt(defaults());
+    }
+    return [problem, refused].filter(Boolean).join(" ");
+  }
+
+  /** A new run with these values; where they are refused, all stays as it is, and a sentence is given. */
+  startAt(state) {
+    const before = this.values;
+    if (!this.core.accept(state)) {
+      return this.core.message;
+    }
+    if (!this.run.restart(state)) {
+      const { message } = this.core;
+      this.core.accept(before);
+      return message;
+    }
+    this.values = { ...state };
+    this.writeAddress();
+    return "";
+  }
+
+  /** One value is another from now on; the run goes on, but for a start value, which begins a new one. */
+  set(name, value) {
+    const next = { ...this.values, [name]: value };
+    if (isStart(name)) {
+      return this.startAt(next);
+    }
+    if (!this.core.accept(next)) {
+      return this.core.message;
+    }
+    this.values = next;
+    this.run.change(!isInput(name));
+    this.writeAddress();
+    return "";
+  }
+
+  writeAddress() {
+    clearTimeout(this.writing);
+    this.writing = setTimeout(() => history.replaceState(null, "", this.link), ADDRESS_DELAY);
+  }
+
+  /** The address of this state. */
+  get link() {
+    return location.pathname + location.search + hashOf(this.values);
+  }
+}
