@@ -75,7 +75,7 @@ static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, i
     for (int64_t i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
         const tdmf_ensemble_case *its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[i] : 0];
         tdmf_runner runner;
-        bool goes_on = tdmf_runner_begin(&runner, its_case, ensemble->starts[i], &ends[i]);
+        bool goes_on = tdmf_runner_begin(&runner, ensemble->map, its_case, ensemble->starts[i], &ends[i]);
         while (goes_on) {
             goes_on = tdmf_runner_stride(&runner, &solver);
         }
@@ -119,6 +119,7 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
 static bool is_sound(const tdmf_ensemble *ensemble) {
     if (ensemble->threads <= 0 || !tdmf_is_tolerance(ensemble->relative_tolerance) ||
         !tdmf_has_instructions(ensemble->instructions) ||
+        (ensemble->map != TDMF_RETURN_MAP && ensemble->map != TDMF_REDUCED_MAP) ||
         (ensemble->count > 0 && ensemble->case_count <= 0)) {
         return false;
     }

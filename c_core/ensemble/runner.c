@@ -6,6 +6,7 @@
 #include "input_rates.h"
 #include "longest_stride.h"
 #include "margins.h"
+#include "reduced_stride.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/orbit.h"
@@ -26,25 +27,57 @@ static void open_stride(tdmf_runner *runner) {
     runner->false_crossings = 0;
 }
 
-bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
+/* Of the reduced map: how a stride that does not close ends the run. */
+static tdmf_fate fate_of_reduced(tdmf_reduced_outcome outcome) {
+    return outcome == TDMF_REDUCED_FELL ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE;
+}
+
+/* From an apex of the reduced map into contact; an apex of the return map is flown on from. False where the
+ * run has ended. */
+static bool leave_apex(tdmf_runner *runner) {
+    const tdmf_ensemble_case *its_case = runner->its_case;
+    if (runner->map != TDMF_REDUCED_MAP) {
+        return true;
+    }
+    const tdmf_reduced_outcome outcome =
+        tdmf_reduced_touch_down(its_case->model, &its_case->inputs,
+                                TDMF_LONGEST_STRIDE * its_case->model->scales.time, &runner->motion, NULL);
+    runner->direction = tdmf_leg_direction_of(runner->motion.state);
+    if (outcome != TDMF_REDUCED_CLOSED) {
+        tdmf_runner_give_up(runner, fate_of_reduced(outcome));
+        return false;
+    }
+    return true;
+}
+
+/* At the apex that a runner starts from. False where it is none. */
+static bool start(tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
+                  const double section[TDMF_SECTION_COUNT], tdmf_motion *motion) {
+    if (map == TDMF_REDUCED_MAP) {
+        return tdmf_reduced_begin(its_case->model, &its_case->inputs, section, motion) == TDMF_REDUCED_CLOSED;
+    }
+    motion->time = 0.0;
+    tdmf_section_state(its_case->model, section, motion->state);
+    return !tdmf_start(its_case->model, &its_case->inputs, 0.0, motion->state, &motion->mode, &motion->record)
+                .variable &&
+           motion->record.open.began_at_apex;
+}
+
+bool tdmf_runner_begin(tdmf_runner *runner, tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
                        const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end) {
     static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
-    tdmf_motion *motion = &runner->motion;
     runner->its_case = its_case;
+    runner->map = map;
     runner->end = end;
     *end = nothing_yet;
     memcpy(end->apex, section, sizeof end->apex);
-    motion->time = 0.0;
-    tdmf_section_state(its_case->model, section, motion->state);
-    if (tdmf_start(its_case->model, &its_case->inputs, 0.0, motion->state, &motion->mode, &motion->record)
-            .variable ||
-        !motion->record.open.began_at_apex) {
+    if (!start(map, its_case, section, &runner->motion)) {
         end->fate = TDMF_FATE_NO_START;
         return false;
     }
-    runner->direction = tdmf_leg_direction_of(motion->state);
+    runner->direction = tdmf_leg_direction_of(runner->motion.state);
     open_stride(runner);
-    return its_case->rules.most_strides > 0;
+    return its_case->rules.most_strides > 0 && leave_apex(runner);
 }
 
 static bool coasts(const tdmf_runner *runner) {
@@ -154,13 +187,15 @@ static void note_apex(tdmf_runner *runner) {
 }
 
 /* The gait that an apex is near, or -1. */
-static int gait_near(const tdmf_ensemble_case *its_case, const double apex[TDMF_SECTION_COUNT]) {
+static int gait_near(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_case *its_case = runner->its_case;
     const tdmf_ensemble_rules *rules = &its_case->rules;
     double scales[TDMF_SECTION_COUNT];
+    const int coordinates = runner->map == TDMF_REDUCED_MAP ? TDMF_REDUCED_COUNT : TDMF_SECTION_COUNT;
     tdmf_section_scales(its_case->model, scales);
     for (int gait = 0; gait < rules->gait_count; ++gait) {
         bool is_near = true;
-        for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        for (int i = 0; i < coordinates; ++i) {
             is_near = is_near && fabs(apex[i] - rules->gaits[gait][i]) <= rules->distance * scales[i];
         }
         if (is_near) {
@@ -177,12 +212,28 @@ static bool close_stride(tdmf_runner *runner) {
     note_apex(runner);
     open_stride(runner);
     ++end->strides;
-    end->gait = gait_near(its_case, end->apex);
+    end->gait = gait_near(runner, end->apex);
     if (end->gait >= 0) {
         end->fate = TDMF_FATE_SETTLED;
         return false;
     }
-    return end->strides < its_case->rules.most_strides;
+    return end->strides < its_case->rules.most_strides && leave_apex(runner);
+}
+
+/* Whether the runner is where the stance of the reduced map is over, and its flight to the next apex. */
+static bool has_lifted_off(const tdmf_runner *runner) {
+    return runner->map == TDMF_REDUCED_MAP && !tdmf_in_contact(&runner->motion.mode);
+}
+
+static bool fly(tdmf_runner *runner) {
+    const tdmf_ensemble_case *its_case = runner->its_case;
+    const tdmf_reduced_outcome outcome =
+        tdmf_reduced_fly(its_case->model, &its_case->inputs, &runner->motion);
+    if (outcome != TDMF_REDUCED_CLOSED) {
+        tdmf_runner_give_up(runner, fate_of_reduced(outcome));
+        return false;
+    }
+    return close_stride(runner);
 }
 
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
@@ -201,6 +252,9 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
         tdmf_runner_give_up(runner, TDMF_FATE_UNSOLVED);
         return false;
     }
+    if (has_lifted_off(runner)) {
+        return fly(runner);
+    }
     return motion->record.stride.count == runner->end->strides || close_stride(runner);
 }
 
@@ -217,14 +271,17 @@ static tdmf_fate fate_of(tdmf_outcome outcome) {
 
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const tdmf_ensemble_case *its_case = runner->its_case;
+    const bool reduced = runner->map == TDMF_REDUCED_MAP;
     const double until = runner->stride_began + TDMF_LONGEST_STRIDE * its_case->model->scales.time;
     const tdmf_stride_outcome stride =
-        tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
+        reduced ? tdmf_native_stance(solver, its_case->model, &its_case->inputs, until, &runner->motion, NULL,
+                                     NULL, 0)
+                : tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
     if (!stride.closed) {
         tdmf_runner_give_up(runner, fate_of(stride.outcome));
         return false;
     }
-    return close_stride(runner);
+    return reduced ? fly(runner) : close_stride(runner);
 }
 
 void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate) {

@@ -21,6 +21,7 @@ typedef enum {
 
 typedef struct {
     const tdmf_ensemble_case *its_case;
+    tdmf_ensemble_map map;
     tdmf_ensemble_end *end;
     tdmf_motion motion;
     tdmf_mode_equations equations;
@@ -32,7 +33,7 @@ typedef struct {
 } tdmf_runner;
 
 /* Begins at an apex. False where there is nothing to run: `end` says why. */
-bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble_case *its_case,
+bool tdmf_runner_begin(tdmf_runner *runner, tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
                        const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end);
 
 /* Which batch the runner belongs to. */

@@ -19,7 +19,7 @@ static void limits_of_steps_go_along(void **state) {
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 1}};
     double apex[TDMF_SECTION_COUNT];
     memcpy(apex, &reference_gaits[2].apex, sizeof apex);
-    assert_true(tdmf_runner_begin(&runner, &its_case, apex, &end));
+    assert_true(tdmf_runner_begin(&runner, TDMF_RETURN_MAP, &its_case, apex, &end));
     assert_int_equal(tdmf_runner_load(&runner, fields), FLYING_FIELDS);
     memcpy(&now, fields, sizeof now);
     assert_true(now.steps.left > 1e5 && now.steps.span == 0.0 && now.steps.in_span == 0.0);

@@ -3,7 +3,7 @@
 #ifndef TDMF_SLIP_ENSEMBLE_H
 #define TDMF_SLIP_ENSEMBLE_H
 
-#include "tdmf_slip/return_map.h"
+#include "tdmf_slip/reduced_map.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,6 +30,10 @@ typedef struct {
     int most_strides;                          /* then the runner is undecided */
 } tdmf_ensemble_rules;
 
+/* What takes a runner from apex to apex: the return map, or the reduced map, which goes by an apex's height
+ * and speed alone and, so that the apices are of one shape, writes of the leg how it is placed there. */
+typedef enum { TDMF_RETURN_MAP, TDMF_REDUCED_MAP } tdmf_ensemble_map;
+
 /* What a runner is given, besides its start. Inputs are held. */
 typedef struct {
     const tdmf_model *model;   /* its parameters */
@@ -47,6 +51,7 @@ typedef struct {
     double relative_tolerance;                  /* as in tdmf_solver */
     int threads;                                /* at the most so many work at once */
     tdmf_instructions instructions;             /* how they are stepped */
+    tdmf_ensemble_map map;                      /* by which all of them go */
 } tdmf_ensemble;
 
 /* How a runner ends. */
@@ -55,7 +60,8 @@ typedef enum {
     TDMF_FATE_FELL,      /* the body or the leg is down */
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
-    TDMF_FATE_UNSOLVED   /* the solver could not follow it: too stiff, or too many steps or events */
+    TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events */
+    TDMF_FATE_NO_STRIDE  /* the reduced map has no stride from the last apex: see tdmf_reduced_outcome */
 } tdmf_fate;
 
 /* What became of a runner. */
@@ -80,7 +86,7 @@ typedef struct {
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
- * none of those given, or there is no memory. */
+ * none of those given, the map is none, or there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
 
 /* Whether this processor and this build have them. */

@@ -32,8 +32,9 @@ LEAST_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
-FATES = ("settled", "fell", "undecided", "no_start", "unsolved")
-"""By the library's numbers. Unsolved is what the solver did not get through: it may fall or not."""
+FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride")
+"""By the library's numbers. Unsolved is what the solver did not get through: it may fall or not. The reduced
+map alone has apices without a stride: nothing of it is then known but that it is over."""
 SETTLED = FATES.index("settled")
 
 

@@ -40,6 +40,7 @@ OTHERS = {
     "undecided": ("#8e44ad", "undecided"),
     "no_start": ("#5b6770", "no start: the foot is not above the ground"),
     "unsolved": ("#000000", "unsolved: no solver could follow"),
+    "no_stride": ("#e0a526", "the reduced map ends: no next apex"),
 }
 """Colours of the others."""
 PALEST = 0.85

@@ -1,0 +1,235 @@
+/* Many strides of the reduced map at once: runners end where the map takes them one by one, and the same, bit
+ * for bit, whoever their neighbours are and however many threads there are. */
+#include "compare.h"
+#include "random.h"
+#include "reduced_gaits.h"
+#include "scene.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNNERS = 600, STRIDES = 6 };
+
+static const double tight = 1e-11;
+
+/* Each runner with a case of its own. */
+typedef struct {
+    tdmf_model models[RUNNERS];
+    tdmf_ensemble_case cases[RUNNERS];
+    int case_of[RUNNERS];
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble ensemble;
+} crowd;
+
+static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs) {
+    p->foot.mass *= random_magnitude(source, 0.5, 2.0);
+    p->leg.damping *= random_magnitude(source, 0.5, 2.0);
+    p->hip.stance_torque *= random_magnitude(source, 0.5, 2.0);
+    p->hip.touchdown_angle = random_uniform(source, 0.1, 1.2);
+    p->hip.retraction_rate = random_uniform(source, -0.03, 0.03);
+    p->ground.static_friction_ratio = random_uniform(source, 1.0, 1.5);
+    inputs->ground.friction = random_magnitude(source, 0.05, 5.0);
+    inputs->hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
+}
+
+static crowd *make_crowd(void) {
+    crowd *crowd = calloc(1, sizeof *crowd);
+    random_source source = {20261122};
+    assert_non_null(crowd);
+    for (int i = 0; i < RUNNERS; ++i) {
+        tdmf_ensemble_case *its_case = &crowd->cases[i];
+        tdmf_parameters parameters = tdmf_default_parameters();
+        vary(&source, &parameters, &its_case->inputs);
+        assert_null(tdmf_model_create(&crowd->models[i], &parameters).variable);
+        its_case->model = &crowd->models[i];
+        its_case->rules.most_strides = STRIDES;
+        crowd->case_of[i] = i;
+        const double start[TDMF_SECTION_COUNT] = {random_uniform(&source, 0.6, 2.5),
+                                                  random_uniform(&source, 0.0, 1.6), 1.0,
+                                                  parameters.hip.touchdown_angle};
+        memcpy(crowd->starts[i], start, sizeof start);
+    }
+    const tdmf_ensemble ensemble = {.cases = crowd->cases,
+                                    .case_count = RUNNERS,
+                                    .case_of = crowd->case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = tight,
+                                    .threads = 1,
+                                    .map = TDMF_REDUCED_MAP};
+    crowd->ensemble = ensemble;
+    return crowd;
+}
+
+static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble) {
+    tdmf_ensemble_end *ends = calloc((size_t)ensemble->count, sizeof *ends);
+    assert_non_null(ends);
+    assert_true(tdmf_run_ensemble(ensemble, ends, NULL));
+    return ends;
+}
+
+/* ---- against the map ---------------------------------------------------------------------------------- */
+
+static tdmf_fate fate_of(tdmf_reduced_outcome outcome, bool first) {
+    switch (outcome) {
+    case TDMF_REDUCED_CLOSED:
+    case TDMF_REDUCED_STUCK:
+        return TDMF_FATE_UNDECIDED;
+    case TDMF_REDUCED_FELL:
+        return TDMF_FATE_FELL;
+    case TDMF_REDUCED_FOOT_BELOW:
+        return first ? TDMF_FATE_NO_START : TDMF_FATE_NO_STRIDE;
+    case TDMF_REDUCED_UNSOLVED:
+        return TDMF_FATE_UNSOLVED;
+    default:
+        return TDMF_FATE_NO_STRIDE;
+    }
+}
+
+/* What the map makes of a runner. */
+static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const double start[TDMF_SECTION_COUNT]) {
+    tdmf_ensemble_end end = {.gait = -1};
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_reduced_outcome outcome = TDMF_REDUCED_CLOSED;
+    solver.relative_tolerance = 0.1 * tight;
+    memcpy(end.apex, start, sizeof end.apex);
+    while (outcome == TDMF_REDUCED_CLOSED && end.strides < STRIDES) {
+        const tdmf_reduced_return stride =
+            tdmf_reduced_map(&solver, its_case->model, &its_case->inputs, end.apex, 1e4, false, NULL, 0);
+        outcome = stride.outcome;
+        if (outcome == TDMF_REDUCED_CLOSED) {
+            memcpy(end.apex, stride.apex, sizeof stride.apex);
+            ++end.strides;
+            end.time += stride.stride.period;
+            end.distance += stride.stride.length;
+            end.work += stride.stride.work;
+            end.damper_loss += stride.damper_loss;
+            end.friction_loss += stride.friction_loss;
+            end.impact_loss += stride.impact_loss;
+            end.word_code = stride.stride.word_code;
+        }
+    }
+    end.fate = (int)fate_of(outcome, end.strides == 0);
+    return end;
+}
+
+static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end *b) {
+    static const double tolerance = 1e-7;
+    assert_int_equal(a->fate, b->fate);
+    assert_int_equal(a->strides, b->strides);
+    assert_int_equal(a->word_code, b->word_code);
+    for (int i = 0; i < TDMF_REDUCED_COUNT; ++i) {
+        assert_close(a->apex[i], b->apex[i], tolerance);
+    }
+    assert_close(a->time, b->time, 1e2 * tolerance);
+    assert_close(a->distance, b->distance, 1e2 * tolerance);
+    assert_close(a->work, b->work, tolerance);
+    assert_close(a->damper_loss, b->damper_loss, tolerance);
+    assert_close(a->friction_loss, b->friction_loss, tolerance);
+    assert_close(a->impact_loss, b->impact_loss, tolerance);
+}
+
+static void runners_end_where_the_map_takes_them(void **state) {
+    crowd *crowd = make_crowd();
+    int sets = 0;
+    (void)state;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        int of_fate[TDMF_FATE_NO_STRIDE + 1] = {0};
+        if (!tdmf_has_instructions((tdmf_instructions)set)) {
+            continue;
+        }
+        ++sets;
+        crowd->ensemble.instructions = (tdmf_instructions)set;
+        tdmf_ensemble_end *ends = run(&crowd->ensemble);
+        for (int i = 0; i < RUNNERS; ++i) {
+            const tdmf_ensemble_end expected = iterate(&crowd->cases[i], crowd->starts[i]);
+            assert_same_end(&ends[i], &expected);
+            ++of_fate[ends[i].fate];
+        }
+        assert_true(of_fate[TDMF_FATE_UNDECIDED] > RUNNERS / 4);
+        assert_true(of_fate[TDMF_FATE_NO_STRIDE] > RUNNERS / 20);
+        assert_true(of_fate[TDMF_FATE_NO_START] > RUNNERS / 100);
+        free(ends);
+    }
+    assert_true(sets >= 2);
+    free(crowd);
+}
+
+/* ---- neighbours and threads --------------------------------------------------------------------------- */
+
+static void neighbours_and_threads_do_not_matter(void **state) {
+    crowd *crowd = make_crowd();
+    (void)state;
+    tdmf_ensemble_end *together = run(&crowd->ensemble);
+    crowd->ensemble.threads = 3;
+    tdmf_ensemble_end *shared = run(&crowd->ensemble);
+    assert_memory_equal(shared, together, RUNNERS * sizeof *together);
+    for (int i = 0; i < RUNNERS; i += 3) {
+        tdmf_ensemble one = crowd->ensemble;
+        one.starts = &crowd->ensemble.starts[i];
+        one.case_of = &crowd->case_of[i];
+        one.count = 1;
+        tdmf_ensemble_end *alone = run(&one);
+        assert_memory_equal(alone, &together[i], sizeof *alone);
+        free(alone);
+    }
+    free(shared);
+    free(together);
+    free(crowd);
+}
+
+/* ---- settling ----------------------------------------------------------------------------------------- */
+
+/* By the two coordinates that the map has: the leg of the gait that is given is anything. */
+static void runners_settle_on_the_gaits_of_the_reference(void **state) {
+    (void)state;
+    for (int i = 0; i < REDUCED_GAITS; ++i) {
+        const reduced_gait *gait = &reduced_gaits[i];
+        const tdmf_parameters parameters = parameters_of_reduced_gait(gait);
+        const double gaits[1][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1], 7.0, NAN, 7.0, 7.0}};
+        const double starts[2][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1]},
+                                                      {gait->apex[0] + 0.03, gait->apex[1] - 0.03}};
+        tdmf_model model;
+        assert_null(tdmf_model_create(&model, &parameters).variable);
+        const tdmf_ensemble_case its_case = {&model, inputs_of_reduced_gait(gait), {gaits, 1, 1e-9, 2000}};
+        const tdmf_ensemble ensemble = {.cases = &its_case,
+                                        .case_count = 1,
+                                        .starts = starts,
+                                        .count = 2,
+                                        .relative_tolerance = tight,
+                                        .threads = 1,
+                                        .map = TDMF_REDUCED_MAP};
+        tdmf_ensemble_end *ends = run(&ensemble);
+        assert_int_equal(ends[0].fate, TDMF_FATE_SETTLED);
+        assert_int_equal(ends[0].strides, 1);
+        assert_relatively_close(ends[0].time, gait->period, 1e-9);
+        assert_relatively_close(ends[0].distance, gait->length, 1e-9);
+        assert_relatively_close(ends[0].work, gait->work, 1e-9);
+        assert_close(ends[0].apex[TDMF_SECTION_LEG_ANGLE], parameters.hip.touchdown_angle, 0.0);
+        assert_int_equal(ends[1].fate, TDMF_FATE_SETTLED);
+        assert_true(ends[1].strides > 20);
+        free(ends);
+    }
+}
+
+static void there_is_no_third_map(void **state) {
+    crowd *crowd = make_crowd();
+    tdmf_ensemble_end end = {.strides = 77};
+    (void)state;
+    crowd->ensemble.map = (tdmf_ensemble_map)2;
+    assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+    assert_int_equal(end.strides, 77);
+    free(crowd);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(runners_end_where_the_map_takes_them),
+        cmocka_unit_test(neighbours_and_threads_do_not_matter),
+        cmocka_unit_test(runners_settle_on_the_gaits_of_the_reference),
+        cmocka_unit_test(there_is_no_third_map),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
