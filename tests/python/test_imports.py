@@ -33,7 +33,17 @@ def test_a_gait_loads_what_it_needs():
     assert {"tdmf_slip.cli.gait", "tdmf_slip.library.orbit", "fmpy.model_description"} <= modules
     assert modules & (HEAVY | OF_RUNS) == set()
     parts = {name.split(".")[1] for name in modules if name.startswith("tdmf_slip.")}
-    assert parts == {"__main__", "analysis", "checks", "cli", "errors", "library", "terminal", "unit"}
+    assert parts == {
+        "__main__",
+        "analysis",
+        "checks",
+        "cli",
+        "drawable",
+        "errors",
+        "library",
+        "terminal",
+        "unit",
+    }
     assert not unpacked
 
 

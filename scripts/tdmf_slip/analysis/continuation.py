@@ -6,18 +6,24 @@ A branch is followed by pseudo-arclength continuation on the exact Jacobian.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_whole, is_number
+from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
+from ..unit.unit import Unit, load
 from ..unit.variable import Given, Values
 from .bifurcations import Special, happenings
 from .borders import Border
 from .family import Family, Point
+
+if TYPE_CHECKING:
+    import xarray
 
 SHORTEST_STEP = 1e-7
 """Along the branch: where no step of this length finds a gait, the branch ends."""
@@ -26,8 +32,8 @@ MOST_POINTS = 1_000_000
 """Of a branch."""
 
 
-@dataclass(frozen=True)
-class Branch:
+@dataclass(frozen=True, repr=False)
+class Branch(Drawable):
     """Gaits in the order in which they were met along a parameter."""
 
     name: str
@@ -42,6 +48,29 @@ class Branch:
     """Bifurcations, word borders, and what could not be judged, in the branch's order."""
     ended: str
     """Why the branch stops: at the end of the range, where it began, or in words what happened."""
+
+    def __repr__(self) -> str:
+        """In a line: how many gaits, from where to where, and what is special."""
+        kinds = ", ".join(dict.fromkeys(special.kind for special in self.specials)) or "nothing special"
+        ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
+        return f"<Branch {len(self.orbits)} gaits, {self.name} {ends}: {kinds}; ended: {self.ended}>"
+
+    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
+        """Quantities of the gaits over the parameter, in the branch's order, with units.
+
+        Parameters
+        ----------
+        unit : Unit, optional
+            For units and descriptions; by default that of `fmu_path`.
+
+        Returns
+        -------
+        xarray.Dataset
+            As `grid.as_dataset` gives it; behind a fold the parameter goes back.
+        """
+        from .grid import as_dataset  # xarray is slow to load
+
+        return as_dataset(self.orbits, {self.name: np.array(self.values)}, load(unit))
 
 
 def gaits_over(

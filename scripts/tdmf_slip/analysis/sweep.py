@@ -3,17 +3,24 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, check_has_gaits, settled_orbit
 from ..library.runner import Runner
 from ..terminal import progress
-from ..unit.unit import FRICTION, load
+from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given, Values
 from .borders import Border, crossings
 from .continuation import gaits_over
 from .family import Family
 from .search import find_orbit
+
+if TYPE_CHECKING:
+    import xarray
 
 MOST_VALUES = 1_000_000
 """Of a range, and of a grid."""
@@ -21,8 +28,8 @@ MOST_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(Drawable):
     """Gaits at the values of a range, where they were found."""
 
     frictions: tuple[float, ...]
@@ -33,6 +40,29 @@ class Sweep:
     """Where the word changes along a branch, in the order of the range."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
+
+    def __repr__(self) -> str:
+        """In a line: how many gaits, from where to where, and their words."""
+        words = ", ".join(dict.fromkeys(orbit.word for orbit in self.orbits))
+        ends = f"{self.frictions[0]:.6g} to {self.frictions[-1]:.6g}"
+        return f"<Sweep {len(self.orbits)} of {len(self.frictions)} gaits, {FRICTION} {ends}: {words}>"
+
+    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
+        """Quantities of the gaits over the friction, with units.
+
+        Parameters
+        ----------
+        unit : Unit, optional
+            For units and descriptions; by default that of `fmu_path`.
+
+        Returns
+        -------
+        xarray.Dataset
+            As `grid.as_dataset` gives it.
+        """
+        from .grid import as_dataset  # xarray is slow to load
+
+        return as_dataset(self.gaits, {FRICTION: np.array(self.frictions)}, load(unit))
 
     @property
     def orbits(self) -> tuple[Orbit, ...]:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind
+from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
@@ -40,8 +41,8 @@ TOLD = ("period", "length", "speed", "work", "cost_of_transport")
 """Of the quantities of a stride, those that a gait is told by."""
 
 
-@dataclass(frozen=True)
-class Orbit:
+@dataclass(frozen=True, repr=False)
+class Orbit(Drawable):
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner
@@ -66,6 +67,15 @@ class Orbit:
     """Of Newton's method."""
     events: tuple[Event, ...] = field(repr=False)
     """Of the stride, in their order."""
+
+    def __repr__(self) -> str:
+        """In a line: what tells one gait from another."""
+        stride, kind = self.stride, "stable" if self.stable else "unstable"
+        return (
+            f"<Orbit {self.word} at {FRICTION} = {self.friction:.6g}: period {self.period:.6g} s, "
+            f"speed {stride['speed']:.6g} m/s, cost of transport {stride['cost_of_transport']:.6g}, "
+            f"{kind}, largest eigenvalue {self.lambda_max:.6g}>"
+        )
 
     @property
     def friction(self) -> float:

@@ -6,6 +6,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..errors import InputError
@@ -32,6 +33,17 @@ def draw(path: Path, run: Run, unit: Unit) -> None:
     InputError
         The run did not record what is drawn, or nothing can be written there.
     """
+    style.save(figure_of(run, unit), path)
+
+
+def figure_of(run: Run, unit: Unit) -> Figure:
+    """A run's panels, in the units of its table.
+
+    Raises
+    ------
+    InputError
+        The run did not record what is drawn.
+    """
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.names)
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
@@ -42,7 +54,7 @@ def draw(path: Path, run: Run, unit: Unit) -> None:
             _shade(axes, run, unit)
         all_axes[-1].set_xlabel(f"time in {run.units['time']}")
         figure.legend(handles=_key(run, unit), loc="outside lower center", ncols=len(style.LOADED) + 1)
-        style.save(figure, path)
+    return figure
 
 
 def _panel(axes: Axes, run: Run, label: str, curves: Sequence[tuple[str, str]]) -> None:

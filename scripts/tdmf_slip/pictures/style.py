@@ -1,5 +1,7 @@
 """What all pictures share: colours and names of contact modes, type, axes, and how files are written."""
 
+import os
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -7,7 +9,8 @@ from typing import Any, Literal, TypeAlias
 
 import matplotlib
 
-matplotlib.use("Agg")
+if "MPLBACKEND" not in os.environ and "matplotlib.pyplot" not in sys.modules:
+    matplotlib.use("Agg")  # files are all that is drawn, unless a notebook or a program shows figures
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes

@@ -2,15 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drawable import Drawable
 from .events import Event
+from .unit import Unit, load
+
+if TYPE_CHECKING:
+    import xarray
 
 
-@dataclass(frozen=True)
-class Run:
+@dataclass(frozen=True, repr=False)
+class Run(Drawable):
     """What a run gave. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]
@@ -42,3 +48,26 @@ class Run:
     def strides(self) -> int:
         """How many were completed."""
         return int(self.final["stride.count"])
+
+    def __repr__(self) -> str:
+        """In a line: how far it went, and the last stride."""
+        end = f"fell at {self.fall_time:.6g} s" if self.fallen else f"to {self.table['time'][-1]:.6g} s"
+        last = f", word {self.stride['word']}, speed {self.stride['speed']:.6g} m/s" if self.strides else ""
+        return f"<Run {end}, {self.strides} strides{last}>"
+
+    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
+        """The recorded rows with units, over the time; at an event there are two rows of the same time.
+
+        Parameters
+        ----------
+        unit : Unit, optional
+            That was run, for descriptions; by default that of `fmu_path`.
+
+        Returns
+        -------
+        xarray.Dataset
+            A variable for each column, over the coordinate `time`; as attributes parameters and last stride.
+        """
+        from .tables import dataset_of  # xarray is slow to load
+
+        return dataset_of(self, load(unit))

@@ -3,12 +3,16 @@
 import csv
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..files.whole import check_place, whole
 from .run import Run
 from .unit import Unit
+
+if TYPE_CHECKING:
+    import xarray
 
 
 def write_table(path: Path | str, run: Run, unit: Unit) -> None:
@@ -41,22 +45,38 @@ def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
 
 
 def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
-    from ..files.netcdf import new_netcdf  # slow to load, and seldom asked for
+    from ..files.netcdf import write_dataset  # slow to load, and seldom asked for
 
-    dataset = new_netcdf()
-    dataset.createDimension("row", len(run.table))
+    write_dataset(path, dataset_of(run, unit))
+
+
+def dataset_of(run: Run, unit: Unit) -> "xarray.Dataset":
+    """A run's recorded rows over the time, with units, flags and the run's end.
+
+    Parameters
+    ----------
+    run : Run
+        Whose rows.
+    unit : Unit
+        For units and descriptions.
+
+    Returns
+    -------
+    xarray.Dataset
+        A variable for each column, over the coordinate `time`, in which an event has two rows.
+    """
+    import xarray  # slow to load, and seldom asked for
+
+    data = xarray.Dataset()
     for name in run.names:
         column = run.table[name]
-        variable = dataset.createVariable(
-            name, "i4" if column.dtype == bool else column.dtype, ("row",), zlib=True
-        )
-        variable[:] = column
-        variable.setncatts(_attributes(unit, name))
-    dataset.title = f"TDMF-SLIP run, unit version {unit.version}"
-    dataset.fallen = int(run.fallen)
+        values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
+        data[name] = ("time", values, _attributes(unit, name))
+        data[name].encoding = {"zlib": True}
+    data.attrs = {"title": f"TDMF-SLIP run, unit version {unit.version}", "fallen": int(run.fallen)}
     for name in [*unit.names("parameter"), *(variable.name for variable in unit.group("stride"))]:
-        dataset.setncattr(name, _plain(run.final[name]))
-    path.write_bytes(dataset.close())
+        data.attrs[name] = _plain(run.final[name])
+    return data
 
 
 def _plain(value: float | int | bool | str) -> float | int | str:

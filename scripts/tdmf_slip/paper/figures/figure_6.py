@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from ...pictures import velocity_and_ratio
 from ...pictures.stride import Stride
-from . import velocity_and_ratio
 
 FRICTION = 1.2
 

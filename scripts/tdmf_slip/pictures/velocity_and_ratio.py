@@ -1,15 +1,21 @@
-"""What figures 6 and 7 are made of: foot velocity and force ratio, in the stance, side by side."""
+"""A gait's stance, as in figures 6 and 7: foot velocity and force ratio, in the stance, side by side."""
 
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
 
-from ...pictures import panels, style
-from ...pictures.stride import Stride
+from . import panels, style
+from .stride import Stride
 
 
 def draw(path: Path, stride: Stride) -> None:
     """Draw the two panels."""
+    style.save(figure_of(stride), path)
+
+
+def figure_of(stride: Stride) -> Figure:
+    """The two panels."""
     with style.styled():
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.7), layout="constrained")
         for axes in (left, right):
@@ -25,4 +31,4 @@ def draw(path: Path, stride: Stride) -> None:
             ha="left",
         )
         panels.key_below(figure, [stride])
-        style.save(figure, path)
+    return figure

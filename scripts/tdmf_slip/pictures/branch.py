@@ -1,0 +1,136 @@
+"""Gaits along a parameter: size of the eigenvalues, speed and cost of transport, with what is special."""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, StrMethodFormatter
+
+from ..analysis.borders import Border
+from ..library.orbit import Orbit
+from ..unit.unit import Unit
+from . import style
+
+PANELS: Mapping[str, str] = {"speed": "average speed", "cost_of_transport": "cost of transport"}
+"""Quantities of a stride, and their names."""
+LETTER_WIDTH = 11.0
+"""Pixels that a letter of a word needs."""
+DECADES = 10.0
+"""Values that span more are shown on a logarithmic axis."""
+
+
+def figure_of(
+    name: str,
+    values: Sequence[float],
+    orbits: Sequence[Orbit],
+    borders: Sequence[Border],
+    marked: Mapping[str, Sequence[float]],
+    unit: Unit,
+) -> Figure:
+    """Three panels over a parameter; unstable gaits are dashed.
+
+    Parameters
+    ----------
+    name : str
+        Of the parameter or input.
+    values : sequence of float
+        Of it, in the order of the gaits.
+    orbits : sequence of Orbit
+        The gaits.
+    borders : sequence of Border
+        Where the word changes.
+    marked : mapping of str to sequence of float
+        By kind: other values to mark.
+    unit : Unit
+        For units.
+
+    Returns
+    -------
+    Figure
+        Of matplotlib.
+    """
+    with style.styled():
+        figure, panels = plt.subplots(
+            len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True, layout="constrained"
+        )
+        _eigenvalues(panels[0], values, orbits)
+        for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
+            _draw(axes, values, [orbit.stride[quantity] for orbit in orbits], orbits)
+            axes.set_ylabel(_with_unit(label, unit.variables[f"stride.{quantity}"].unit))
+        for axes in panels:
+            for border in borders:
+                axes.axvline(border.value, **style.STANCE_LINE)
+            for where in marked.values():
+                for value in where:
+                    axes.axvline(value, color=style.MODE_COLOURS["slip_negative"], linewidth=1.0)
+        if min(values) > 0 and max(values) > DECADES * min(values):
+            panels[-1].set_xscale("log")
+            panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+            panels[-1].minorticks_off()
+        panels[-1].set_xlabel(_with_unit(name, unit.variables[name].unit))
+        _name_marks(panels[1], marked)
+        figure.draw_without_rendering()  # lays out the axes
+        _words(panels[0], values, orbits)
+    return figure
+
+
+def _eigenvalues(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None:
+    sizes = np.array([np.abs(orbit.eigenvalues[:3]) for orbit in orbits])
+    for column, colour in zip(sizes.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=True):
+        _draw(axes, values, column, orbits, colour)
+    axes.axhline(1.0, **style.LIMIT_LINE)
+    axes.set_ylabel("eigenvalues, size")
+
+
+def _draw(
+    axes: Axes,
+    values: Sequence[float],
+    heights: Sequence[float],
+    orbits: Sequence[Orbit],
+    colour: str = style.CURVE,
+) -> None:
+    stable = np.array([orbit.stable for orbit in orbits])
+    axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
+    axes.plot(
+        values, np.where(stable, heights, np.nan), color=colour, marker="." if len(values) < 2 else None
+    )
+
+
+def _words(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None:
+    """The gait word above each stretch of equal words that has room for it; none where a branch turns."""
+    if len(set(np.sign(np.diff(values)))) > 1:
+        return
+    starts = [0, *(i for i in range(1, len(orbits)) if orbits[i].word != orbits[i - 1].word), len(orbits)]
+    shown = axes.transData.transform([(value, 0.0) for value in values])[:, 0]
+    for start, end in pairwise(starts):
+        word = style.word(orbits[start].word)
+        if abs(shown[end - 1] - shown[start]) > LETTER_WIDTH * len(word) or len(starts) == 2:
+            middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
+            top = ("data", "axes fraction")
+            axes.annotate(word, (middle, 1.02), xycoords=top, ha="center", fontsize=9)
+
+
+def _name_marks(axes: Axes, marked: Mapping[str, Sequence[float]]) -> None:
+    """Each mark by its kind, along its line."""
+    top = ("data", "axes fraction")
+    for kind, where in marked.items():
+        for value in where:
+            axes.annotate(
+                kind,
+                (value, 0.97),
+                (-3, 0),
+                top,
+                "offset points",
+                rotation=90,
+                ha="right",
+                va="top",
+                fontsize=8,
+            )
+
+
+def _with_unit(name: str, unit: str) -> str:
+    return name if unit in ("", "1") else f"{name} in {unit}"

@@ -1,0 +1,69 @@
+"""The picture of a result, by its kind: what `plot()` of a run, a gait, a sweep or a branch shows."""
+
+from functools import singledispatch
+
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+from ..analysis.continuation import Branch
+from ..analysis.sweep import Sweep
+from ..errors import InputError
+from ..library.orbit import Orbit
+from ..unit.run import Run
+from ..unit.unit import FRICTION, load
+from . import branch, overview, velocity_and_ratio
+from .stride import Stride
+
+
+def plot(result: object) -> Figure:
+    """The picture of a result.
+
+    Parameters
+    ----------
+    result : Run, Orbit, Sweep or Branch
+        What to draw.
+
+    Returns
+    -------
+    Figure
+        Of matplotlib.
+
+    Raises
+    ------
+    InputError
+        There is no picture of such a thing, or it has not recorded what is drawn.
+    """
+    figure = _figure_of(result)
+    plt.close(figure)  # else a notebook shows it once more, at the end of the cell
+    return figure
+
+
+@singledispatch
+def _figure_of(result: object) -> Figure:
+    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Orbit, Sweep, Branch")
+
+
+@_figure_of.register
+def _run(result: Run) -> Figure:
+    return overview.figure_of(result, load())
+
+
+@_figure_of.register
+def _gait(result: Orbit) -> Figure:
+    return velocity_and_ratio.figure_of(Stride(result, load()))
+
+
+@_figure_of.register
+def _sweep(result: Sweep) -> Figure:
+    orbits = result.orbits
+    values = [orbit.friction for orbit in orbits]
+    return branch.figure_of(FRICTION, values, orbits, result.borders, {}, load())
+
+
+@_figure_of.register
+def _branch(result: Branch) -> Figure:
+    marked: dict[str, list[float]] = {}
+    for special in result.specials:
+        if special.kind != "word border":
+            marked.setdefault(special.kind, []).append(special.value)
+    return branch.figure_of(result.name, result.values, result.orbits, result.borders, marked, load())

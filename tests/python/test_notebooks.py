@@ -1,0 +1,91 @@
+"""What a notebook shows of a result: a line, a picture, and a dataset over the time or the parameter."""
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip.analysis.continuation import trace
+from tdmf_slip.pictures.plot import plot
+
+
+@pytest.fixture(scope="module")
+def results():
+    gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    return {
+        "run": tdmf_slip.simulate({"ground.friction": 0.43}, strides=2),
+        "gait": gait,
+        "sweep": tdmf_slip.sweep({}, [0.7, 0.6, 0.45, 0.43]),
+        "branch": trace(gait.runner, "leg.damping", gait, 0.22),
+    }
+
+
+def test_each_is_told_in_a_line(results):
+    lines = {name: repr(result) for name, result in results.items()}
+    assert all("\n" not in line and len(line) < 250 for line in lines.values()), lines
+    assert "2 strides" in lines["run"] and f"{results['run'].stride['speed']:.6g}" in lines["run"]
+    assert "+0-0+" in lines["gait"] and "stable" in lines["gait"] and "0.857" in lines["gait"]
+    assert "+0-0+, +0-" in lines["sweep"] and "4 of 4" in lines["sweep"]
+    assert "leg.damping 0.2 to 0.22" in lines["branch"]
+
+
+def curves(figure):
+    return [line.get_xydata() for axes in figure.axes for line in axes.lines]
+
+
+def assert_shows(figure, x, y):
+    wanted = np.column_stack([x, y])
+    assert any(curve.shape == wanted.shape and np.array_equal(curve, wanted) for curve in curves(figure))
+
+
+def test_each_has_a_picture_of_what_it_holds(results):
+    run, sweep, branch = results["run"], results["sweep"], results["branch"]
+    assert_shows(run.plot(), run.table["time"], run.table["contact.fy"])
+    frictions = [orbit.friction for orbit in sweep.orbits]
+    assert_shows(sweep.plot(), frictions, [orbit.stride["speed"] for orbit in sweep.orbits])
+    eigenvalues = [orbit.lambda_max for orbit in branch.orbits]
+    assert_shows(branch.plot(), branch.values, eigenvalues)
+    edges = {tuple(curve[:, 1]) for curve in curves(results["gait"].plot()) if len(curve) == 2}
+    assert {(0.6, 0.6), (-0.6, -0.6)} <= edges  # the friction cone's
+
+
+def test_a_picture_is_shown_once(results):
+    """A notebook shows what a cell gives, and every figure that is still open."""
+    import matplotlib.pyplot as plt
+
+    before = plt.get_fignums()
+    assert results["gait"].plot().axes
+    assert plt.get_fignums() == before
+
+
+def test_what_has_no_picture_is_refused():
+    with pytest.raises(tdmf_slip.InputError, match="int has no picture; allowed: Run, Orbit"):
+        plot(3)
+
+
+def test_a_run_is_a_dataset_over_the_time(results):
+    run = results["run"]
+    data = run.to_xarray()
+    assert data.sizes == {"time": len(run.table)} and "time" in data.coords
+    assert data["time"].attrs["units"] == "s" and data["leg.length"].attrs["units"] == "m"
+    assert np.array_equal(data["leg.length"], run.table["leg.length"])
+    assert data.attrs["stride.word"] == run.stride["word"]
+    # At an apex there are two rows of the same time: both are found by it.
+    apex = data.sel(time=run.apex["time"])
+    assert apex["com.vy"].shape == (2,) and np.abs(apex["com.vy"]).max() < 1e-9
+
+
+def test_so_is_the_file_that_the_command_writes(results, command, tmp_path):
+    import xarray
+
+    options = ("--friction", "0.43", "--strides", "2", "--output", "run.nc")
+    assert command("simulate", *options)[0] == 0
+    with xarray.open_dataset(tmp_path / "run.nc", decode_times=False) as data:
+        expected = results["run"].to_xarray()
+        assert set(data.coords) == {"time"} and set(data.data_vars) == set(expected.data_vars)
+        assert np.array_equal(data["contact.fx"], expected["contact.fx"])
+
+
+def test_gaits_are_a_dataset_over_their_parameter(results):
+    sweep, branch = results["sweep"].to_xarray(), results["branch"].to_xarray()
+    assert list(sweep["word"].values) == ["+0-0+", "+0-0+", "+0-", "+0-"]
+    assert np.array_equal(branch["leg.damping"], results["branch"].values)
+    assert branch["lambda_max"].values[-1] == results["branch"].orbits[-1].lambda_max
