@@ -58,7 +58,7 @@ class Control {
   get range() {
     const { min, max, start } = this.variable;
     const unit = this.shown.name ? ` ${printed(this.shown.name)}` : "";
-    const text = (value) => Number((value * this.shown.factor).toPrecision(6)).toString().replace("e+", "e");
+    const text = (value) => shortest(value * this.shown.factor);
     return `default ${text(start)}, from ${text(min)} to ${text(max)}${unit}`.replaceAll("-", "−");
   }
 
@@ -93,6 +93,12 @@ class Control {
   refuse() {
     this.field.setAttribute("aria-invalid", "true");
   }
+}
+
+/** A number in few characters. */
+function shortest(value) {
+  const number = Number(value.toPrecision(6));
+  return (Math.abs(number) >= 1e5 ? number.toExponential() : String(number)).replace("e+", "e");
 }
 
 function element(tag, properties) {

@@ -58,9 +58,10 @@ class Page {
     this.gaitPanel = new GaitPanel($("gait"), $("circle"), $("eigenvalues"));
     this.frictionPlot = new FrictionPlot($("friction"), (friction) => this.set(FRICTION, friction));
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
-    const elements = { canvas: $("region"), rows: $("region-rows"), columns: $("region-columns") };
-    this.region = new Region({ ...elements, points: $("region-points"), legend: $("region-legend") }, (apex) =>
-      this.startFrom(apex),
+    const selects = { rows: $("region-rows"), columns: $("region-columns"), points: $("region-points") };
+    this.region = new Region(
+      { ...selects, canvas: $("region"), width: $("region-width"), legend: $("region-legend") },
+      (apex) => this.startFrom(apex),
     );
     this.search = new GaitSearch(pool, () => this.runner(), {
       found: (gait, message) => this.showGait(gait, message),

@@ -39,6 +39,5 @@ export function printed(unit) {
   return unit
     .replace("m/s2", "m/s²")
     .replaceAll(".", "·")
-    .replace("deg", "°")
-    .replace("°/", "°/");
+    .replace("deg", "°");
 }

@@ -12,8 +12,9 @@ import { palette } from "./theme.js";
 const RULES = { tolerance: 1e-5, distance: 1e-2, strides: 400 };
 const ROWS_AT_ONCE = 2;
 const LEG_LENGTH = 2; // it and the coordinates before are positive
+const LEAST = 0.1; // of the gait's, for what is positive
 const FATES = [
-  { name: "settled", text: "settles on the gait (darker: sooner)", colour: "accent" },
+  { name: "settled", text: "settles on the gait (stronger: sooner)", colour: "accent" },
   { name: "fell", text: "falls", colour: "bad" },
   { name: "undecided", text: "neither in 400 strides", colour: "slip_positive" },
   { name: "no_start", text: "no start: the foot is not above the ground", colour: "faint" },
@@ -23,11 +24,16 @@ const NAMES = coordinates.map(({ name }) => name.replace("apex.", ""));
 
 const rounded = (value) => (value ? Number(value.toPrecision(6)) : 0);
 
-/** Ends of a range of a coordinate that has the gait in it, and most of what it attracts. */
-export function rangeAround(apex, scales, index) {
+/**
+ * Ends of a range of a coordinate that has the gait in it.
+ * @param {number} width 1 for the range of `tdmf-slip basin`.
+ */
+export function rangeAround(apex, scales, index, width) {
   const here = apex[index];
-  const ends = index > LEG_LENGTH ? [here - 0.5 * scales[index], here + 0.5 * scales[index]] : [0.7 * here, 1.5 * here];
-  return ends.map(rounded);
+  if (index > LEG_LENGTH) {
+    return [here - 0.5 * width * scales[index], here + 0.5 * width * scales[index]].map(rounded);
+  }
+  return [Math.max(1 - 0.3 * width, LEAST) * here, (1 + 0.5 * width) * here].map(rounded);
 }
 
 const spaced = ([low, high], count) =>
@@ -35,17 +41,17 @@ const spaced = ([low, high], count) =>
 
 export class Region {
   /**
-   * @param {object} elements Canvas, selects for rows, columns and points, list of colours.
+   * @param {object} elements Canvas, selects for rows, columns, points and width, list of colours.
    * @param {function(number[]): void} chosen Is handed the apex that was clicked.
    */
-  constructor({ canvas, rows, columns, points, legend }, chosen) {
+  constructor({ canvas, rows, columns, points, width, legend }, chosen) {
     this.chosen = chosen;
-    this.selects = { rows, columns, points };
+    this.selects = { rows, columns, points, width };
     this.painting = 0;
     coordinates.forEach(({ description }, i) => {
       const text = description.replace(" at the last apex", "").toLowerCase();
       rows.append(new Option(text, i, i === 0, i === 0));
-      columns.append(new Option(text, i, i === 1, i === 1));
+      columns.append(new Option(text, i, i === 3, i === 3));
     });
     FATES.forEach(({ text, colour }) => legend.append(legendItem(text, colour)));
     this.surface = new Surface(canvas, () => this.draw());
@@ -66,7 +72,8 @@ export class Region {
     const painting = ++this.painting;
     const axes = [Number(this.selects.rows.value), Number(this.selects.columns.value)];
     const count = Number(this.selects.points.value);
-    const [rows, columns] = axes.map((axis) => spaced(rangeAround(gait.apex, scales, axis), count));
+    const width = Number(this.selects.width.value);
+    const [rows, columns] = axes.map((axis) => spaced(rangeAround(gait.apex, scales, axis, width), count));
     this.map = { axes, rows, columns, apex: gait.apex, fates: new Int32Array(count * count).fill(-1) };
     this.map.strides = new Int32Array(count * count);
     this.cross = [gait.apex[axes[1]], gait.apex[axes[0]]];

@@ -1,0 +1,377 @@
+"""The live page in Chromium, at a desk and on a phone in the dark: its numbers are the library's."""
+
+import math
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+import numpy as np
+import pytest
+import tdmf_slip
+from conftest import reference_gaits
+from tdmf_slip.analysis.basin import range_around
+from tdmf_slip.analysis.fates import fates
+from tdmf_slip.library.ensemble import FATES
+from tdmf_slip.library.members import INPUTS, PARAMETERS, STATES
+from tdmf_slip.unit.parameters import preset_names, read_parameters
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIVE = ROOT / "documentation" / "live"
+sys.path.insert(0, str(LIVE))
+
+pytest.importorskip("selenium")
+if not (shutil.which("chromium") and shutil.which("chromedriver")):
+    pytest.skip("needs Debian's chromium and chromium-driver", allow_module_level=True)
+
+from browser import chromium, open_page, served, size_of, wait  # noqa: E402
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from selenium.webdriver.support.select import Select  # noqa: E402
+
+EQUAL = 1e-8
+"""Relative for a stride's quantities, absolute for eigenvalues."""
+MOST_BYTES = 1_000_000
+SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
+NO_SLIP_EIGENVALUES = [0.811488219, -0.463835571, 0.010024837, 0.0, 0.0, 0.0]
+"""At friction 10, computed independently of the library in extended precision, to nine digits."""
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """The folder of the page."""
+    folder = tmp_path_factory.mktemp("site")
+    made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    return folder
+
+
+@pytest.fixture(scope="module")
+def address(built):
+    with served(built) as address:
+        yield address
+
+
+@pytest.fixture(scope="module", params=SCREENS.values(), ids=SCREENS)
+def driver(request):
+    with chromium(*request.param) as driver:
+        yield driver
+
+
+@pytest.fixture
+def page(driver, address):
+    """The page at its defaults; nothing may have gone to the console in the end."""
+    open_page(driver, address)
+    yield driver
+    assert [entry["message"] for entry in driver.get_log("browser")] == []
+
+
+def find(driver, ident):
+    return driver.find_element(By.ID, ident)
+
+
+def press(driver, ident):
+    """By the script, so that it does not matter what is scrolled where."""
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", find(driver, ident))
+    find(driver, ident).click()
+
+
+def told(driver, ident, name):
+    """A number of a list, every digit of it."""
+    cell = driver.find_element(By.CSS_SELECTOR, f"#{ident} [data-name='{name}']")
+    return cell.get_attribute("data-value")
+
+
+def find_gait(driver):
+    press(driver, "find")
+    wait(driver, "tdmfSlip.search.gait !== null", "the gait")
+
+
+def eigenvalues(driver):
+    items = driver.find_elements(By.CSS_SELECTOR, "#eigenvalues li")
+    return np.array(
+        [complex(*(float(item.get_attribute(f"data-{part}")) for part in ("re", "im"))) for item in items]
+    )
+
+
+def type_value(driver, name, text):
+    field = find(driver, f"value-{name}")
+    driver.execute_script(
+        "arguments[0].closest('details').open = true; arguments[0].scrollIntoView({block: 'center'})", field
+    )
+    field.clear()
+    field.send_keys(text, Keys.TAB)
+
+
+def sentence(driver):
+    return driver.execute_script(
+        "const p = document.getElementById('problem'); return p.hidden ? '' : p.textContent"
+    )
+
+
+def close(one, other):
+    return float(one) == pytest.approx(other, rel=EQUAL)
+
+
+def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, address):
+    assert size_of(built) < MOST_BYTES
+    loaded = page.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
+    assert f"{address}/live/live_core.wasm" in loaded and len(loaded) > 15
+    for name in loaded:
+        assert name.startswith(f"{address}/live/") and (built / name.removeprefix(f"{address}/")).is_file()
+
+
+def test_there_is_a_control_for_every_parameter_input_and_start_value(page, unit):
+    wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
+    rows = page.execute_script(
+        "return [...document.querySelectorAll('.control')].map((row) => ["
+        "row.querySelector('input[type=text]').name, row.querySelector('.set span').textContent,"
+        "row.querySelector('p').textContent])"
+    )
+    assert sorted(name for name, _, _ in rows) == sorted(wanted)
+    for name, shown, note in rows:
+        variable = unit.variables[name]
+        factor = next(iter(variable.display_units.values()), 1.0)
+        assert note.startswith(variable.description)
+        numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()
+        for text, value in zip(numbers, (variable.start, variable.minimum, variable.maximum), strict=True):
+            assert float(text.replace("−", "-")) == pytest.approx(value * factor, rel=1e-5)
+        printed = {"": "", "1": "", "rad": "°", "rad/s": "°/s", "m/s2": "m/s²"}
+        assert shown == printed.get(variable.unit, variable.unit.replace(".", "·"))
+
+
+def test_the_five_published_gaits_are_found(page):
+    presets = Select(find(page, "preset"))
+    compared = 0
+    for number, reference in enumerate(reference_gaits()):
+        presets.select_by_value(str(number))
+        find_gait(page)
+        assert told(page, "gait", "word") == reference["word"]
+        for name in ("period", "speed", "length", "cost_of_transport"):
+            assert close(told(page, "gait", f"stride.{name}"), reference[name])
+        orbit = tdmf_slip.find_orbit({"ground.friction": reference["friction"]})
+        assert np.abs(eigenvalues(page) - orbit.eigenvalues).max() < EQUAL
+        if reference["friction"] == 10:
+            assert np.abs(eigenvalues(page) - NO_SLIP_EIGENVALUES).max() < EQUAL
+        assert close(told(page, "gait", "lambda_max"), orbit.lambda_max)
+        assert told(page, "gait", "stable") == "stable"
+        compared += 1
+    assert compared == 5
+
+
+def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
+    draw = random.Random(15)
+    varied = ("leg.stiffness", "leg.damping", "foot.mass", "hip.kp", "hip.touchdown_angle", "ground.friction")
+    values = {name: tdmf_slip.load().start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
+    open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
+    orbit = tdmf_slip.find_orbit(values)
+    find_gait(driver)
+    assert told(driver, "gait", "word") == orbit.word
+    assert close(told(driver, "gait", "stride.speed"), orbit.stride["speed"])
+    assert np.abs(eigenvalues(driver) - orbit.eigenvalues).max() < EQUAL
+
+
+def test_presets_of_the_package_run(page):
+    options = [option.text for option in Select(find(page, "preset")).options]
+    differing = [name for name in preset_names() if f"{name} scale" in options]
+    assert differing == ["human"]
+    Select(find(page, "preset")).select_by_visible_text("human scale")
+    find_gait(page)
+    orbit = tdmf_slip.find_orbit(read_parameters("human"))
+    assert told(page, "gait", "word") == orbit.word == "+0+"
+    assert close(told(page, "gait", "stride.period"), orbit.period)
+    press(page, "start-gait")
+    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(arguments[0]))", 10.5 * orbit.period)
+    assert told(page, "numbers", "stride.count") == "10"
+    assert told(page, "numbers", "word") == orbit.word
+    assert close(told(page, "numbers", "stride.speed"), orbit.stride["speed"])
+    assert close(told(page, "numbers", "stride.cost_of_transport"), orbit.stride["cost_of_transport"])
+
+
+def test_the_ledger_of_a_stride_closes(page):
+    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(60))")
+    ledger = page.execute_script("return tdmfSlip.run.lastLedger")
+    losses = sum(value for name, value in ledger.items() if name.endswith("_loss"))
+    work = sum(value for name, value in ledger.items() if name.endswith("work"))
+    assert work - losses == pytest.approx(ledger["energy.total"], abs=1e-12)
+    assert losses > 0.1
+
+
+def test_dragging_the_friction_across_a_border_changes_the_word(page):
+    find_gait(page)
+    wait(page, "tdmfSlip.frictionPlot.points.length > 60", "the curve")
+    assert told(page, "gait", "word") == "+0-0+"
+    canvas = find(page, "friction")
+    page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+    where = "tdmfSlip.frictionPlot.axes.x(arguments[0]) - tdmfSlip.frictionPlot.surface.width / 2"
+    begin, end = (round(page.execute_script(f"return {where}", friction)) for friction in (0.6, 0.43))
+    drag = ActionChains(page, duration=50).move_to_element_with_offset(canvas, begin, 0).click_and_hold()
+    for step in range(1, 5):
+        drag.move_to_element_with_offset(canvas, begin + round((end - begin) * step / 4), 0)
+    drag.release().perform()
+    wait(page, "tdmfSlip.search.gait.word === '+0-'", "the other word")
+    friction = page.execute_script("return tdmfSlip.state.values['ground.friction']")
+    assert friction == pytest.approx(0.43, rel=0.02)
+    wait(page, f"location.hash === '#ground.friction={friction}'", "the address")
+    wait(page, f"tdmfSlip.search.friction === {friction}", "the gait at the last friction")
+    assert close(
+        told(page, "gait", "stride.speed"),
+        tdmf_slip.find_orbit({"ground.friction": friction}).stride["speed"],
+    )
+
+
+def test_the_curve_over_the_friction_is_the_librarys(page):
+    find_gait(page)
+    points = "tdmfSlip.frictionPlot.points"
+    wait(page, f"{points}.at(0)?.friction < 0.0501 && {points}.at(-1).friction > 9.99", "the curve")
+    points = page.execute_script("return tdmfSlip.frictionPlot.points")
+    assert {point["gait"]["word"] for point in points} == {"0+", "+0+", "+0-0+", "+0-", "+-"}
+    for point in points[::20]:
+        orbit = tdmf_slip.find_orbit({"ground.friction": point["friction"]})
+        assert point["gait"]["word"] == orbit.word
+        assert close(point["gait"]["stride"]["stride.speed"], orbit.stride["speed"])
+        assert abs(abs(complex(*point["gait"]["eigenvalues"][0])) - orbit.lambda_max) < EQUAL
+
+
+def test_every_cell_of_a_painted_region_is_the_librarys(page):
+    press(page, "paint")
+    wait(
+        page,
+        "document.getElementById('region-hint').textContent.includes('settle on the gait')",
+        "the region",
+    )
+    region = page.execute_script("return tdmfSlip.region.read")
+    orbit = tdmf_slip.find_orbit()
+    rows, columns = np.array(region["rows"]), np.array(region["columns"])
+    starts = np.tile(orbit.apex, (64, 64, 1))
+    axes = [tdmf_slip.library.section.COORDINATES.index(axis) for axis in region["axes"]]
+    starts[..., axes[0]], starts[..., axes[1]] = rows[:, None], columns[None, :]
+    ends = fates(orbit.runner, orbit.apex, starts.reshape(-1, 6))
+    assert region["fates"] == [FATES[number] for number in ends["fate"]]
+    assert region["strides"] == ends["strides"].tolist()
+    assert len(region["fates"]) == 64 * 64 and {"settled", "fell", "no_start"} <= set(region["fates"])
+
+
+def test_a_region_around_the_gait_is_that_of_the_command(page):
+    find_gait(page)
+    Select(find(page, "region-width")).select_by_value("1")
+    Select(find(page, "region-points")).select_by_visible_text("32")
+    press(page, "paint")
+    wait(
+        page,
+        "document.getElementById('region-hint').textContent.includes('settle on the gait')",
+        "the region",
+    )
+    region = page.execute_script("return tdmfSlip.region.read")
+    for axis, values in zip(region["axes"], (region["rows"], region["columns"]), strict=True):
+        assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_orbit(), axis), rel=1e-5)
+
+
+def test_a_click_into_the_region_starts_the_runner_there(page):
+    press(page, "paint")
+    wait(
+        page,
+        "document.getElementById('region-hint').textContent.includes('settle on the gait')",
+        "the region",
+    )
+    canvas = find(page, "region")
+    page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+    ActionChains(page).move_to_element_with_offset(canvas, 30, -40).click().perform()
+    apex = page.execute_script("return tdmfSlip.core.apexOf(tdmfSlip.state.values)")
+    gait = tdmf_slip.find_orbit().apex
+    assert apex[0] > 1.2 * gait[0] and apex[3] != gait[3]
+    assert [apex[i] for i in (1, 2, 4, 5)] == pytest.approx([gait[i] for i in (1, 2, 4, 5)], abs=1e-10)
+    wait(page, "location.hash.includes('leg.angle=')", "the address")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "says"),
+    [
+        ("ground.friction", "NaN", "ground.friction = nan is refused: allowed from 0 to 1000000"),
+        ("ground.friction", "-1", "ground.friction = -1 is refused: allowed from 0 to 1000000"),
+        ("ground.friction", "slippery", "ground.friction = nan is refused: allowed from 0 to 1000000"),
+        ("ground.friction", "", "ground.friction = nan is refused: allowed from 0 to 1000000"),
+        ("foot.y", "-2", "foot.y = -2 m is refused: allowed from 0 to 1e+09 m"),
+    ],
+)
+def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(page, name, text, says):
+    before = page.execute_script("return [tdmfSlip.state.values, tdmfSlip.run.time]")
+    type_value(page, name, text)
+    assert sentence(page) == says
+    assert find(page, f"value-{name}").get_attribute("aria-invalid") == "true"
+    assert page.execute_script("return tdmfSlip.state.values") == before[0]
+    wait(page, f"tdmfSlip.run.time > {before[1]} + 1", "the run")
+    type_value(page, name, "0.5")
+    assert sentence(page) == "" and find(page, f"value-{name}").get_attribute("aria-invalid") is None
+
+
+def test_an_address_shows_the_same_runner(driver, address):
+    open_page(driver, address, "#ground.friction=0.3&hip.touchdown_angle=0.7&leg.angle=1.1")
+    values = driver.execute_script("return tdmfSlip.state.values")
+    assert (values["ground.friction"], values["hip.touchdown_angle"], values["leg.angle"]) == (0.3, 0.7, 1.1)
+    assert float(find(driver, "value-hip.touchdown_angle").get_attribute("value")) == pytest.approx(
+        math.degrees(0.7)
+    )
+    type_value(driver, "body.mass", "1.25")
+    wait(driver, "location.hash.includes('body.mass')", "the address")
+    said = urllib.parse.parse_qs(driver.execute_script("return location.hash.slice(1)"))
+    assert said == {
+        "body.mass": ["1.25"],
+        "ground.friction": ["0.3"],
+        "hip.touchdown_angle": ["0.7"],
+        "leg.angle": ["1.1"],
+    }
+
+
+def test_a_bad_address_gets_a_sentence(driver, address):
+    open_page(driver, address, "#ground.friction=ice&colour=red")
+    assert "colour in the address is no parameter" in sentence(driver)
+    assert "ground.friction = nan is refused" in sentence(driver)
+    assert driver.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.6
+
+
+def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
+    open_page(driver, address, "#ground.friction=0&leg.angle_rate=4")
+    wait(driver, "tdmfSlip.run.over", "the fall")
+    assert find(driver, "announcement").get_attribute("textContent") == "The runner fell."
+    open_page(driver, address, "#foot.mass=1e-12")
+    wait(driver, "tdmfSlip.run.over", "the end")
+    assert "too stiff" in sentence(driver)
+
+
+def test_no_gait_is_told(driver, address):
+    open_page(driver, address, "#ground.friction=0")
+    press(driver, "find")
+    wait(driver, "document.getElementById('gait-hint').textContent.includes('nothing fixes')", "the reason")
+
+
+def test_keys_and_taps_run_pause_and_step(page):
+    body = page.find_element(By.TAG_NAME, "body")
+    body.send_keys(" ")
+    assert not page.execute_script("return tdmfSlip.running")
+    time = page.execute_script("return tdmfSlip.run.time")
+    body.send_keys(".")
+    assert page.execute_script("return tdmfSlip.run.time") == pytest.approx(time + 0.01)
+    body.send_keys("e")
+    assert page.execute_script("return tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time")
+    assert "centre of mass" in find(page, "scene").get_attribute("aria-label")
+    body.send_keys("]")
+    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.63
+    press(page, "scene")
+    assert page.execute_script("return tdmfSlip.running")
+
+
+def test_nothing_is_wider_than_the_screen_and_the_colours_are_those_asked_for(page):
+    width, dark = page.execute_script(
+        "return [innerWidth, matchMedia('(prefers-color-scheme: dark)').matches]"
+    )
+    assert page.execute_script("return document.documentElement.scrollWidth") <= width
+    shade = page.execute_script("return getComputedStyle(document.body).backgroundColor")
+    assert (max(map(int, re.findall(r"\d+", shade))) < 64) == dark
+    press(page, "theme")
+    other = page.execute_script("return getComputedStyle(document.body).backgroundColor")
+    assert (max(map(int, re.findall(r"\d+", other))) < 64) != dark
