@@ -112,6 +112,12 @@ static void pass_word(transfer *bytes, const char *name, char word[TDMF_WORD_CAP
 
 /* ---- one struct each ---------------------------------------------------------------------------------- */
 
+static void pass_ground_line(transfer *bytes, tdmf_ground_line *ground) {
+    pass_between(bytes, "the height of the ground", &ground->height, -unit_largest_state, unit_largest_state);
+    pass_between(bytes, "the slope of the ground", &ground->slope, -1.0, 1.0);
+    *ground = tdmf_ground_line_of(ground->height, ground->slope);
+}
+
 static void pass_mode(transfer *bytes, tdmf_mode *mode) {
     int contact = (int)mode->contact;
     int phase = (int)mode->phase;
@@ -123,6 +129,10 @@ static void pass_mode(transfer *bytes, tdmf_mode *mode) {
     pass_flag(bytes, "whether mid-stance is to come", &mode->mid_stance_pending);
     pass_flag(bytes, "whether the clamp is closed", &mode->clamp_closed);
     pass_flag(bytes, "whether the ground force rises", &mode->ground_force_rising);
+    pass_flag(bytes, "whether the leg thrusts", &mode->thrusts);
+    pass_flag(bytes, "whether the centre of mass rises", &mode->rises);
+    pass_between(bytes, "the rest length", &mode->rest_length, -unit_largest_state, unit_largest_state);
+    pass_ground_line(bytes, &mode->ground);
     pass_flag(bytes, "status.fallen", &mode->fallen);
 }
 
@@ -130,8 +140,11 @@ static void pass_stride(transfer *bytes, tdmf_stride *stride) {
     pass_count(bytes, "stride.count", &stride->count);
     pass_finite(bytes, "stride.period", &stride->period);
     pass_finite(bytes, "stride.length", &stride->length);
+    pass_finite(bytes, "stride.rise", &stride->rise);
     pass_finite(bytes, "stride.speed", &stride->speed);
     pass_finite(bytes, "stride.work", &stride->work);
+    pass_finite(bytes, "stride.hip_work", &stride->hip_work);
+    pass_finite(bytes, "stride.leg_work", &stride->leg_work);
     pass_finite(bytes, "stride.positive_work", &stride->positive_work);
     pass_finite(bytes, "stride.cost_of_transport", &stride->cost_of_transport);
     pass_count(bytes, "stride.touchdowns", &stride->touchdowns);
@@ -158,7 +171,9 @@ static void pass_open_stride(transfer *bytes, tdmf_open_stride *open) {
     pass_flag(bytes, "whether the foot flew since the last letter", &open->flew_since_letter);
     pass_instant(bytes, "the open stride's start time", &open->start);
     pass_sum(bytes, "the open stride's start", &open->start_com_x);
-    pass_sum(bytes, "the open stride's work", &open->start_work);
+    pass_sum(bytes, "the height of its start", &open->start_com_y);
+    pass_sum(bytes, "the open stride's work of the hip", &open->start_hip_work);
+    pass_sum(bytes, "the open stride's work of the leg", &open->start_leg_work);
     pass_sum(bytes, "the open stride's positive work", &open->start_positive_work);
     pass_instant(bytes, "the contact's start time", &open->contact_start);
     pass_sum(bytes, "the contact's start", &open->contact_start_x);

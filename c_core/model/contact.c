@@ -3,9 +3,14 @@
 
 #include "evaluation.h"
 
-tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
+tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, double torque,
                                       const double state[TDMF_STATE_COUNT]) {
-    const tdmf_evaluation at = {.model = model, .leg = tdmf_leg_of(model, state)};
+    const tdmf_evaluation at = {.model = model,
+                                .inputs = inputs,
+                                .mode = mode,
+                                .state = state,
+                                .leg = tdmf_leg_of(model, inputs, mode, state)};
     return tdmf_force_under(&at, torque);
 }
 

@@ -137,6 +137,8 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     rates_of_motion(at, &a, derivatives);
     derivatives[TDMF_HIP_WORK] = power;
     derivatives[TDMF_HIP_PLACE_TIME] = tdmf_place_time_rate(at->mode);
+    derivatives[TDMF_LEG_WORK] = 0.0; /* with the inputs held */
+    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];
@@ -151,6 +153,8 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
     rates_of_motion(d, &d_a, derivatives);
     derivatives[TDMF_HIP_WORK] = d_power;
     derivatives[TDMF_HIP_PLACE_TIME] = 0.0;
+    derivatives[TDMF_LEG_WORK] = 0.0;
+    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
         2.0 * at->model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
@@ -180,7 +184,7 @@ double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
     const double torque_rate = tdmf_vary_law_torque(&law, &still, at->state, rates);
     const tdmf_evaluation d = {.model = &unchanged,
-                               .leg = tdmf_vary_leg(at->model, &at->leg, &unchanged, rates)};
+                               .leg = tdmf_vary_leg(at->model, &at->leg, &unchanged, 0.0, rates)};
     return tdmf_vary_force_under(at, &d, at->torque, torque_rate).fy;
 }
 

@@ -24,7 +24,7 @@ static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const t
 
 static inline tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_inputs *inputs,
                                             const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, state);
+    const tdmf_leg leg = tdmf_leg_of(model, inputs, mode, state);
     return tdmf_evaluate_leg(model, inputs, mode, state, &leg);
 }
 

@@ -25,7 +25,7 @@
 /* Nobody locates the clamp of a foot on the ground: it is where the servo has it now. */
 static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
     tdmf_mode mode = *at->mode;
-    mode.clamp_closed = tdmf_servo_torque(at->model, at->mode, at->state) < 0.0;
+    mode.clamp_closed = tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) < 0.0;
     return mode;
 }
 
@@ -45,8 +45,9 @@ tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdm
 
 /* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_direction *d) {
-    return at->mode->phase != TDMF_PHASE_PLACE && tdmf_servo_torque(at->model, at->mode, at->state) == 0.0 &&
-           tdmf_vary_servo_torque(at->model, at->mode, at->state, d) != 0.0;
+    return at->mode->phase != TDMF_PHASE_PLACE &&
+           tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) == 0.0 &&
+           tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d) != 0.0;
 }
 
 tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,

@@ -10,7 +10,7 @@
  * ever.
  *
  * In place the leg is retracted before it lands: theta_ref = theta0 - omega s, with s the time since place
- * began. The paper has omega = 0.
+ * began. The paper has omega = 0. The control inputs add to theta0 and tau0.
  *
  * The clamp's kink is located like an event: in flight the law is smooth while mode->clamp_closed stands.
  *
@@ -46,7 +46,8 @@ static inline tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const td
 static inline tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
                                            const tdmf_inputs *rates, const tdmf_mode *mode) {
     tdmf_hip_law law = tdmf_external_law(inputs, rates);
-    law.torque -= mode->mid_stance_pending ? model->parameters.hip.stance_torque : 0.0;
+    law.torque -=
+        mode->mid_stance_pending ? model->parameters.hip.stance_torque + inputs->control.stance_torque : 0.0;
     return law;
 }
 
@@ -70,18 +71,21 @@ static inline tdmf_hip_law tdmf_vary_retract_law(const tdmf_parameters *p, doubl
     return d_law;
 }
 
-static inline tdmf_hip_law tdmf_place_law(const tdmf_parameters *p, double place_time) {
+static inline tdmf_hip_law tdmf_place_law(const tdmf_parameters *p, const tdmf_inputs *inputs,
+                                          double place_time) {
+    const double touchdown_angle = p->hip.touchdown_angle + inputs->control.touchdown_angle;
     const tdmf_hip_law law = {.gain = p->hip.kp,
                               .rate_gain = p->hip.kd,
-                              .target = p->hip.touchdown_angle - p->hip.retraction_rate * place_time,
+                              .target = touchdown_angle - p->hip.retraction_rate * place_time,
                               .target_rate = -p->hip.retraction_rate,
                               .torque = -p->hip.kd * p->hip.retraction_rate};
     return law;
 }
 
 static inline tdmf_hip_law tdmf_vary_place_law(const tdmf_parameters *p, double place_time,
-                                               const tdmf_parameters *d_p, double d_place_time) {
-    tdmf_hip_law d_law = tdmf_place_law(d_p, place_time);
+                                               const tdmf_parameters *d_p, const tdmf_inputs *d_inputs,
+                                               double d_place_time) {
+    tdmf_hip_law d_law = tdmf_place_law(d_p, d_inputs, place_time);
     d_law.target -= p->hip.retraction_rate * d_place_time;
     d_law.torque = -d_p->hip.kd * p->hip.retraction_rate - p->hip.kd * d_p->hip.retraction_rate;
     return d_law;
@@ -94,8 +98,9 @@ static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
 
 /* The servo alone: its torque is what the clamp is decided by. `place_time` is the time since place began, if
  * it has. */
-static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_mode *mode, double place_time) {
-    return mode->phase == TDMF_PHASE_PLACE ? tdmf_place_law(&model->parameters, place_time)
+static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, double place_time) {
+    return mode->phase == TDMF_PHASE_PLACE ? tdmf_place_law(&model->parameters, inputs, place_time)
                                            : tdmf_retract_law(&model->parameters, mode->liftoff_angle);
 }
 
@@ -103,7 +108,7 @@ static inline tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_m
                                            const tdmf_direction *d) {
     const tdmf_parameters *p = &model->parameters, *d_p = &d->model.parameters;
     return mode->phase == TDMF_PHASE_PLACE
-               ? tdmf_vary_place_law(p, place_time, d_p, d->state[TDMF_HIP_PLACE_TIME])
+               ? tdmf_vary_place_law(p, place_time, d_p, &d->inputs, d->state[TDMF_HIP_PLACE_TIME])
                : tdmf_vary_retract_law(p, mode->liftoff_angle, d_p, d->mode.liftoff_angle);
 }
 
@@ -122,7 +127,8 @@ static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_i
                                            const tdmf_inputs *rates, const tdmf_mode *mode,
                                            double place_time) {
     const tdmf_hip_law alone = tdmf_external_law(inputs, rates);
-    return tdmf_is_clamped(mode) ? alone : tdmf_sum_of_laws(tdmf_servo(model, mode, place_time), alone);
+    return tdmf_is_clamped(mode) ? alone
+                                 : tdmf_sum_of_laws(tdmf_servo(model, inputs, mode, place_time), alone);
 }
 
 /* The clamp is held. */

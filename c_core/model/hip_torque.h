@@ -7,15 +7,16 @@
 
 /* ---- of the servo of the flight law alone ------------------------------------------------------------- */
 
-static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_mode *mode,
-                                       const double state[TDMF_STATE_COUNT]) {
-    const tdmf_hip_law servo = tdmf_servo(model, mode, state[TDMF_HIP_PLACE_TIME]);
+static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_hip_law servo = tdmf_servo(model, inputs, mode, state[TDMF_HIP_PLACE_TIME]);
     return tdmf_law_torque(&servo, state);
 }
 
-static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_mode *mode,
-                                            const double state[TDMF_STATE_COUNT], const tdmf_direction *d) {
-    const tdmf_hip_law servo = tdmf_servo(model, mode, state[TDMF_HIP_PLACE_TIME]);
+static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
+                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                            const tdmf_direction *d) {
+    const tdmf_hip_law servo = tdmf_servo(model, inputs, mode, state[TDMF_HIP_PLACE_TIME]);
     const tdmf_hip_law d_servo = tdmf_vary_servo(model, mode, state[TDMF_HIP_PLACE_TIME], d);
     return tdmf_vary_law_torque(&servo, &d_servo, state, d->state);
 }

@@ -12,7 +12,8 @@ typedef struct {
     double length_rate;
     double angle_rate;
     double sine, cosine; /* of theta */
-    double axial_force;  /* F_s = k (l0 - r) - c rdot, pushing body and foot apart */
+    double rest_length;  /* of the spring */
+    double axial_force;  /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
 } tdmf_leg;
 
 /* Sine and cosine of the leg's angle, which no event changes. */
@@ -25,15 +26,25 @@ static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_S
     return direction;
 }
 
+/* Of the spring: l0, the extension and, from the greatest compression to the end of the stance, the thrust.
+ * Linear in model and inputs, so that it serves their changes too. */
+static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode) {
+    const double thrust = mode->thrusts ? model->parameters.leg.thrust + inputs->control.thrust : 0.0;
+    return model->parameters.leg.free_length + inputs->leg.extension + thrust;
+}
+
 /* The leg, where its direction is at hand. A solver may try lengths at or below zero on its
  * way past a fall; 1/r stays finite there. A running leg is never shorter than its minimum, so the floor is
  * out of reach of any accepted state. */
-static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                                       tdmf_leg_direction direction) {
     const tdmf_parameters *p = &model->parameters;
     const double length = state[TDMF_LEG_LENGTH];
     const double length_rate = state[TDMF_LEG_LENGTH_RATE];
     const double shortest = 0.5 * p->leg.min_length;
+    const double rest_length = tdmf_rest_length(model, inputs, mode);
     const tdmf_leg leg = {
         .length = length,
         .inverse_length = 1.0 / (length > shortest ? length : shortest),
@@ -41,18 +52,20 @@ static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const double stat
         .angle_rate = state[TDMF_LEG_ANGLE_RATE],
         .sine = direction.sine,
         .cosine = direction.cosine,
-        .axial_force = p->leg.stiffness * (p->leg.free_length - length) - p->leg.damping * length_rate,
+        .rest_length = rest_length,
+        .axial_force = p->leg.stiffness * (rest_length - length) - p->leg.damping * length_rate,
     };
     return leg;
 }
 
-static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_leg_along(model, state, tdmf_leg_direction_of(state));
+static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                   const double state[TDMF_STATE_COUNT]) {
+    return tdmf_leg_along(model, inputs, mode, state, tdmf_leg_direction_of(state));
 }
 
-/* How the leg changes along a direction. */
+/* How the leg changes along a direction, along which its rest length changes by `d_rest_length`. */
 static inline tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *leg, const tdmf_model *d,
-                                     const double d_state[TDMF_STATE_COUNT]) {
+                                     double d_rest_length, const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_parameters *p = &model->parameters;
     const tdmf_parameters *d_p = &d->parameters;
     const double d_length = d_state[TDMF_LEG_LENGTH];
@@ -67,9 +80,10 @@ static inline tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *le
         .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
         .sine = leg->cosine * d_angle,
         .cosine = -leg->sine * d_angle,
-        .axial_force = d_p->leg.stiffness * (p->leg.free_length - leg->length) +
-                       p->leg.stiffness * (d_p->leg.free_length - d_length) -
-                       d_p->leg.damping * leg->length_rate - p->leg.damping * d_length_rate,
+        .rest_length = d_rest_length,
+        .axial_force = d_p->leg.stiffness * (leg->rest_length - leg->length) +
+                       p->leg.stiffness * (d_rest_length - d_length) - d_p->leg.damping * leg->length_rate -
+                       p->leg.damping * d_length_rate,
     };
     return d_leg;
 }

@@ -3,6 +3,7 @@
 
 #include "energy.h"
 #include "evaluation.h"
+#include "ground_line.h"
 #include "kinematics.h"
 
 tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
@@ -11,11 +12,14 @@ tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs,
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     const tdmf_point body = tdmf_body_along(state, direction);
     const tdmf_point com = tdmf_center_of_mass_along(model, state, direction);
-    const tdmf_energy energy = tdmf_mechanical_energy_along(model, state, direction);
+    const tdmf_energy energy = tdmf_mechanical_energy_along(model, inputs, mode, state, direction);
     const tdmf_outputs outputs = {
         .body = {body.x, body.y, body.vx, body.vy},
         .com = {com.x, com.y, com.vx, com.vy},
-        .contact = {at.force.fx, at.force.fy, (int)mode->contact, (int)mode->contact},
+        .contact = {at.force.fx, at.force.fy, at.force.fy, at.force.fx, (int)mode->contact,
+                    (int)mode->contact},
+        .ground = {tdmf_ground_is_pending(inputs, mode)},
+        .leg = {at.leg.axial_force},
         .hip = {at.torque, mode->liftoff_angle, (int)mode->phase, (int)mode->phase},
         .energy = {energy.kinetic, energy.potential, energy.elastic, energy.total, record->impact_loss},
         .event = {record->event_count, record->last_event_time},

@@ -3,6 +3,7 @@
 
 #include "apex.h"
 #include "contact_change.h"
+#include "ground_line.h"
 #include "impact.h"
 #include "kinematics.h"
 #include "margins.h"
@@ -95,6 +96,8 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
     mode->contact = TDMF_CONTACT_FLIGHT;
     mode->phase = TDMF_PHASE_COAST; /* neither retract nor place: what comes first decides */
     mode->liftoff_angle = state[TDMF_LEG_ANGLE];
+    mode->rest_length = tdmf_rest_length(model, inputs, mode);
+    mode->ground = tdmf_ground_line_set(inputs);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
         state[i] = 0.0;
     }

@@ -4,6 +4,13 @@
 #include "contact_mode.h"
 #include "ranges.h"
 
+#include <math.h>
+
+tdmf_ground_line tdmf_ground_line_of(double height, double slope) {
+    const tdmf_ground_line line = {height, slope, sin(slope), cos(slope)};
+    return line;
+}
+
 bool tdmf_in_contact(const tdmf_mode *mode) {
     return tdmf_is_loaded(mode);
 }

@@ -60,12 +60,14 @@ tdmf_instant tdmf_record_instant(const tdmf_record *record, double time) {
     return record->now.time == time ? record->now : rounded;
 }
 
-static void open_stride(tdmf_open_stride *open, tdmf_instant now, double com_x,
+static void open_stride(tdmf_open_stride *open, tdmf_instant now, tdmf_point com,
                         const double state[TDMF_STATE_COUNT]) {
     memset(open, 0, sizeof *open);
     open->start = now;
-    open->start_com_x = com_x;
-    open->start_work = state[TDMF_HIP_WORK];
+    open->start_com_x = com.x;
+    open->start_com_y = com.y;
+    open->start_hip_work = state[TDMF_HIP_WORK];
+    open->start_leg_work = state[TDMF_LEG_WORK];
     open->start_positive_work = state[TDMF_HIP_POSITIVE_WORK];
     open->contact_start = now;
     open->contact_start_x = state[TDMF_FOOT_X];
@@ -76,7 +78,8 @@ void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF
     record->last_event_time = time;
     record->now.time = time;
     /* Not begun at an apex, so never counted: the centre of mass may as well start at 0. */
-    open_stride(&record->open, record->now, 0.0, state);
+    const tdmf_point nowhere = {0.0, 0.0, 0.0, 0.0};
+    open_stride(&record->open, record->now, nowhere, state);
 }
 
 void tdmf_record_event(tdmf_record *record, double time) {
@@ -115,13 +118,16 @@ static double ratio_or_zero(double numerator, double denominator) {
 }
 
 static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, const tdmf_model *model,
-                         tdmf_instant now, double com_x, const double state[TDMF_STATE_COUNT]) {
+                         tdmf_instant now, tdmf_point com, const double state[TDMF_STATE_COUNT]) {
     const double weight = model->total_mass * model->parameters.gravity;
     count(&stride->count);
     stride->period = tdmf_time_between(open->start, now);
-    stride->length = com_x - open->start_com_x;
+    stride->length = com.x - open->start_com_x;
+    stride->rise = com.y - open->start_com_y;
     stride->speed = ratio_or_zero(stride->length, stride->period);
-    stride->work = state[TDMF_HIP_WORK] - open->start_work;
+    stride->hip_work = state[TDMF_HIP_WORK] - open->start_hip_work;
+    stride->leg_work = state[TDMF_LEG_WORK] - open->start_leg_work;
+    stride->work = stride->hip_work + stride->leg_work;
     stride->positive_work = state[TDMF_HIP_POSITIVE_WORK] - open->start_positive_work;
     stride->cost_of_transport = ratio_or_zero(stride->work, weight * stride->length);
     stride->touchdowns = open->touchdowns;
@@ -138,9 +144,9 @@ void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
     const tdmf_point com = tdmf_center_of_mass(model, state);
     const tdmf_instant now = tdmf_record_instant(record, time);
     if (record->open.began_at_apex) {
-        close_stride(&record->stride, &record->open, model, now, com.x, state);
+        close_stride(&record->stride, &record->open, model, now, com, state);
     }
-    open_stride(&record->open, now, com.x, state);
+    open_stride(&record->open, now, com, state);
     record->open.began_at_apex = true;
     record->apex.time = time;
     record->apex.com_height = com.y;

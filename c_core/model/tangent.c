@@ -17,7 +17,7 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
         .com = tdmf_vary_center_of_mass(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
         .torque = d_at.torque,
-        .energy = tdmf_vary_energy(model, state, direction, &d),
+        .energy = tdmf_vary_energy(&at, &d, &d_at),
     };
     if (!mode->fallen) {
         tdmf_vary_rates_of_state(&at, &d_at, tangent.derivatives);

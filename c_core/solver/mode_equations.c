@@ -45,12 +45,12 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
         equations->law = tdmf_flight_law(model, inputs, rates, mode, equations->place_time);
-        equations->servo = tdmf_servo(model, mode, equations->place_time);
+        equations->servo = tdmf_servo(model, inputs, mode, equations->place_time);
         break;
     case TDMF_CONTACT_GRAZE:
         equations->law = tdmf_external_law(inputs, rates);
         equations->stance_law = tdmf_stance_law(model, inputs, rates, mode);
-        equations->servo = tdmf_servo(model, mode, equations->place_time);
+        equations->servo = tdmf_servo(model, inputs, mode, equations->place_time);
         break;
     default:
         equations->law = tdmf_stance_law(model, inputs, rates, mode);

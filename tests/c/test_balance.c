@@ -88,7 +88,7 @@ static void center_of_mass_is_ballistic_off_the_ground_and_in_graze(void **unuse
 /* ---- energy ----------------------------------------------------------------------------------------- */
 
 static double total_energy(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
 }
 
 static void power_balances(const runner *runner) {

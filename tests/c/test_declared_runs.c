@@ -39,13 +39,14 @@ typedef struct {
 
 static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
-    return tdmf_mechanical_energy(&run->model, state).total - run->start_energy - state[TDMF_HIP_WORK] +
-           state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
+    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state).total -
+           run->start_energy - state[TDMF_HIP_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
+           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
 }
 
 static double largest_energy(const run *run) {
     const double *state = run->motion.state;
-    const tdmf_energy energy = tdmf_mechanical_energy(&run->model, state);
+    const tdmf_energy energy = tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state);
     return energy.kinetic + fabs(energy.potential) + energy.elastic + fabs(state[TDMF_HIP_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
            run->motion.record.impact_loss;
@@ -133,7 +134,7 @@ static tdmf_outcome advance(random_source *source, run *run) {
     const double duration = run->model.scales.time * random_magnitude(source, 0.1, 30.0);
     const double start = run->motion.time;
     const int64_t steps = run->solver.steps;
-    tdmf_inputs rates = {{0.0}, {0.0}};
+    tdmf_inputs rates = {.ground = {0.0}};
     if (random_chance(source, 0.2)) {
         rates.ground.friction = random_uniform(source, -1.0, 1.0) / duration;
         rates.hip.external_torque = random_uniform(source, -0.1, 0.1) * run->model.scales.energy / duration;
@@ -162,7 +163,8 @@ static bool begin(random_source *source, run *run) {
         run->motion.state[i] = runner.state[i];
     }
     assert_null(tdmf_model_create(&run->model, &runner.parameters).variable);
-    const double energy = tdmf_mechanical_energy(&run->model, run->motion.state).total;
+    const double energy =
+        tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
     if (tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
             .variable != NULL) {
         return false;

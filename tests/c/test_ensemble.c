@@ -277,8 +277,10 @@ static void neighbours_do_not_matter(void **state) {
 
 static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_SECTION_COUNT]) {
     double state[TDMF_STATE_COUNT];
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    const tdmf_mode mode = {.contact = TDMF_CONTACT_FLIGHT};
     tdmf_section_state(model, apex, state);
-    return tdmf_mechanical_energy(model, state).total;
+    return tdmf_mechanical_energy(model, &inputs, &mode, state).total;
 }
 
 static void energy_is_accounted_for(void **state) {

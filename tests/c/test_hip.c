@@ -129,7 +129,8 @@ static void graze_torque_unloads_the_foot(void **unused) {
     for (int i = 0; i < 1000; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
         const double torque = torque_of(&runner);
-        const tdmf_ground_force force = tdmf_sticking_force(&runner.model, torque, runner.state);
+        const tdmf_ground_force force =
+            tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state);
         const double scale = runner.model.scales.force * (1.0 + runner.model.parameters.leg.damping);
         assert_close(force.fy, 0.0, 1e-13 * scale);
         runner.inputs.hip.external_torque = 0.3 * runner.model.scales.energy;
@@ -146,7 +147,8 @@ static void graze_is_watched_by_the_ground_force_under_either_law(void **unused)
     runner.mode.phase = TDMF_PHASE_PLACE;
     runner.mode.contact = TDMF_CONTACT_GRAZE;
     const double law = -0.1 * (0.3 - touchdown_angle) + 0.05;
-    const double flight = tdmf_sticking_force(&runner.model, law, runner.state).fy;
+    const double flight =
+        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, law, runner.state).fy;
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_CONTACT), -stance, 1e-12);
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT), flight, 1e-12);
 }

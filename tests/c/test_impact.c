@@ -22,7 +22,7 @@ static double impact(runner *runner, double friction) {
 }
 
 static double total_energy(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
 }
 
 static double vx_after(double vx, double vy, double friction) {

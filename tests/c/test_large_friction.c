@@ -14,7 +14,7 @@
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
 enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF_A_STRIDE = 500 };
 
-static const tdmf_inputs held = {{0.0}, {0.0}};
+static const tdmf_inputs held = {.ground = {0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion = {.time = runner->time, .mode = runner->mode, .record = runner->record};
@@ -36,7 +36,8 @@ static void the_cones_guard_rounds_like_the_forces(void **unused) {
         for (double angle = -1.0; angle < 1.1; angle += 0.25) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 1e-9);
             runner.inputs.ground.friction = frictions[i];
-            const tdmf_ground_force force = tdmf_sticking_force(&runner.model, 0.0, runner.state);
+            const tdmf_ground_force force =
+                tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, 0.0, runner.state);
             const long double edge = fabsl((long double)force.fx) / (long double)frictions[i];
             const double value = (double)((long double)force.fy - edge + (long double)TDMF_GUARD_MARGIN);
             const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);

@@ -15,7 +15,7 @@ static ledger ledger_of(const runner *runner) {
 }
 
 static double energy_of(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, runner->state).total;
+    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
 }
 
 /* A slip's last instant may run backward by the margin of its guard. */

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {{0.0}, {0.0}};
+static const tdmf_inputs held = {.ground = {0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -48,7 +48,7 @@ static void a_stride_of_every_gait(void **state) {
 }
 
 static double energy(const runner *runner, const tdmf_motion *motion) {
-    return tdmf_mechanical_energy(&runner->model, motion->state).total;
+    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &motion->mode, motion->state).total;
 }
 
 static double ledger(const tdmf_motion *motion) {
@@ -214,7 +214,7 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
 
 static void a_ramp_is_the_limit_of_small_steps(void **state) {
     enum { PIECES = 4000 };
-    const tdmf_inputs ramp = {{-0.02}, {1e-4}};
+    const tdmf_inputs ramp = {.ground.friction = -0.02, .hip.external_torque = 1e-4};
     const double until = 30.0;
     (void)state;
     const runner runner = runner_at_reference_apex(&reference_gaits[1]);
@@ -270,7 +270,7 @@ static void the_peak_force_is_the_largest_met(void **state) {
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
 static void a_friction_that_falls_ends_at_zero(void **state) {
     const double zero = 13.0, until = 20.0;
-    const tdmf_inputs falling = {{-0.6 / zero}, {0.0}};
+    const tdmf_inputs falling = {.ground.friction = -0.6 / zero};
     (void)state;
     runner runner = runner_at_reference_apex(&reference_gaits[2]);
     runner.inputs.ground.friction = 0.6;
@@ -334,7 +334,7 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
 
 /* In flight and on the ground; a torque that is held and one that grows. */
 static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
-    static const tdmf_inputs rates[] = {{{0.0}, {0.0}}, {{0.0}, {2e-3}}};
+    static const tdmf_inputs rates[] = {{.ground = {0.0}}, {.hip.external_torque = 2e-3}};
     (void)state;
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[2]);

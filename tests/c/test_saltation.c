@@ -26,7 +26,8 @@ static double static_friction(const runner *at) {
 /* What a guard watches, in its own unit. */
 static double watched(const runner *at, tdmf_guard guard) {
     const double torque = scene_stance_law(at) + at->inputs.hip.external_torque;
-    const tdmf_ground_force force = tdmf_sticking_force(&at->model, torque, at->state);
+    const tdmf_ground_force force =
+        tdmf_sticking_force(&at->model, &at->inputs, &at->mode, torque, at->state);
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
         return at->state[TDMF_FOOT_Y];
@@ -43,7 +44,9 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_MID_STANCE:
         return at->state[TDMF_LEG_ANGLE];
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
-        return tdmf_sticking_force(&at->model, flight_law(at) + at->inputs.hip.external_torque, at->state).fy;
+        return tdmf_sticking_force(&at->model, &at->inputs, &at->mode,
+                                   flight_law(at) + at->inputs.hip.external_torque, at->state)
+            .fy;
     default:
         return force.fy; /* lift-off, and from graze to contact */
     }

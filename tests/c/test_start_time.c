@@ -49,7 +49,7 @@ static void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, doubl
 /* In calls that end where the clock can tell; the last of them ends after a few strides. */
 static void run_on(advance *advance, const runner *runner, double tolerance, double call, int calls,
                    tdmf_motion *motion) {
-    static const tdmf_inputs ramp = {{1e-4}, {1e-5}};
+    static const tdmf_inputs ramp = {.ground.friction = 1e-4, .hip.external_torque = 1e-5};
     const double start = motion->time;
     tdmf_inputs inputs = runner->inputs;
     for (int i = 1; i <= calls; ++i) {
@@ -137,7 +137,7 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, INFINITY, &motion).closed);
     tdmf_motion moved = motion;
     moved.time = 8.0;
-    static const tdmf_inputs held = {{0.0}, {0.0}};
+    static const tdmf_inputs held = {.ground = {0.0}};
     assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 9.0, &moved),
                      TDMF_ARRIVED);
     assert_true(moved.time == 9.0 && moved.record.now.time == 9.0 && moved.record.now.rest == 0.0);

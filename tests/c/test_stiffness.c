@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {{0.0}, {0.0}};
+static const tdmf_inputs held = {.ground = {0.0}};
 
 static runner runner_of(const tdmf_parameters *parameters) {
     runner runner = runner_default(0.6);
@@ -28,8 +28,9 @@ static tdmf_motion motion_of(const runner *runner) {
 }
 
 static double energy_missing(const runner *runner, const tdmf_motion *motion) {
-    const double change = tdmf_mechanical_energy(&runner->model, motion->state).total -
-                          tdmf_mechanical_energy(&runner->model, runner->state).total;
+    const double change =
+        tdmf_mechanical_energy(&runner->model, &runner->inputs, &motion->mode, motion->state).total -
+        tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
     return change - motion->state[TDMF_HIP_WORK] + motion->state[TDMF_ENERGY_DAMPER_LOSS] +
            motion->state[TDMF_ENERGY_FRICTION_LOSS] + motion->record.impact_loss;
 }

@@ -27,7 +27,8 @@ static void values_of(const runner *runner, double values[UNKNOWNS]) {
     outputs_of(tdmf_body(runner->state), tdmf_center_of_mass(model, runner->state),
                tdmf_contact_force(model, &runner->inputs, &runner->mode, runner->state),
                tdmf_hip_torque(model, &runner->inputs, &runner->mode, runner->state),
-               tdmf_mechanical_energy(model, runner->state), values + TDMF_STATE_COUNT);
+               tdmf_mechanical_energy(model, &runner->inputs, &runner->mode, runner->state),
+               values + TDMF_STATE_COUNT);
 }
 
 static long double unknown_on_line(long double t, const void *context) {

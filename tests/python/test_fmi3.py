@@ -231,7 +231,7 @@ def test_adjoint_and_directional_derivatives_agree(make, description3):
 
 def test_counts_never_change(make):
     model = make(FMU3Model)
-    assert (model.getNumberOfContinuousStates(), model.getNumberOfEventIndicators()) == (13, 13)
+    assert (model.getNumberOfContinuousStates(), model.getNumberOfEventIndicators()) == (15, 15)
     model.enterInitializationMode()
     model.exitInitializationMode()
     model.enterContinuousTimeMode()

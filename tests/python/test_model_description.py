@@ -54,7 +54,7 @@ def test_causality_variability_and_initial(description):
         if variable.type != "Real" and variable.causality == "output":
             assert variable.variability == "discrete", variable.name
     states = [unknown.variable.derivative for unknown in description.derivatives]
-    assert [state.causality for state in states] == ["output"] * 13
+    assert [state.causality for state in states] == ["output"] * 15
     assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 5
     assert variables["time"].causality == "independent"
 
@@ -149,7 +149,7 @@ def test_promised_names_are_there(description):
     names = {variable.name for variable in description.modelVariables}
     assert set(PROMISED) <= names
     states = {name for name in names if f"der({name})" in names}
-    assert len(states) == 13
+    assert len(states) == 15
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")

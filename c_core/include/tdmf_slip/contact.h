@@ -16,7 +16,8 @@ typedef struct {
 
 /* The force the ground would have to apply to hold the foot still under a total hip torque, N.m, whatever
  * the mode (10). */
-tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, double torque,
+tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, double torque,
                                       const double state[TDMF_STATE_COUNT]);
 
 /* The force in the present mode: (10) in stick, f_x = -mu sgn(vx) f_y in slip, zero in flight and graze. */

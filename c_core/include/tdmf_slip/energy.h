@@ -1,4 +1,5 @@
-/* Mechanical energy. With the integrals of a run it closes: change = work - damper - friction - impact. */
+/* Mechanical energy. With the integrals of a run it closes: change = hip + leg + external -
+ * damper - friction - impact. */
 #ifndef TDMF_SLIP_ENERGY_H
 #define TDMF_SLIP_ENERGY_H
 
@@ -17,8 +18,9 @@ typedef struct {
     double total;     /* J */
 } tdmf_energy;
 
-/* Of body, foot and spring in a state, whatever the mode. */
-tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
+/* Of body, foot and spring; inputs and mode tell the spring's rest length. */
+tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                   const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

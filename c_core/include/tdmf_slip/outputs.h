@@ -16,10 +16,17 @@ typedef struct {
         double x, y, vx, vy; /* m, m/s */
     } body, com;
     struct {
-        double fx, fy;  /* N */
-        int mode;       /* tdmf_contact_mode */
-        int mode_index; /* the same number, for tools without enumerations */
+        double fx, fy;             /* N */
+        double normal, tangential; /* the same force across and along the ground, N */
+        int mode;                  /* tdmf_contact_mode */
+        int mode_index;            /* the same number, for tools without enumerations */
     } contact;
+    struct {
+        int pending; /* 1 while the line set last is not in force yet */
+    } ground;
+    struct {
+        double force; /* N, of spring and damper */
+    } leg;
     struct {
         double torque;        /* N.m, total */
         double liftoff_angle; /* rad */

@@ -22,6 +22,7 @@ typedef struct {
         double damping;     /* c, N.s/m */
         double free_length; /* l0, m */
         double min_length;  /* m; a shorter leg ends the run as a fall */
+        double thrust;      /* epsilon, m, that the leg gains from its greatest compression on */
     } leg;
     double gravity; /* g, m/s2 */
     struct {
@@ -37,15 +38,28 @@ typedef struct {
     } hip;
 } tdmf_parameters;
 
-/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
- */
+/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held,
+ * as ground line and control are between events. */
 typedef struct {
     struct {
         double friction; /* mu, of stick and slip alike */
+        double height;   /* h, m: the ground is the line y = h + x tan(slope) */
+        double slope;    /* sigma, rad */
     } ground;
     struct {
         double external_torque; /* N.m, added to the hip law */
     } hip;
+    struct {
+        double extension; /* m, added to the leg's rest length */
+    } leg;
+    struct {
+        double external_fx, external_fy; /* N */
+    } body;
+    struct {                    /* added to the settings of these names */
+        double touchdown_angle; /* rad */
+        double stance_torque;   /* N.m */
+        double thrust;          /* m */
+    } control;
 } tdmf_inputs;
 
 /* The units of a scaled runner; every tolerance of the model is a pure number times one of these. */

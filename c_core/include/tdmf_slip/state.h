@@ -12,7 +12,7 @@ extern "C" {
  * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. */
 enum {
     TDMF_FOOT_X,             /* x, m */
-    TDMF_FOOT_Y,             /* y, m above the ground */
+    TDMF_FOOT_Y,             /* y, m */
     TDMF_LEG_LENGTH,         /* r, m */
     TDMF_LEG_ANGLE,          /* theta, rad from the vertical, positive with the foot ahead of the body; never
                                 wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle
@@ -21,14 +21,16 @@ enum {
     TDMF_FOOT_VY,            /* m/s */
     TDMF_LEG_LENGTH_RATE,    /* m/s */
     TDMF_LEG_ANGLE_RATE,     /* rad/s */
-    TDMF_HIP_WORK,           /* W, integral of the total torque's power, J */
+    TDMF_HIP_WORK,           /* integral of the total torque's power, J */
     TDMF_HIP_PLACE_TIME,     /* in place, the time since it began, s */
+    TDMF_LEG_WORK,           /* work of the leg by changes of its rest length, J */
     TDMF_ENERGY_DAMPER_LOSS, /* J */
     TDMF_ENERGY_FRICTION_LOSS, /* J */
-    TDMF_HIP_POSITIVE_WORK,    /* the part of W done at positive power, J */
+    TDMF_HIP_POSITIVE_WORK,    /* the part of the hip's work done at positive power, J */
+    TDMF_ENERGY_EXTERNAL_WORK, /* work of the external forces on the body, J */
     TDMF_STATE_COUNT,
     TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK,
-    TDMF_VARIED_COUNT = TDMF_HIP_PLACE_TIME + 1 /* what first variations have of them */
+    TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 /* what first variations have of them */
 };
 
 /* What the foot does; the numbers are those of `contact.mode` in the unit. */
@@ -48,6 +50,12 @@ typedef enum {
     TDMF_PHASE_PLACE      /* off the ground, from the apex on */
 } tdmf_hip_phase;
 
+/* The ground: the line y = height + x tan(slope). */
+typedef struct {
+    double height, slope; /* m, rad */
+    double sine, cosine;  /* of the slope */
+} tdmf_ground_line;
+
 /* Everything discrete that the motion depends on. */
 typedef struct {
     tdmf_contact_mode contact; /* what the foot does */
@@ -58,8 +66,15 @@ typedef struct {
     bool clamp_closed;         /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
                                   in contact */
     bool ground_force_rising;  /* contact: f_y grows; it peaks when this turns false */
+    bool thrusts;              /* the leg has been compressed most in this stance: its thrust is on */
+    bool rises;                /* off the ground: an apex is to come */
+    double rest_length;        /* m, of the leg, up to which leg.work is accounted for */
+    tdmf_ground_line ground;   /* in force */
     bool fallen;               /* the run is over and the motion frozen */
 } tdmf_mode;
+
+/* The line y = height + x tan(slope). */
+tdmf_ground_line tdmf_ground_line_of(double height, double slope);
 
 /* Foot on the ground and loaded: stick or slip. */
 bool tdmf_in_contact(const tdmf_mode *mode);

@@ -18,9 +18,12 @@ typedef struct {
     int count;                     /* completed strides so far */
     double period;                 /* T, s */
     double length;                 /* travel of the centre of mass, m */
+    double rise;                   /* height that it gained, m */
     double speed;                  /* length / period, m/s */
-    double work;                   /* W, net work of the total hip torque, J */
-    double positive_work;          /* the part done at positive power, J */
+    double work;                   /* W, net work of hip and leg, J */
+    double hip_work;               /* of the total hip torque, J */
+    double leg_work;               /* of the leg by changes of its rest length, J */
+    double positive_work;          /* the part of the hip's work done at positive power, J */
     double cost_of_transport;      /* W / ((m + m_f) g length)  (13); 0 where length is 0 */
     int touchdowns;                /* every impact counts */
     double stance_time;            /* time in stick and slip, s */
@@ -45,11 +48,11 @@ typedef struct {
 
 /* Sums over the stride under way; of use to the automaton only. */
 typedef struct {
-    bool began_at_apex;                     /* else it is not counted */
-    bool flew_since_letter;                 /* the next letter belongs to a new stance */
-    tdmf_instant start, contact_start;      /* of the stride and of the present contact mode */
-    double start_com_x, contact_start_x;    /* m, at these instants */
-    double start_work, start_positive_work; /* J, at the start of the stride */
+    bool began_at_apex;                               /* else it is not counted */
+    bool flew_since_letter;                           /* the next letter belongs to a new stance */
+    tdmf_instant start, contact_start;                /* of the stride and of the present contact mode */
+    double start_com_x, start_com_y, contact_start_x; /* m, at these instants */
+    double start_hip_work, start_leg_work, start_positive_work; /* J, at the start of the stride */
     /* As in tdmf_stride, so far. */
     double stance_time, slip_distance, peak_force;
     int touchdowns;

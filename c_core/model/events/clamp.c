@@ -3,14 +3,14 @@
 #include "hip_torque.h"
 
 static double servo_torque(const tdmf_evaluation *at) {
-    return tdmf_armed_against_turning(tdmf_servo_torque(at->model, at->mode, at->state),
+    return tdmf_armed_against_turning(tdmf_servo_torque(at->model, at->inputs, at->mode, at->state),
                                       at->model->scales.energy, at->mode->clamp_closed);
 }
 
 static double vary_servo_torque(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
     (void)d_at;
-    return tdmf_vary_servo_torque(at->model, at->mode, at->state, d);
+    return tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d);
 }
 
 /* Neither a contact nor a phase changes, so that it is not counted. */

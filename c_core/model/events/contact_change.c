@@ -28,8 +28,8 @@ static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
 static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phase phase) {
     tdmf_enter_contact_mode(run, entered);
     run->mode->phase = phase;
-    run->mode->clamp_closed =
-        phase == TDMF_PHASE_RETRACT && tdmf_servo_torque(run->model, run->mode, run->state) < 0.0;
+    run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT &&
+                              tdmf_servo_torque(run->model, run->inputs, run->mode, run->state) < 0.0;
 }
 
 void tdmf_fly(tdmf_run *run) {

@@ -107,7 +107,7 @@ tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, co
 }
 
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
-    const tdmf_leg leg = tdmf_leg_along(run->model, run->state, run->direction);
+    const tdmf_leg leg = tdmf_leg_along(run->model, run->inputs, mode, run->state, run->direction);
     return tdmf_evaluate_leg(run->model, run->inputs, mode, run->state, &leg);
 }
 
