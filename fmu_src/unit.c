@@ -90,6 +90,9 @@ static void differentiate(const unit *unit, const tdmf_change *change, const tdm
     view->outputs.com.vy = tangent.com.vy;
     view->outputs.contact.fx = tangent.contact.fx;
     view->outputs.contact.fy = tangent.contact.fy;
+    view->outputs.contact.normal = tangent.contact.fy;
+    view->outputs.contact.tangential = tangent.contact.fx;
+    view->outputs.leg.force = tangent.leg_force;
     view->outputs.hip.torque = tangent.torque;
     view->outputs.energy.kinetic = tangent.energy.kinetic;
     view->outputs.energy.potential = tangent.energy.potential;

@@ -1,7 +1,7 @@
 /* Flight: the centre of mass is exactly ballistic, so only the leg is expanded, and gravity drops out of its
  * equations with every sine and cosine. With M = 1/m + 1/m_f, v = rdot, w = thetadot and L = r^2 w,
  *
- *     vdot = r w^2 + M (k (l0 - r) - c v),      Ldot = M tau,      w = L/r^2,
+ *     vdot = r w^2 + M (k (l - r) - c v),      Ldot = M tau,      w = L/r^2,
  *     tau = G (theta_target - theta) - D w + tau_1 + tau_2 t. */
 #ifndef TDMF_KERNEL_FLIGHT_SERIES_H
 #define TDMF_KERNEL_FLIGHT_SERIES_H
@@ -24,7 +24,7 @@ typedef struct {
     real mobility;  /* M */
     real stiffness; /* M k */
     real damping;   /* M c */
-    real free_length;
+    real rest_length;
     real gain, rate_gain; /* M G, M D */
     real target;
     real torque, torque_rate; /* M tau_1, M tau_2 */
@@ -116,7 +116,7 @@ KERNEL void expand_flight(const flight_coefficients *coefficients, const real st
     f->rate_square[0] = w * w;
     f->speed_square[0] = v * v;
     f->length[1] = v;
-    f->length_rate[1] = r * f->rate_square[0] + a.stiffness * (a.free_length - r) - a.damping * v;
+    f->length_rate[1] = r * f->rate_square[0] + a.stiffness * (a.rest_length - r) - a.damping * v;
     f->angle[1] = w;
     f->momentum[1] = a.gain * (a.target - theta) - a.rate_gain * w + a.torque;
     expand_flight_on(&a, inverse_square, 1, &none, f);
@@ -169,7 +169,7 @@ static inline void vary_flight(const flight_coefficients *a, const flight_series
         real d_momentum_rate = -a->gain * t->angle[k] - d->gain * f->angle[k] -
                                a->rate_gain * t->angle_rate[k] - d->rate_gain * f->angle_rate[k];
         if (k == 0) {
-            d_acceleration += a->stiffness * d->free_length + d->stiffness * a->free_length;
+            d_acceleration += a->stiffness * d->rest_length + d->stiffness * a->rest_length;
             d_momentum_rate += a->gain * d->target + d->gain * a->target + d->torque;
         } else if (k == 1) {
             d_momentum_rate += d->torque_rate;

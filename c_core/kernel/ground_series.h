@@ -1,5 +1,5 @@
 /* On the ground: the body's position (X, Y) as seen from the foot, so that no sine is needed. With U the
- * body's speed relative to the foot, u the foot's, r^2 = X^2 + Y^2, F = k (l0 - r) - c rdot, a = F/r and b =
+ * body's speed relative to the foot, u the foot's, r^2 = X^2 + Y^2, F = k (l - r) - c rdot, a = F/r and b =
  * tau/r^2, the leg lifts the body with P and pushes the foot with H:
  *
  *     P = a Y + b X,      H = b Y - a X,      f_y = P + m_f g,      f_x = -H (stick), -mu sgn(u) f_y (slip)
@@ -36,7 +36,7 @@ typedef struct {
 } ground_series;
 
 typedef struct {
-    real stiffness, damping, free_length;
+    real stiffness, damping, rest_length;
     real inverse_body_mass, inverse_foot_mass;
     real foot_weight; /* m_f g */
     real gravity;
@@ -149,7 +149,7 @@ KERNEL real with_outer_terms(real inner, const real *a, const real *b, int k) {
 KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
                              int k, const ground_sums *sum, ground_series *g) {
     const real force = -c->stiffness * g->length[k] - c->damping * g->length_rate[k];
-    const real axial = k == 0 ? force + c->stiffness * c->free_length
+    const real axial = k == 0 ? force + c->stiffness * c->rest_length
                               : force - sum->length_axial - g->axial[0] * g->length[k];
     g->axial[k] = axial * inverse->length;
     g->axial_y[k] = with_outer_terms(sum->y_axial, g->y, g->axial, k);
@@ -337,7 +337,7 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
     const real d_torque = k == 0 ? d->torque : k == 1 ? d->torque_rate : real_of(0.0);
     const real d_lift_in_graze = k == 0 ? -d->foot_weight : real_of(0.0);
     if (k == 0) {
-        d_force += c->stiffness * d->free_length + d->stiffness * c->free_length;
+        d_force += c->stiffness * d->rest_length + d->stiffness * c->rest_length;
     }
     t->axial[k] = vary_quotient(g->axial, t->axial, g->length, t->length, d_force, k);
     t->axial_y[k] = vary_product(g->axial, t->axial, g->y, t->y, k);

@@ -44,6 +44,12 @@ static tdmf_refusal check_posture(const tdmf_model *model, const double state[TD
         refusal.minimum = model->parameters.leg.min_length;
         refusal.maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum;
         refusal.bound_by = "leg.min_length";
+    } else if (state[TDMF_FOOT_Y] < 0.0) {
+        refusal.variable = "foot.y";
+        refusal.value = state[TDMF_FOOT_Y];
+        refusal.minimum = 0.0;
+        refusal.maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum;
+        refusal.bound_by = "the ground";
     } else if (!(height > 0.0)) {
         refusal.variable = "body.y";
         refusal.value = height;

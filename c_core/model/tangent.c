@@ -17,6 +17,7 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
         .com = tdmf_vary_center_of_mass(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
         .torque = d_at.torque,
+        .leg_force = d_at.leg.axial_force,
         .energy = tdmf_vary_energy(&at, &d, &d_at),
     };
     if (!mode->fallen) {

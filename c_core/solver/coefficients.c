@@ -9,13 +9,13 @@
 
 /* The leg's and the hip's law by the mobility M: linear in either, so that the variation is made of the same
  * products. */
-static flight_coefficients times_mobility(double mobility, const tdmf_parameters *p,
+static flight_coefficients times_mobility(double mobility, const tdmf_parameters *p, double rest_length,
                                           const tdmf_hip_law *law) {
     const flight_coefficients coefficients = {
         .mobility = mobility,
         .stiffness = mobility * p->leg.stiffness,
         .damping = mobility * p->leg.damping,
-        .free_length = p->leg.free_length,
+        .rest_length = rest_length,
         .gain = mobility * law->gain,
         .rate_gain = mobility * law->rate_gain,
         .target = law->target,
@@ -26,7 +26,8 @@ static flight_coefficients times_mobility(double mobility, const tdmf_parameters
 }
 
 flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations) {
-    return times_mobility(equations->model->mobility, &equations->model->parameters, &equations->law);
+    return times_mobility(equations->model->mobility, &equations->model->parameters, equations->rest_length,
+                          &equations->law);
 }
 
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
@@ -34,8 +35,9 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
     const tdmf_model *model = equations->model;
     const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, equations->place_time, d);
     const flight_coefficients by_mobility =
-        times_mobility(d->model.mobility, &model->parameters, &equations->law);
-    flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters, &d_law);
+        times_mobility(d->model.mobility, &model->parameters, equations->rest_length, &equations->law);
+    flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters,
+                                                tdmf_rest_length(&d->model, &d->inputs, mode), &d_law);
     varied.mobility = d->model.mobility;
     varied.stiffness += by_mobility.stiffness;
     varied.damping += by_mobility.damping;
@@ -56,7 +58,7 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
     const ground_coefficients coefficients = {
         .stiffness = p->leg.stiffness,
         .damping = p->leg.damping,
-        .free_length = p->leg.free_length,
+        .rest_length = equations->rest_length,
         .inverse_body_mass = model->inverse_body_mass,
         .inverse_foot_mass = model->inverse_foot_mass,
         .foot_weight = tdmf_foot_weight(model),
@@ -77,7 +79,7 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
     const ground_coefficients varied = {
         .stiffness = d_p->leg.stiffness,
         .damping = d_p->leg.damping,
-        .free_length = d_p->leg.free_length,
+        .rest_length = tdmf_rest_length(&d->model, &d->inputs, mode),
         .inverse_body_mass = d->model.inverse_body_mass,
         .inverse_foot_mass = d->model.inverse_foot_mass,
         .foot_weight = tdmf_vary_foot_weight(equations->model, &d->model),

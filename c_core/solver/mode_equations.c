@@ -55,6 +55,7 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
     default:
         equations->law = tdmf_stance_law(model, inputs, rates, mode);
     }
+    equations->rest_length = tdmf_rest_length(model, inputs, mode);
     equations->friction = tdmf_signed_friction(inputs, mode);
     equations->friction_rate = tdmf_signed_friction(rates, mode);
     equations->static_friction = tdmf_static_friction(model, inputs);
@@ -69,6 +70,8 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
+    equations->leg_work = state[TDMF_LEG_WORK];
+    equations->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
     equations->start.length = state[TDMF_LEG_LENGTH];
     equations->start.angle = state[TDMF_LEG_ANGLE];
     equations->start.length_rate = state[TDMF_LEG_LENGTH_RATE];
@@ -146,6 +149,8 @@ tdmf_leg_direction tdmf_state_in_mode(const tdmf_mode_equations *equations, doub
     state[TDMF_ENERGY_DAMPER_LOSS] = coordinates->damper_loss;
     state[TDMF_ENERGY_FRICTION_LOSS] = coordinates->friction_loss;
     state[TDMF_HIP_POSITIVE_WORK] = equations->positive_work;
+    state[TDMF_LEG_WORK] = equations->leg_work;
+    state[TDMF_ENERGY_EXTERNAL_WORK] = equations->external_work;
     return equations->contact == TDMF_CONTACT_FLIGHT ? write_flight(equations, elapsed, coordinates, state)
                                                      : write_standing_leg(equations, coordinates, state);
 }

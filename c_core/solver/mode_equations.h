@@ -27,10 +27,11 @@ typedef struct {
     tdmf_hip_law servo, stance_law;
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
+    double rest_length;                  /* of the leg */
     double com_x, com_y, com_vx, com_vy; /* flight, at the start */
     double place_time, place_rate;       /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
-    double positive_work;
+    double positive_work, leg_work, external_work;
 } tdmf_mode_equations;
 
 /* The equations of a mode at an instant. */

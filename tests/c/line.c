@@ -9,6 +9,7 @@ static tdmf_model model_of(const tdmf_parameters *parameters) {
     tdmf_parameters accepted = *parameters;
     tdmf_model model;
     accepted.leg.damping = 0.0;
+    accepted.leg.thrust = 0.0;
     accepted.hip = tdmf_default_parameters().hip;
     accepted.ground = tdmf_default_parameters().ground;
     assert_null(tdmf_model_create(&model, &accepted).variable);
@@ -37,6 +38,7 @@ runner line_at(const line *line, double t) {
 static tdmf_parameters units_of(const tdmf_model *model) {
     const tdmf_scales *scales = &model->scales;
     tdmf_parameters units = model->parameters;
+    units.leg.thrust = scales->length;
     units.leg.damping = units.leg.stiffness * scales->time;
     units.hip.stance_torque = scales->energy;
     units.hip.touchdown_angle = 1.0;

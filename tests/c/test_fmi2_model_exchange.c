@@ -272,7 +272,7 @@ static void discards_values_out_of_range_and_keeps_the_old(void **state) {
                {"gravity", -9.81},
                {"hip.touchdown_angle", 2.0},
                {"hip.kp", -INFINITY},
-               {"foot.y", -1e-9},
+               {"foot.y", -1e10},
                {"leg.length", 0.0},
                {"leg.angle_rate", NAN},
                {"ground.friction", -0.1},
@@ -339,7 +339,7 @@ static void refuses_null_and_wrong_arrays(void **state) {
     double values[TDMF_STATE_COUNT];
     initialize(*state);
     assert_int_equal(fmi2GetDerivatives(*state, values, TDMF_STATE_COUNT - 1), fmi2Error);
-    assert_non_null(strstr(last_message, "12"));
+    assert_non_null(strstr(last_message, "14"));
     assert_int_equal(fmi2GetReal(*state, &reference, 1, NULL), fmi2Error);
     assert_int_equal(fmi2GetReal(*state, NULL, 0, NULL), fmi2OK);
     assert_int_equal(fmi2NewDiscreteStates(*state, NULL), fmi2Error);

@@ -28,7 +28,7 @@ typedef struct {
 static const struct {
     const char *name;
     double value;
-} always[] = {{"ground.static_friction_ratio", 1.2}, {"hip.retraction_rate", 0.1}};
+} always[] = {{"leg.thrust", 0.02}, {"ground.static_friction_ratio", 1.2}, {"hip.retraction_rate", 0.1}};
 
 #define FOOT(y_value, vx_value, vy_value)                                                                    \
     {"foot.y", y_value}, {"foot.vx", vx_value}, {                                                            \
@@ -112,7 +112,10 @@ static const start starts[] = {
      {"foot.y", NULL}},
 };
 
-static bool is_edge(const start *start, const char *name) {
+/* A foot on the ground is on the edge of what moves the ground, too. */
+static bool is_edge(const start *start, const char *given) {
+    const bool moves_ground = strcmp(given, "ground.height") == 0 || strcmp(given, "ground.slope") == 0;
+    const char *name = moves_ground ? "foot.y" : given;
     for (int i = 0; start->edges[i] != NULL; ++i) {
         if (strcmp(start->edges[i], name) == 0) {
             return true;

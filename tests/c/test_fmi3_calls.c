@@ -331,7 +331,7 @@ static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
         const char *name;
         double value;
     } bad[] = {{"body.mass", -1.0}, {"foot.mass", NAN},        {"leg.stiffness", INFINITY},
-               {"foot.y", -1e-9},   {"ground.friction", -0.1}, {"hip.external_torque", NAN},
+               {"foot.y", -1e10},   {"ground.friction", -0.1}, {"hip.external_torque", NAN},
                {"leg.length", 0.0}, {"hip.kp", -INFINITY}};
     fmi3Instance instance = instance_at(ME_INITIALIZING);
     (void)state;
@@ -378,7 +378,7 @@ static void wrong_counts_references_and_arrays_are_refused(void **state) {
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, NULL, 1), fmi3Error);
     assert_int_equal(fmi3GetFloat64(instance, NULL, 0, NULL, 0), fmi3OK);
     assert_int_equal(fmi3GetContinuousStates(instance, values, TDMF_STATE_COUNT - 1), fmi3Error);
-    assert_non_null(strstr(last_message, "12"));
+    assert_non_null(strstr(last_message, "14"));
     fmi3FreeInstance(instance);
 }
 

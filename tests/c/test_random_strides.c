@@ -42,6 +42,7 @@ static start random_start(random_source *source) {
     start.inputs.hip.external_torque = random_uniform(source, -0.01, 0.01);
     p->hip.retraction_rate = random_uniform(source, -0.02, 0.02);
     p->ground.static_friction_ratio = random_uniform(source, 1.1, 1.5);
+    p->leg.thrust = random_uniform(source, 0.001, 0.02);
     set_zero(source, 0.5, &p->hip.retraction_rate);
     set_zero(source, 0.3, &p->hip.stance_torque);
     set_zero(source, 0.2, random_chance(source, 0.5) ? &p->hip.kp : &p->hip.kd);

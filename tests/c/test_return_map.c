@@ -16,7 +16,8 @@ enum {
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
     STATIC_FRICTION_RATIO =
-        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double)
+        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
+    THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double)
 };
 
 static const double tight = 1e-13;
@@ -128,6 +129,9 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             scene_at_apex scene = at_gait(&reference_gaits[i]);
             if (k == STATIC_FRICTION_RATIO) { /* Table 1 has the least that there is */
                 scene.parameters.ground.static_friction_ratio = 1.1;
+            }
+            if (k == THRUST) {
+                scene.parameters.leg.thrust = 0.01;
             }
             const double step = 1e-5 * fmax(0.01, fabs(*coordinate(&scene, k)));
             assert_differentiated(&scene, k, step, 1e-7);

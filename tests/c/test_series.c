@@ -73,7 +73,7 @@ static void assert_flight(const flight_coefficients *a, const flight_series *f, 
         assert_product(f->speed_square, f->length_rate, f->length_rate, k);
         add(&force, -(k + 1) * f->length_rate[k + 1]);
         add_product(&force, 1.0, f->length, f->rate_square, k);
-        add(&force, k == 0 ? a->stiffness * a->free_length : 0.0);
+        add(&force, k == 0 ? a->stiffness * a->rest_length : 0.0);
         add(&force, -a->stiffness * f->length[k]);
         add(&force, -a->damping * f->length_rate[k]);
         assert_balance(&force);
@@ -128,7 +128,7 @@ static void draw_ground(random_source *source, ground_case is, ground_coefficien
 static void assert_forces(const ground_coefficients *c, const ground_series *g, ground_case is, int k) {
     balance leg = {0.0, 0.0}, along = {0.0, 0.0}, up = {0.0, 0.0}, friction = {0.0, 0.0};
     add_product(&leg, -1.0, g->length, g->axial, k);
-    add(&leg, k == 0 ? c->stiffness * c->free_length : 0.0);
+    add(&leg, k == 0 ? c->stiffness * c->rest_length : 0.0);
     add(&leg, -c->stiffness * g->length[k]);
     add(&leg, -c->damping * g->length_rate[k]);
     assert_balance(&leg);

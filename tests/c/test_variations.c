@@ -180,7 +180,8 @@ static void all_other_events_have_no_variation(void **state) {
     int varied = 0;
     (void)state;
     for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
-        varied += tdmf_event_kind_of((tdmf_guard)g)->vary_guard != NULL;
+        const tdmf_event_kind *kind = tdmf_event_kind_of((tdmf_guard)g);
+        varied += kind != NULL && kind->vary_guard != NULL;
     }
     for (int g = 0; g < SCENE_VARIED_GUARDS; ++g) {
         assert_non_null(tdmf_event_kind_of(scene_varied_guards[g])->vary_guard);
@@ -269,6 +270,7 @@ static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point 
     append(&row, leg->angle_rate);
     append(&row, leg->sine);
     append(&row, leg->cosine);
+    append(&row, leg->rest_length);
     append(&row, leg->axial_force);
     append_point(&row, from_foot);
     append_point(&row, body);
@@ -277,7 +279,7 @@ static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point 
 }
 
 static row leg_and_points_of(const runner *at) {
-    const tdmf_leg leg = tdmf_leg_of(&at->model, at->state);
+    const tdmf_leg leg = tdmf_leg_of(&at->model, &at->inputs, &at->mode, at->state);
     return leg_and_points(&leg, tdmf_body_from_foot(at->state, tdmf_leg_direction_of(at->state)),
                           tdmf_body(at->state), tdmf_center_of_mass(&at->model, at->state));
 }
@@ -290,8 +292,9 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
             const line line = line_random(&source, &at);
             const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
-            const tdmf_leg leg = tdmf_leg_of(&at.model, at.state);
-            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d.model, d.state);
+            const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
+            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d.model,
+                                                 tdmf_rest_length(&d.model, &d.inputs, &at.mode), d.state);
             const row exact = leg_and_points(
                 &d_leg, tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), d.state),
                 tdmf_vary_body(at.state, tdmf_leg_direction_of(at.state), d.state),

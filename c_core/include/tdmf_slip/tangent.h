@@ -22,6 +22,7 @@ typedef struct {
     tdmf_point body, com;                 /* of body and centre of mass */
     tdmf_ground_force contact;            /* of the ground's force */
     double torque;                        /* of the total hip torque */
+    double leg_force;                     /* N, of spring and damper */
     tdmf_energy energy;                   /* of the energies */
 } tdmf_tangent;
 
