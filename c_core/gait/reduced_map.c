@@ -87,7 +87,7 @@ typedef struct {
 } run;
 
 static double energy_of(const run *run, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_mechanical_energy(run->model, state).total;
+    return tdmf_mechanical_energy(run->model, run->inputs, &run->motion.mode, state).total;
 }
 
 /* From the apex into contact. */
