@@ -101,7 +101,7 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
     return first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
 }
 
-const tdmf_inputs tdmf_held_inputs = {.ground = {0.0}};
+const tdmf_inputs tdmf_held_inputs = {.ground = {.friction = 0.0}};
 
 bool tdmf_are_held(const tdmf_inputs *rates) {
     for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {

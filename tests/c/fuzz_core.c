@@ -44,7 +44,7 @@ static double random_time(const subject *on) {
 static void advance(void *self) {
     subject *on = self;
     const double duration = random_time(on);
-    tdmf_inputs rates = {.ground = {0.0}};
+    tdmf_inputs rates = {.ground = {.friction = 0.0}};
     if (random_chance(on->source, 0.3)) {
         rates.ground.friction = random_uniform(on->source, -1.0, 1.0) / duration;
         rates.hip.external_torque =

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 typedef struct {
     runner runner;

@@ -134,7 +134,7 @@ static tdmf_outcome advance(random_source *source, run *run) {
     const double duration = run->model.scales.time * random_magnitude(source, 0.1, 30.0);
     const double start = run->motion.time;
     const int64_t steps = run->solver.steps;
-    tdmf_inputs rates = {.ground = {0.0}};
+    tdmf_inputs rates = {.ground = {.friction = 0.0}};
     if (random_chance(source, 0.2)) {
         rates.ground.friction = random_uniform(source, -1.0, 1.0) / duration;
         rates.hip.external_torque = random_uniform(source, -0.1, 0.1) * run->model.scales.energy / duration;

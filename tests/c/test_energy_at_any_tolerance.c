@@ -73,7 +73,7 @@ typedef struct {
 
 static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     enum { CALLS = 5 };
-    static const tdmf_inputs held = {.ground = {0.0}};
+    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     const tdmf_model *model = &runner->model;
     tdmf_solver solver = tdmf_solver_default();
     tdmf_outcome outcome = TDMF_ARRIVED;

@@ -230,7 +230,7 @@ static void they_are_those_of_the_start_values(void **state) {
                 ++columns;
             }
         }
-        assert_int_equal(columns + edges, 16 + 10 + 8); /* parameters, a tolerance with them, inputs, states */
+        assert_int_equal(columns + edges, 34); /* 15 parameters, a tolerance, 10 inputs, 8 states */
         assert_true(nonzero > 30);
         fmi2FreeInstance(component);
     }

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 static const double tight = 1e-12;
 static const double clamp_time = 1e-8; /* its guard has a dead band of 1e-10, which takes 5e-9 to cross */
 

@@ -14,7 +14,7 @@
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
 enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF_A_STRIDE = 500 };
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion = {.time = runner->time, .mode = runner->mode, .record = runner->record};

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -334,7 +334,7 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
 
 /* In flight and on the ground; a torque that is held and one that grows. */
 static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
-    static const tdmf_inputs rates[] = {{.ground = {0.0}}, {.hip.external_torque = 2e-3}};
+    static const tdmf_inputs rates[] = {{.ground = {.friction = 0.0}}, {.hip.external_torque = 2e-3}};
     (void)state;
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_at_reference_apex(&reference_gaits[2]);

@@ -11,7 +11,7 @@
 typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
                              double, tdmf_motion *);
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 static const tdmf_change nothing_given = {0};
 
 static runner started(void) {

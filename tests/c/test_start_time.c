@@ -137,7 +137,7 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, INFINITY, &motion).closed);
     tdmf_motion moved = motion;
     moved.time = 8.0;
-    static const tdmf_inputs held = {.ground = {0.0}};
+    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 9.0, &moved),
                      TDMF_ARRIVED);
     assert_true(moved.time == 9.0 && moved.record.now.time == 9.0 && moved.record.now.rest == 0.0);

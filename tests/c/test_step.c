@@ -59,7 +59,7 @@ static double error_of(const tdmf_mode_equations *from, const tdmf_mode_coordina
 /* Steps on for as long as the leg makes sense, through settling and beyond, whatever events there are. */
 static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
-    static const tdmf_inputs held = {.ground = {0.0}};
+    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     tdmf_mode_equations equations;
     tdmf_open_mode(&equations, &runner->model, &runner->inputs, &held, &runner->mode, runner->state,
                    tdmf_leg_direction_of(runner->state));

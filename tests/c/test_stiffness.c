@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static runner runner_of(const tdmf_parameters *parameters) {
     runner runner = runner_default(0.6);

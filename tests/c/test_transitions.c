@@ -81,7 +81,7 @@ static void touchdown_upright_is_driven_unless_the_leg_falls(void **unused) {
 }
 
 static tdmf_motion run_from_start(runner *runner, double until, int64_t most_events) {
-    static const tdmf_inputs held = {.ground = {0.0}};
+    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     tdmf_solver solver = tdmf_solver_default();
     runner_start(runner);
     tdmf_motion motion = {.mode = runner->mode, .record = runner->record};

@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const double turn = 6.283185307179586476925;
-static const tdmf_inputs held = {.ground = {0.0}};
+static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion started(const runner *runner) {
     tdmf_motion motion = {.time = 0.0};
