@@ -175,6 +175,7 @@ static void parameters_and_inputs_are_differentiated(void **state) {
         scene.apex[0] += 0.01;
         scene.parameters.hip.retraction_rate += 1e-3;
         scene.parameters.ground.static_friction_ratio += 0.01;
+        scene.parameters.leg.thrust = 0.01;
         scene.inputs.hip.external_torque = -0.003;
         for (int k = 0; k < COORDINATES; ++k) {
             assert_differentiated(&scene, k, 1e-5 * fmax(0.01, fabs(*coordinate(&scene, k))), 1e-7);
