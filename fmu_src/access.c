@@ -76,7 +76,10 @@ call_status get_texts(instance *instance, const char *call, const uint32_t refer
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
 static bool is_settable_now(const instance *instance, const unit_variable *variable) {
-    if (variable->storage == STORED_INPUT) {
+    if (unit_is_set_at_events(variable) && (instance->state & (EVENT_MODE | STEP_MODE)) != 0) {
+        return true;
+    }
+    if (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_CONTINUOUS) {
         return true;
     }
     if (variable->storage == STORED_STATE && instance->state == CONTINUOUS_TIME_MODE) {
@@ -93,6 +96,12 @@ static const char *when_not_settable(const instance *instance, const unit_variab
     return settable_at_times ? name_of_state(instance->state) : "at any time";
 }
 
+/* Some importers' solvers set all inputs wherever they evaluate. */
+static bool keeps_its_value(const instance *instance, const unit_variable *variable, double value) {
+    return instance->state == CONTINUOUS_TIME_MODE && unit_is_set_at_events(variable) &&
+           unit_get_number(&instance->unit, NULL, variable) == value;
+}
+
 /* A state of a run that has begun is a trial value, free to go beyond the range of starts. */
 static bool is_trial(const instance *instance, const unit_variable *variable) {
     return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
@@ -104,7 +113,7 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     if (variable == NULL) {
         return CALL_ERROR;
     }
-    if (!is_settable_now(instance, variable)) {
+    if (!is_settable_now(instance, variable) && !keeps_its_value(instance, variable, value)) {
         return refuse(instance, call, "%s cannot be set %s", variable->name,
                       when_not_settable(instance, variable));
     }
@@ -132,6 +141,9 @@ static void set_number(instance *instance, uint32_t reference, double value) {
         try_state(&instance->unit, variable->place, value);
     } else {
         unit_set_number(&instance->unit, variable, value);
+    }
+    if (variable->variability == VARIABILITY_TUNABLE) {
+        unit_prepare(&instance->unit); /* in force at once; its own range is all that bounds it */
     }
     if (variable->storage == STORED_INPUT) {
         unit_set_number_rate(&instance->unit, variable, 0.0);

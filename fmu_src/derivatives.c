@@ -1,8 +1,9 @@
 /* Exact derivatives: of state derivatives and outputs by states and inputs, and of outputs along the run.
  *
- * Knowns are, in a run, its states and inputs; before its start all that the start follows from, which is
- * what has a start value (FMI 2.0, section 2.2.8, and 3.0, 2.4.8: inputs, and variables with initial =
- * exact). Time is one always, though nothing depends on it but the instants of events. */
+ * Knowns are, in a run, its states, inputs and tunable parameters; before its start all that the start
+ * follows from, which is what has a start value (FMI 2.0, section 2.2.8, and 3.0, 2.4.8: inputs, and
+ * variables with initial = exact). Time is one always, though nothing depends on it but the instants of
+ * events. */
 #include "instance.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@
 
 static bool is_known(const instance *instance, const unit_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_INPUT ||
-           variable->storage == STORED_TIME ||
+           variable->storage == STORED_TIME || variable->variability == VARIABILITY_TUNABLE ||
            (variable->settable_before_start && !unit_has_begun(&instance->unit));
 }
 
@@ -22,7 +23,7 @@ static bool is_unknown(const unit_variable *variable) {
 static const unit_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
     const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable != NULL && !is_known(instance, variable)) {
-        refuse(instance, call, "%s is neither a state nor an input%s", variable->name,
+        refuse(instance, call, "%s is neither a state nor an input nor tunable%s", variable->name,
                variable->settable_before_start ? ", and the run has begun" : "");
         return NULL;
     }

@@ -31,6 +31,9 @@ static call_status check_input_rate(instance *instance, const char *call, fmi2Va
     if (variable->storage != STORED_INPUT) {
         return refuse(instance, call, "%s is not an input", variable->name);
     }
+    if (variable->variability != VARIABILITY_CONTINUOUS) {
+        return refuse(instance, call, "%s changes at events only: it has no derivative", variable->name);
+    }
     if (order != 1) {
         return refuse(instance, call, "only first derivatives of inputs are taken, not order %d", order);
     }

@@ -138,10 +138,12 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
  * end of initialization, because importers set one by one in any order. Which variables may be set when:
  *
  *     before the run          parameters, inputs, states with a start value
- *     event mode              inputs; in Model Exchange states that no event changes (reinit = false)
- *     continuous-time mode    inputs and states, these as trial values of the importer's solver
- *     step mode               inputs
+ *     event mode              inputs, tunable parameters; in Model Exchange states that no event changes
+ *                             (reinit = false)
+ *     continuous-time mode    continuous inputs and states, these as trial values of the importer's solver
+ *     step mode               inputs, tunable parameters
  *
+ * An input's rate is 0 once it is set.
  * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, const void *values, number_reader read);

@@ -242,15 +242,17 @@ static void pass_surroundings(transfer *bytes, unit *unit) {
     pass_work(bytes, "the evaluations done", &unit->solver.evaluations);
 }
 
-/* Inputs are read and checked as those of a unit. Nobody need have told which guard fired. */
+/* Parameters and inputs are read and checked as those of a unit. Nobody need have told which guard fired. */
 static void pass_pending_event(transfer *bytes, unit *unit) {
     struct unit at_event = *unit;
+    at_event.parameters = unit->event_parameters;
     at_event.inputs = unit->event_inputs;
     pass_between(bytes, "how far before its event the run stands", &unit->event_lead, 0.0, DBL_MAX);
     pass_integer(bytes, "the guard of its event", &unit->event_guard, -1, TDMF_GUARD_COUNT - 1);
-    pass_variables(bytes, &at_event, 1U << STORED_INPUT);
+    pass_variables(bytes, &at_event, 1U << STORED_PARAMETER | 1U << STORED_INPUT);
     pass_place(bytes, &unit->after_event);
     pass_history(bytes, &unit->after_event);
+    unit->event_parameters = at_event.parameters;
     unit->event_inputs = at_event.inputs;
 }
 

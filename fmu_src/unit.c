@@ -101,9 +101,11 @@ static void differentiate(const unit *unit, const tdmf_change *change, const tdm
 }
 
 void unit_differentiate(const unit *unit, const struct unit *direction, unit_view *change) {
-    const tdmf_change along = {.inputs = direction->inputs};
+    tdmf_change along = {direction->parameters, direction->inputs};
     tdmf_variation variation = {.liftoff_angle = 0.0};
     memcpy(variation.state, direction->motion.state, sizeof variation.state);
+    along.inputs.ground.height = 0.0; /* a new line is in force from an event on */
+    along.inputs.ground.slope = 0.0;
     differentiate(unit, &along, &variation, change);
 }
 
@@ -269,7 +271,8 @@ static tdmf_outcome advance_through_event(unit *unit, double until, const unit_m
     return outcome;
 }
 
-/* The event, under inputs that were set since it was found: it may be another one by now, or none. */
+/* The event, under inputs or settings that were set since it was found: it may be another one by now, or
+ * none. */
 static bool take_event_anew(unit *unit) {
     const tdmf_motion before = unit->motion;
     const double time = before.time;
@@ -293,7 +296,8 @@ static bool take_pending_event(unit *unit) {
         return false;
     }
     unit->event_is_pending = false;
-    if (memcmp(&unit->inputs, &unit->event_inputs, sizeof unit->inputs) != 0) {
+    if (memcmp(&unit->parameters, &unit->event_parameters, sizeof unit->parameters) != 0 ||
+        memcmp(&unit->inputs, &unit->event_inputs, sizeof unit->inputs) != 0) {
         return take_event_anew(unit);
     }
     unit->motion = unit->after_event;
@@ -383,6 +387,7 @@ const char *unit_advance_to_event(unit *unit, double until, const unit_observer 
     stand_before_event(unit, instant_of(&ahead), &mark);
     unit->inputs = ahead.inputs;
     unit->event_guard = ahead.event_guard;
+    unit->event_parameters = ahead.parameters;
     unit->event_inputs = ahead.inputs;
     unit->after_event = ahead.motion;
     unit->event_is_pending = true;

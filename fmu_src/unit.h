@@ -29,10 +29,11 @@ typedef struct unit {
     tdmf_solver solver;
     double stop_time; /* Co-Simulation goes no farther; infinite where the importer has none */
     /* Co-Simulation with event mode: the motion stands at an event, not yet taken, its state that of
-     * `event_lead` before. What comes of it under these inputs. */
+     * `event_lead` before. What comes of it under these parameters and inputs. */
     bool event_is_pending;
     double event_lead;
     int event_guard; /* the tdmf_guard that fired */
+    tdmf_parameters event_parameters;
     tdmf_inputs event_inputs;
     tdmf_motion after_event;
 } unit;
@@ -73,8 +74,8 @@ bool unit_has_begun(const unit *unit);
 
 void unit_evaluate(const unit *unit, unit_view *view);
 
-/* How all that follows from states and inputs changes along a direction: a unit whose states and inputs are
- * the seed. Discrete outputs do not change. */
+/* How all that follows from states, inputs and settings changes along a direction: a unit whose states,
+ * inputs and parameters are the seed. Discrete outputs do not change, nor does the ground in force. */
 void unit_differentiate(const unit *unit, const struct unit *direction, unit_view *change);
 
 /* The same at the start of a run, for all that a start follows from: the seed is in the direction's

@@ -33,6 +33,11 @@ static size_t byte_offset(const unit_variable *variable) {
     return indexed ? variable->place * sizeof(double) : variable->place;
 }
 
+bool unit_is_set_at_events(const unit_variable *variable) {
+    return variable->variability == VARIABILITY_TUNABLE ||
+           (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
+}
+
 tdmf_refusal unit_refuse_value(const unit_variable *variable, double value) {
     tdmf_refusal refusal = {
         .unit = variable->unit, .value = value, .minimum = variable->minimum, .maximum = variable->maximum};

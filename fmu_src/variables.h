@@ -29,12 +29,20 @@ typedef enum {
     STORED_WORK        /* offset in unit_work */
 } unit_storage;
 
+typedef enum {
+    VARIABILITY_FIXED,
+    VARIABILITY_TUNABLE,
+    VARIABILITY_DISCRETE,
+    VARIABILITY_CONTINUOUS
+} unit_variability;
+
 typedef struct {
     const char *name;
     const char *unit;
     unit_variable_type type;
     unit_storage storage;
     size_t place;
+    unit_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */
     double minimum, maximum, start;
@@ -42,6 +50,10 @@ typedef struct {
 
 extern const unit_variable unit_variables[];
 extern const size_t unit_variable_count;
+
+/* Whether the importer may change it in a run, but at events only: a tunable parameter or a discrete input.
+ */
+bool unit_is_set_at_events(const unit_variable *variable);
 
 /* Names of the enumerations' items, from value 1 on. */
 extern const char *const unit_contact_mode_names[];

@@ -113,7 +113,8 @@ def range_row(variable, offset):
     """A row of `tdmf_range`."""
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     limits = f"{variable.limit('min')}, {variable.limit('max')}"
-    return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {offset}}},'
+    continuous = "true" if variable.variability == "continuous" else "false"
+    return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {continuous}, {offset}}},'
 
 
 def ranges(table):
@@ -181,7 +182,8 @@ def variable_row(variable, table):
         limits = f"0, 1, {variable.start}"
     return (
         f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {place}, '
-        f"{settable_before_start}, {changes_at_events}, {limits}}},"
+        f"VARIABILITY_{variable.variability.upper()}, {settable_before_start}, {changes_at_events}, "
+        f"{limits}}},"
     )
 
 
@@ -428,7 +430,11 @@ TERMINALS = {
     "ground": (
         "Contact of foot and ground",
         ["foot.x", "foot.y", "foot.vx", "foot.vy", "contact.fx", "contact.fy", "ground.friction"],
-    )
+    ),
+    "hip": (
+        "Joint of body and leg: a torque on it, the angle of the leg and its rate",
+        ["hip.external_torque", "leg.angle", "leg.angle_rate"],
+    ),
 }
 """Terminals of FMI 3.0: description, and the variables in each."""
 

@@ -15,6 +15,7 @@ static inline const tdmf_inputs *tdmf_rates_or_held(const tdmf_inputs *rates) {
 /* All rates are zero. */
 bool tdmf_are_held(const tdmf_inputs *rates);
 
-bool tdmf_are_finite(const tdmf_inputs *rates);
+/* Finite, and zero for inputs that change at events only. */
+bool tdmf_are_rates(const tdmf_inputs *rates);
 
 #endif

@@ -112,9 +112,10 @@ bool tdmf_are_held(const tdmf_inputs *rates) {
     return true;
 }
 
-bool tdmf_are_finite(const tdmf_inputs *rates) {
+bool tdmf_are_rates(const tdmf_inputs *rates) {
     for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
-        if (!isfinite(value_at(rates, tdmf_input_ranges[i].offset))) {
+        const double rate = value_at(rates, tdmf_input_ranges[i].offset);
+        if (!isfinite(rate) || (rate != 0.0 && !tdmf_input_ranges[i].continuous)) {
             return false;
         }
     }

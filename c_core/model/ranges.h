@@ -14,7 +14,8 @@ typedef struct {
     double minimum;
     double maximum;
     double start;
-    size_t offset; /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
+    bool continuous; /* between events it may change */
+    size_t offset;   /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 
 enum { TDMF_INPUT_COUNT = 10 };

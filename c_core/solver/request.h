@@ -15,7 +15,7 @@ static inline bool tdmf_is_tolerance(double relative_tolerance) {
 /* Inputs, those at the end included, are within their ranges: beyond, numbers overflow. */
 static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_inputs *rates,
                                          double duration) {
-    if (tdmf_check_inputs(inputs).variable != NULL || !tdmf_are_finite(rates)) {
+    if (tdmf_check_inputs(inputs).variable != NULL || !tdmf_are_rates(rates)) {
         return false;
     }
     const tdmf_inputs last = tdmf_are_held(rates) ? *inputs : tdmf_inputs_after(inputs, rates, duration);

@@ -172,8 +172,13 @@ def test_terminals_speak_of_variables(fmu3, description3):
     names = {variable.name for variable in description3.modelVariables}
     with zipfile.ZipFile(fmu3) as unit:
         root = ElementTree.fromstring(unit.read("terminalsAndIcons/terminalsAndIcons.xml"))
-    members = {member.get("variableName") for member in root.iter("TerminalMemberVariable")}
-    assert {"contact.fx", "contact.fy", "ground.friction"} <= members <= names
+    members = {
+        terminal.get("name"): {member.get("variableName") for member in terminal}
+        for terminal in root.iter("Terminal")
+    }
+    assert members["hip"] == {"hip.external_torque", "leg.angle", "leg.angle_rate"}
+    assert {"contact.fx", "contact.fy", "ground.friction"} <= members["ground"]
+    assert set().union(*members.values()) <= names
 
 
 # ---- call by call -------------------------------------------------------------------------------------

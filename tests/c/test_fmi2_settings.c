@@ -1,0 +1,284 @@
+/* What the importer may change in a run at events only, tunable parameters and discrete inputs: when they may
+ * be set, what is refused, and that they are in force at once. */
+#include "compare.h"
+#include "fmi2_importer.h"
+
+#include "unit.h"
+#include "variables.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { TUNABLE_PARAMETERS = 7, DISCRETE_INPUTS = 5, EITHER = TUNABLE_PARAMETERS + DISCRETE_INPUTS };
+
+/* Their value references; asserts how many there are. */
+static void list_settings(fmi2ValueReference found[EITHER]) {
+    int parameters = 0, count = 0;
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (unit_is_set_at_events(&unit_variables[i])) {
+            assert_true(count < EITHER);
+            found[count++] = (fmi2ValueReference)i;
+            parameters += unit_variables[i].storage == STORED_PARAMETER ? 1 : 0;
+        }
+    }
+    assert_int_equal(count, EITHER);
+    assert_int_equal(parameters, TUNABLE_PARAMETERS);
+}
+
+static double value_of(fmi2Component component, fmi2ValueReference reference) {
+    double value = (double)NAN;
+    assert_int_equal(fmi2GetReal(component, &reference, 1, &value), fmi2OK);
+    return value;
+}
+
+/* ---- when, and what ----------------------------------------------------------------------------------- */
+
+/* Asserts that each takes a new value and refuses one beyond its range, alone and beside another that is
+ * allowed. */
+static void assert_all_are_set(fmi2Component component) {
+    fmi2ValueReference settings[EITHER];
+    list_settings(settings);
+    for (int i = 0; i < EITHER; ++i) {
+        const unit_variable *variable = &unit_variables[settings[i]];
+        const fmi2ValueReference pair[] = {settings[(i + 1) % EITHER], settings[i]};
+        const double other = value_of(component, pair[0]);
+        const double wrong[] = {nextafter(variable->maximum, INFINITY),
+                                nextafter(variable->minimum, -INFINITY), (double)NAN};
+        const double value = 0.3 + 0.01 * i;
+        assert_int_equal(fmi2SetReal(component, &settings[i], 1, &value), fmi2OK);
+        for (int j = 0; j < 3; ++j) {
+            const double values[] = {0.25, wrong[j]};
+            assert_int_equal(fmi2SetReal(component, pair, 2, values), fmi2Discard);
+            assert_non_null(strstr(last_message, variable->name));
+        }
+        assert_true(value_of(component, settings[i]) == value);
+        assert_true(value_of(component, pair[0]) == other);
+    }
+}
+
+static void they_are_set_before_the_start_and_in_event_mode(void **state) {
+    fmi2Component component = new_instance();
+    (void)state;
+    assert_all_are_set(component);
+    assert_int_equal(fmi2Reset(component), fmi2OK);
+    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    assert_all_are_set(component);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    assert_all_are_set(component);
+    fmi2FreeInstance(component);
+}
+
+static void they_are_set_between_communication_steps(void **state) {
+    fmi2Component component = new_slave();
+    (void)state;
+    initialize(component);
+    assert_all_are_set(component);
+    assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
+    assert_all_are_set(component);
+    fmi2FreeInstance(component);
+}
+
+/* Solvers of some importers set all inputs where they evaluate. */
+static void in_continuous_time_mode_they_keep_their_values(void **state) {
+    fmi2Component component = new_instance();
+    fmi2ValueReference settings[EITHER];
+    (void)state;
+    list_settings(settings);
+    start_running(component);
+    for (int i = 0; i < EITHER; ++i) {
+        const double value = value_of(component, settings[i]);
+        const double changed = value + 0.01;
+        assert_int_equal(fmi2SetReal(component, &settings[i], 1, &value), fmi2OK);
+        assert_int_equal(fmi2SetReal(component, &settings[i], 1, &changed), fmi2Error);
+        assert_non_null(strstr(last_message, unit_variables[settings[i]].name));
+        assert_true(value_of(component, settings[i]) == value);
+    }
+    fmi2FreeInstance(component);
+}
+
+static void parameters_that_are_not_tunable_stay_fixed(void **state) {
+    fmi2Component component = new_slave();
+    (void)state;
+    initialize(component);
+    assert_int_equal(set_real(component, "body.mass", 1.1), fmi2Error);
+    assert_int_equal(set_real(component, "ground.static_friction_ratio", 1.1), fmi2Error);
+    fmi2FreeInstance(component);
+}
+
+static void only_continuous_inputs_have_rates(void **state) {
+    fmi2Component component = new_slave();
+    const fmi2Integer first = 1;
+    const double rate = 0.0;
+    int continuous = 0, discrete = 0;
+    (void)state;
+    initialize(component);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const fmi2ValueReference reference = (fmi2ValueReference)i;
+        const bool ramps = unit_variables[i].variability == VARIABILITY_CONTINUOUS;
+        if (unit_variables[i].storage == STORED_INPUT) {
+            assert_int_equal(fmi2SetRealInputDerivatives(component, &reference, 1, &first, &rate),
+                             ramps ? fmi2OK : fmi2Error);
+            *(ramps ? &continuous : &discrete) += 1;
+        }
+    }
+    assert_int_equal(continuous, 5);
+    assert_int_equal(discrete, DISCRETE_INPUTS);
+    fmi2FreeInstance(component);
+}
+
+static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_model model;
+    tdmf_motion motion = {.time = 0.0};
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_default_state(motion.state);
+    assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+    for (int i = 0; i < 3; ++i) {
+        tdmf_solver solver = tdmf_solver_default();
+        tdmf_motion run = motion;
+        tdmf_inputs rates = {.ground = {0.0}};
+        *(i == 0 ? &rates.ground.height : i == 1 ? &rates.control.thrust : &rates.ground.friction) = 1e-3;
+        assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, &rates, 0.1, &run),
+                         i < 2 ? TDMF_REFUSED : TDMF_ARRIVED);
+    }
+}
+
+/* ---- in force at once --------------------------------------------------------------------------------- */
+
+static void put_on_the_ground(fmi2Component component) {
+    static const char *const names[] = {"foot.y",    "foot.vx",         "foot.vy",       "leg.length",
+                                        "leg.angle", "leg.length_rate", "leg.angle_rate"};
+    static const double values[] = {0.0, 0.0, 0.0, 0.9, 0.3, 0.0, -0.1};
+    for (int i = 0; i < 7; ++i) {
+        assert_int_equal(set_real(component, names[i], values[i]), fmi2OK);
+    }
+}
+
+static void a_setting_is_in_force_at_once(void **state) {
+    fmi2Component component = new_instance();
+    (void)state;
+    put_on_the_ground(component);
+    initialize(component);
+    assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_DRIVE);
+    assert_close(get_real(component, "hip.torque"), -0.2, 0.0);
+    assert_int_equal(set_real(component, "hip.stance_torque", 0.15), fmi2OK);
+    assert_close(get_real(component, "hip.torque"), -0.15, 0.0);
+    assert_int_equal(set_real(component, "control.stance_torque", 0.02), fmi2OK);
+    assert_close(get_real(component, "hip.torque"), -0.17, 1e-16);
+    fmi2FreeInstance(component);
+}
+
+/* The library's run, another set of laws from `change` on. */
+static void run_of_the_library(double change, double end, tdmf_motion *motion) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_model model;
+    memset(motion, 0, sizeof *motion);
+    tdmf_default_state(motion->state);
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    assert_null(tdmf_start(&model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
+    assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, change, motion), TDMF_ARRIVED);
+    parameters.hip.touchdown_angle = 0.72;
+    parameters.hip.kp = 0.12;
+    parameters.hip.kd = 0.11;
+    parameters.hip.stance_torque = 0.21;
+    parameters.hip.liftoff_angle_factor = 1.25;
+    parameters.hip.retraction_rate = 0.01;
+    inputs.control.touchdown_angle = -0.01;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, end, motion), TDMF_ARRIVED);
+}
+
+static void co_simulation_goes_on_with_what_was_set(void **state) {
+    static const char *const names[] = {
+        "hip.touchdown_angle",     "hip.kp", "hip.kd", "hip.stance_torque", "hip.retraction_rate",
+        "hip.liftoff_angle_factor"};
+    static const double values[] = {0.72, 0.12, 0.11, 0.21, 0.01, 1.25};
+    (void)state;
+    for (int k = 0; k < 4; ++k) { /* in place, in contact, in retract, and in place again */
+        const double change = 5.0 + 6.0 * k, end = 60.0;
+        fmi2Component component = new_slave();
+        tdmf_motion expected;
+        initialize(component);
+        assert_int_equal(fmi2DoStep(component, 0.0, change, fmi2True), fmi2OK);
+        for (int i = 0; i < 6; ++i) {
+            assert_int_equal(set_real(component, names[i], values[i]), fmi2OK);
+        }
+        assert_int_equal(set_real(component, "control.touchdown_angle", -0.01), fmi2OK);
+        assert_int_equal(fmi2DoStep(component, change, end - change, fmi2True), fmi2OK);
+        run_of_the_library(change, end, &expected);
+        assert_true(get_real(component, "leg.angle") == expected.state[TDMF_LEG_ANGLE]);
+        assert_true(get_real(component, "foot.x") == expected.state[TDMF_FOOT_X]);
+        assert_int_equal(get_integer(component, "event.count"), expected.record.event_count);
+        fmi2FreeInstance(component);
+    }
+}
+
+/* ---- derivatives -------------------------------------------------------------------------------------- */
+
+/* By central differences of what the unit says in event mode. */
+static double difference(fmi2Component component, const char *unknown, fmi2ValueReference setting) {
+    const double at = value_of(component, setting), step = 1e-4;
+    double found[2];
+    for (int side = 0; side < 2; ++side) {
+        const double value = at + (side == 0 ? -step : step);
+        assert_int_equal(fmi2SetReal(component, &setting, 1, &value), fmi2OK);
+        found[side] = get_real(component, unknown);
+    }
+    assert_int_equal(fmi2SetReal(component, &setting, 1, &at), fmi2OK);
+    return (found[1] - found[0]) / (2.0 * step);
+}
+
+static void in_a_run_they_are_knowns_of_derivatives(void **state) {
+    static const char *const unknowns[] = {"hip.torque", "der(leg.angle_rate)", "contact.fy", "leg.force"};
+    fmi2ValueReference settings[EITHER];
+    int nonzero = 0;
+    (void)state;
+    list_settings(settings);
+    for (int k = 0; k < 3; ++k) { /* drive, place, and retract with the clamp open */
+        fmi2Component component = new_instance();
+        assert_int_equal(set_real(component, "leg.thrust", 0.01), fmi2OK);
+        assert_int_equal(set_real(component, "hip.kd", 0.2), fmi2OK);
+        if (k == 0) {
+            put_on_the_ground(component);
+        } else if (k == 2) {
+            assert_int_equal(set_real(component, "foot.vy", 1.0), fmi2OK);
+            assert_int_equal(set_real(component, "leg.angle", -0.6), fmi2OK);
+            assert_int_equal(set_real(component, "leg.angle_rate", -1.0), fmi2OK);
+        }
+        initialize(component);
+        for (int i = 0; i < EITHER; ++i) {
+            for (int j = 0; j < 4; ++j) {
+                const fmi2ValueReference unknown = reference_of(unknowns[j]);
+                const double one = 1.0;
+                double exact = (double)NAN;
+                assert_int_equal(
+                    fmi2GetDirectionalDerivative(component, &unknown, 1, &settings[i], 1, &one, &exact),
+                    fmi2OK);
+                assert_close(exact, difference(component, unknowns[j], settings[i]), 1e-10);
+                nonzero += exact != 0.0 ? 1 : 0;
+            }
+        }
+        fmi2FreeInstance(component);
+    }
+    assert_true(nonzero >= 18);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(they_are_set_before_the_start_and_in_event_mode),
+        cmocka_unit_test(they_are_set_between_communication_steps),
+        cmocka_unit_test(in_continuous_time_mode_they_keep_their_values),
+        cmocka_unit_test(parameters_that_are_not_tunable_stay_fixed),
+        cmocka_unit_test(only_continuous_inputs_have_rates),
+        cmocka_unit_test(the_solvers_refuse_rates_of_discrete_inputs),
+        cmocka_unit_test(a_setting_is_in_force_at_once),
+        cmocka_unit_test(co_simulation_goes_on_with_what_was_set),
+        cmocka_unit_test(in_a_run_they_are_knowns_of_derivatives),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
