@@ -33,7 +33,7 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_s
         !array_is_given(component, call, terminate, 1, 1)) {
         return fmi2Error;
     }
-    *enter_event_mode = fmi2False;
+    *enter_event_mode = step_asks_for_event_mode(component) ? fmi2True : fmi2False;
     *terminate = fmi2False;
     return fmi2OK;
 }

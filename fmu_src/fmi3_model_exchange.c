@@ -27,7 +27,7 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance component, fmi3Boolean no_se
         !array_is_given(component, call, terminate_simulation, 1, 1)) {
         return fmi3Error;
     }
-    *enter_event_mode = fmi3False;
+    *enter_event_mode = step_asks_for_event_mode(component);
     *terminate_simulation = fmi3False;
     return fmi3OK;
 }

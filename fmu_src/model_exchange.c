@@ -12,6 +12,9 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
         return CALL_ERROR;
     }
     unit_observe(&instance->unit);
+    if (instance->interface == MODEL_EXCHANGE) {
+        unit_account_for_extension(&instance->unit);
+    }
     instance->state = EVENT_MODE;
     return CALL_OK;
 }
@@ -39,6 +42,14 @@ call_status enter_continuous_time_mode(instance *instance, const char *call) {
     }
     instance->state = CONTINUOUS_TIME_MODE;
     return CALL_OK;
+}
+
+bool step_asks_for_event_mode(instance *instance) {
+    if (unit_extension_has_changed(&instance->unit)) {
+        return true;
+    }
+    unit_account_for_extension(&instance->unit); /* no work, from here on */
+    return false;
 }
 
 call_status set_time(instance *instance, const char *call, double time) {

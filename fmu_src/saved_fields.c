@@ -203,6 +203,15 @@ static void pass_place(transfer *bytes, tdmf_motion *motion) {
     }
 }
 
+static void pass_accounted_leg(transfer *bytes, unit *unit) {
+    pass_time(bytes, "the time of the leg's work", &unit->accounted_leg.time);
+    pass_between(bytes, "the leg of its work", &unit->accounted_leg.length, -unit_largest_state,
+                 unit_largest_state);
+    pass_between(bytes, "the leg's rate of its work", &unit->accounted_leg.length_rate, -unit_largest_state,
+                 unit_largest_state);
+    pass_sum(bytes, "the leg's work to come", &unit->leg_work_due);
+}
+
 static void pass_history(transfer *bytes, tdmf_motion *motion) {
     pass_mode(bytes, &motion->mode);
     pass_record(bytes, &motion->record);
@@ -272,6 +281,7 @@ static void pass_run(transfer *bytes, saved_run *run) {
     pass_place(bytes, &run->unit.motion);
     if (begun) {
         pass_history(bytes, &run->unit.motion);
+        pass_accounted_leg(bytes, &run->unit);
     }
     if (run->unit.event_is_pending) {
         pass_pending_event(bytes, &run->unit);

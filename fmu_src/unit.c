@@ -51,6 +51,7 @@ tdmf_refusal unit_start(unit *unit) {
                              &ready.motion.mode, &ready.motion.record);
     }
     if (refusal.variable == NULL) {
+        ready.accounted_leg = tdmf_leg_sample_of(ready.motion.time, ready.motion.state);
         *unit = ready;
     }
     return refusal;
@@ -187,6 +188,17 @@ void unit_observe(unit *unit) {
     tdmf_observe(&unit->model, &unit->inputs, unit->motion.state, &unit->motion.mode, &unit->motion.record);
 }
 
+bool unit_extension_has_changed(const unit *unit) {
+    return !tdmf_rest_length_is_accounted_for(&unit->model, &unit->inputs, &unit->motion.mode);
+}
+
+void unit_account_for_extension(unit *unit) {
+    const tdmf_leg_sample leg = tdmf_leg_sample_of(unit->motion.time, unit->motion.state);
+    unit->leg_work_due += tdmf_account_for_extension(&unit->model, &unit->inputs, &unit->accounted_leg, &leg,
+                                                     &unit->motion.mode);
+    unit->accounted_leg = leg;
+}
+
 const char *unit_settings_obstacle(const unit *unit) {
     if (unit->settings.solver.method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
         return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
@@ -313,9 +325,12 @@ static int first_due(const unit *unit) {
 
 static tdmf_resolution resolve(unit *unit) {
     const bool was_pending = take_pending_event(unit);
+    const double leg_work = unit->leg_work_due;
+    unit->motion.state[TDMF_LEG_WORK] += leg_work;
+    unit->leg_work_due = 0.0;
     tdmf_resolution resolution = tdmf_resolve(&unit->model, &unit->inputs, unit->motion.time,
                                               unit->motion.state, &unit->motion.mode, &unit->motion.record);
-    resolution.state_changed |= was_pending;
+    resolution.state_changed |= was_pending || leg_work != 0.0;
     resolution.mode_changed |= was_pending;
     return resolution;
 }

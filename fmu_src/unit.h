@@ -27,6 +27,10 @@ typedef struct unit {
     tdmf_model model;
     tdmf_motion motion;
     tdmf_solver solver;
+    /* Model Exchange: the leg where leg.work was accounted for last, and work that its state does not have
+     * yet. */
+    tdmf_leg_sample accounted_leg;
+    double leg_work_due;
     double stop_time; /* Co-Simulation goes no farther; infinite where the importer has none */
     /* Co-Simulation with event mode: the motion stands at an event, not yet taken, its state that of
      * `event_lead` before. What comes of it under these parameters and inputs. */
@@ -103,6 +107,11 @@ void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
 
 /* To be called before an input may jump. */
 void unit_observe(unit *unit);
+
+/* Model Exchange: leg.extension has no rate, and may change between events all the same. An update accounts
+ * for the leg's work up to where unit_account_for_extension was called last, before inputs may jump there. */
+bool unit_extension_has_changed(const unit *unit);
+void unit_account_for_extension(unit *unit);
 
 /* Takes a pending event and resolves whatever else is due at unit->motion.time. */
 tdmf_resolution unit_update(unit *unit, const unit_observer *observer);

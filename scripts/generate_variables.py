@@ -341,7 +341,7 @@ FMI3_CAPABILITIES = {
 }
 """FMI 2.0's names and FMI 3.0's."""
 FMI3_CAPABILITIES_MORE = {
-    "ModelExchange": {"providesAdjointDerivatives": "true", "needsCompletedIntegratorStep": "false"},
+    "ModelExchange": {"providesAdjointDerivatives": "true", "needsCompletedIntegratorStep": "true"},
     "CoSimulation": {
         "providesAdjointDerivatives": "true",
         "hasEventMode": "true",

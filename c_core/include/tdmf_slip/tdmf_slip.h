@@ -10,6 +10,7 @@
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"
+#include "tdmf_slip/extension.h"
 #include "tdmf_slip/hip.h"
 #include "tdmf_slip/impact.h"
 #include "tdmf_slip/kinematics.h"

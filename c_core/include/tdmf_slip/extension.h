@@ -1,0 +1,37 @@
+/* Work of a leg whose extension is changed from outside, by an importer's solver that integrates the motion
+ * and does not tell how fast its inputs change. */
+#ifndef TDMF_SLIP_EXTENSION_H
+#define TDMF_SLIP_EXTENSION_H
+
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The leg at an instant. */
+typedef struct {
+    double time;        /* s */
+    double length;      /* r, m */
+    double length_rate; /* m/s */
+} tdmf_leg_sample;
+
+/* The leg in a state at `time`, s. */
+tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_COUNT]);
+
+/* Whether the rest length in force is the one up to which leg.work is accounted for. */
+bool tdmf_rest_length_is_accounted_for(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const tdmf_mode *mode);
+
+/* The leg's work, J, while its rest length went from that of mode->rest_length, at `before`, to the one in
+ * force, at `after`, without an event between; sets mode->rest_length. Of fourth order in the time between
+ * where the rest length changed linearly, of second order elsewhere; exact where no time passed. */
+double tdmf_account_for_extension(const tdmf_model *model, const tdmf_inputs *inputs,
+                                  const tdmf_leg_sample *before, const tdmf_leg_sample *after,
+                                  tdmf_mode *mode);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

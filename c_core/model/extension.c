@@ -1,0 +1,29 @@
+/* Work of the leg by its extension, the integral of k (rest length - r) over the rest length. With the rest
+ * length linear in time from a to b, and the length cubic,
+ *
+ *     W = k (b - a) ((a + b)/2 - mean of r),   mean of r = (r0 + r1)/2 + h (rdot0 - rdot1)/12 */
+#include "tdmf_slip/extension.h"
+
+#include "leg.h"
+
+tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg_sample sample = {time, state[TDMF_LEG_LENGTH], state[TDMF_LEG_LENGTH_RATE]};
+    return sample;
+}
+
+bool tdmf_rest_length_is_accounted_for(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const tdmf_mode *mode) {
+    return mode->rest_length == tdmf_rest_length(model, inputs, mode);
+}
+
+double tdmf_account_for_extension(const tdmf_model *model, const tdmf_inputs *inputs,
+                                  const tdmf_leg_sample *before, const tdmf_leg_sample *after,
+                                  tdmf_mode *mode) {
+    const double from = mode->rest_length;
+    const double to = tdmf_rest_length(model, inputs, mode);
+    const double mean_length =
+        0.5 * (before->length + after->length) +
+        (after->time - before->time) * (before->length_rate - after->length_rate) / 12.0;
+    mode->rest_length = to;
+    return model->parameters.leg.stiffness * (to - from) * (0.5 * (from + to) - mean_length);
+}

@@ -1,0 +1,191 @@
+/* Work of the leg in Model Exchange, where the importer changes leg.extension without telling its rate: the
+ * ledger closes in every step that is completed, and at every jump. */
+#include "compare.h"
+#include "fmi2_importer.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <string.h>
+
+/* In flight, where the leg swings once in about two units of time; the default gait lands much later. */
+static const double duration = 6.0;
+
+typedef double (*extension_at)(double time);
+
+static double ramp(double time) {
+    return 0.05 * time;
+}
+
+static double wave(double time) {
+    return 0.05 * sin(1.7 * time);
+}
+
+static double steps(double time) {
+    return 0.01 * floor(time + 0.5);
+}
+
+static double none(double time) {
+    (void)time;
+    return 0.0;
+}
+
+static void derivatives_at(fmi2Component component, double time, const double x[TDMF_STATE_COUNT],
+                           extension_at extension, double derivatives[TDMF_STATE_COUNT]) {
+    assert_int_equal(fmi2SetTime(component, time), fmi2OK);
+    assert_int_equal(set_real(component, "leg.extension", extension(time)), fmi2OK);
+    assert_int_equal(fmi2SetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
+}
+
+/* A step of Runge and Kutta's method; the unit stands at its end. */
+static void integrate_step(fmi2Component component, double time, double step, extension_at extension,
+                           double x[TDMF_STATE_COUNT]) {
+    static const double places[] = {0.0, 0.5, 0.5, 1.0},
+                        weights[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    double slopes[4][TDMF_STATE_COUNT], sum[TDMF_STATE_COUNT], trial[TDMF_STATE_COUNT];
+    memcpy(sum, x, sizeof sum);
+    for (int stage = 0; stage < 4; ++stage) {
+        memcpy(trial, x, sizeof trial);
+        for (int i = 0; stage > 0 && i < TDMF_STATE_COUNT; ++i) {
+            trial[i] += places[stage] * step * slopes[stage - 1][i];
+        }
+        derivatives_at(component, time + places[stage] * step, trial, extension, slopes[stage]);
+        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+            sum[i] += weights[stage] * step * slopes[stage][i];
+        }
+    }
+    memcpy(x, sum, sizeof sum);
+    derivatives_at(component, time + step, x, extension, slopes[0]);
+}
+
+/* Event mode, where the extension may jump to `extension`. */
+static bool take_event(fmi2Component component, double extension, double x[TDMF_STATE_COUNT]) {
+    fmi2EventInfo info;
+    assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
+    assert_int_equal(set_real(component, "leg.extension", extension), fmi2OK);
+    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
+    assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
+    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    return info.valuesOfContinuousStatesChanged;
+}
+
+/* What the ledger lacks, and in `work` the leg's part of it. */
+static double gap(fmi2Component component, double start_energy) {
+    return get_real(component, "energy.total") - start_energy - get_real(component, "hip.work") -
+           get_real(component, "leg.work") + get_real(component, "energy.damper_loss");
+}
+
+typedef struct {
+    double gap, work;
+    int events;
+} flight;
+
+static flight fly(int step_count, extension_at extension) {
+    fmi2Component component = new_instance();
+    flight flown = {0.0, 0.0, 0};
+    double x[TDMF_STATE_COUNT];
+    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
+    start_running(component);
+    const double energy = get_real(component, "energy.total"), step = duration / step_count;
+    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    for (int i = 0; i < step_count; ++i) {
+        fmi2Boolean asks = fmi2False, terminate = fmi2False;
+        integrate_step(component, i * step, step, extension, x);
+        assert_int_equal(fmi2CompletedIntegratorStep(component, fmi2True, &asks, &terminate), fmi2OK);
+        assert_false(terminate);
+        if (asks) {
+            assert_true(take_event(component, extension((i + 1) * step), x));
+            ++flown.events;
+        }
+        flown.gap = fmax(flown.gap, fabs(gap(component, energy)));
+    }
+    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    flown.work = get_real(component, "leg.work");
+    fmi2FreeInstance(component);
+    return flown;
+}
+
+static void the_ledger_closes_along_a_ramp_to_fourth_order(void **state) {
+    const flight coarse = fly(200, ramp), fine = fly(400, ramp);
+    (void)state;
+    assert_int_equal(coarse.events, 200);
+    assert_true(fabs(fine.work) > 1e-4);
+    assert_close(fine.work, coarse.work, 1e-6);
+    assert_true(fine.gap < 1e-8 && fine.gap < coarse.gap / 12.0);
+}
+
+static void along_a_curve_it_closes_to_second_order(void **state) {
+    const flight coarse = fly(400, wave), fine = fly(800, wave);
+    (void)state;
+    assert_true(fine.gap < 1e-5 && fine.gap < coarse.gap / 3.5);
+}
+
+static void an_extension_that_stays_asks_for_no_event(void **state) {
+    const flight flown = fly(400, none);
+    (void)state;
+    assert_int_equal(flown.events, 0);
+    assert_true(flown.work == 0.0 && flown.gap < 1e-8);
+}
+
+/* A jump's work is the spring's energy gained. */
+static void a_jump_in_event_mode_is_accounted_for_exactly(void **state) {
+    fmi2Component component = new_instance();
+    double x[TDMF_STATE_COUNT];
+    (void)state;
+    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
+    start_running(component);
+    for (int i = 1; i <= 3; ++i) {
+        const double elastic = get_real(component, "energy.elastic"), work = get_real(component, "leg.work");
+        assert_true(take_event(component, 0.03 * i * i, x));
+        assert_close(get_real(component, "leg.work") - work, get_real(component, "energy.elastic") - elastic,
+                     1e-16);
+        assert_false(take_event(component, 0.03 * i * i, x));
+    }
+    fmi2FreeInstance(component);
+}
+
+/* An importer that sets a jump without an event spreads it over one step. */
+static void jumps_without_an_event_are_seen_at_the_next_step(void **state) {
+    const flight coarse = fly(240, steps), fine = fly(2400, steps);
+    (void)state;
+    assert_int_equal(fine.events, 6);
+    assert_true(fine.gap < 0.5 * coarse.gap && fine.gap < 2e-5);
+}
+
+/* In event mode, before it is told of, the work is part of a saved state. */
+static void work_that_is_due_is_saved(void **state) {
+    fmi2Component one = new_instance(), other = new_instance();
+    double x[TDMF_STATE_COUNT], rates[TDMF_STATE_COUNT];
+    fmi2Byte bytes[SERIALIZED_BYTES];
+    fmi2FMUstate saved = NULL;
+    fmi2EventInfo info;
+    (void)state;
+    start_running(one);
+    assert_int_equal(fmi2GetContinuousStates(one, x, TDMF_STATE_COUNT), fmi2OK);
+    integrate_step(one, 0.0, 0.1, ramp, x);
+    derivatives_at(one, 0.1, x, ramp, rates);
+    assert_int_equal(fmi2EnterEventMode(one), fmi2OK);
+    const size_t size = serialize2(one, bytes);
+    assert_int_equal(fmi2DeSerializeFMUstate(other, bytes, size, &saved), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(other, saved), fmi2OK);
+    assert_int_equal(fmi2FreeFMUstate(other, &saved), fmi2OK);
+    assert_int_equal(fmi2NewDiscreteStates(one, &info), fmi2OK);
+    assert_int_equal(fmi2NewDiscreteStates(other, &info), fmi2OK);
+    assert_true(get_real(one, "leg.work") != 0.0);
+    assert_true(get_real(other, "leg.work") == get_real(one, "leg.work"));
+    fmi2FreeInstance(one);
+    fmi2FreeInstance(other);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_ledger_closes_along_a_ramp_to_fourth_order),
+        cmocka_unit_test(along_a_curve_it_closes_to_second_order),
+        cmocka_unit_test(an_extension_that_stays_asks_for_no_event),
+        cmocka_unit_test(a_jump_in_event_mode_is_accounted_for_exactly),
+        cmocka_unit_test(jumps_without_an_event_are_seen_at_the_next_step),
+        cmocka_unit_test(work_that_is_due_is_saved),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
