@@ -14,7 +14,8 @@ import pathlib
 import sys
 import tomllib
 
-ROOT = pathlib.Path(__file__).parents[2]
+HERE = pathlib.Path(__file__).parent
+ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 from generate_variables import Table, agreement, generated, storage  # noqa: E402
@@ -122,8 +123,27 @@ def flat(content, prefix=""):
             yield prefix + key, value
 
 
+def known_values(table, given):
+    """A preset's values that differ from the defaults, of what the page has a control for."""
+    known = {v.name for v in (*values_of(table), *starts_of(table))}
+    values = {name: in_unit(table, name, value) for name, value in given.items() if name in known}
+    return {
+        name: value
+        for name, value in values.items()
+        if not math.isclose(value, float(table.by_name[name].start), rel_tol=1e-15)
+    }
+
+
+def own_presets(table):
+    """Those of presets.toml of which the model has all variables."""
+    for given in tomllib.loads((HERE / "presets.toml").read_text(encoding="utf-8"))["preset"]:
+        name, values = given.pop("name"), dict(flat(given))
+        if values.keys() <= table.by_name.keys():
+            yield {"name": name, "values": known_values(table, values)}
+
+
 def presets(table):
-    """The paper's gaits, then the package's parameter files; only what differs from the defaults."""
+    """The paper's gaits, the package's parameter files, the page's own."""
     gaits = json.loads((PACKAGE / "paper/reference_gaits.json").read_text(encoding="utf-8"))["gaits"]
     found = [
         {
@@ -134,18 +154,11 @@ def presets(table):
         }
         for gait in gaits
     ]
-    known = {v.name for v in (*values_of(table), *starts_of(table))}
     for path in sorted((PACKAGE / "unit/presets").glob("*.toml")):
-        given = dict(flat(tomllib.loads(path.read_text(encoding="utf-8"))))
-        values = {name: in_unit(table, name, value) for name, value in given.items() if name in known}
-        differing = {
-            name: value
-            for name, value in values.items()
-            if not math.isclose(value, float(table.by_name[name].start), rel_tol=1e-15)
-        }
-        if differing:
-            found.append({"name": f"{path.stem} scale", "values": differing})
-    return found
+        values = known_values(table, dict(flat(tomllib.loads(path.read_text(encoding="utf-8")))))
+        if values:
+            found.append({"name": f"{path.stem} scale", "values": values})
+    return [*found, *own_presets(table)]
 
 
 def page_table(table):

@@ -15,7 +15,7 @@ enum {
     SAMPLE_MODE,
     SAMPLE_SIZE,
     SAMPLE_CAPACITY = 4096,
-    PIECES_IN_A_CALL = 20000
+    PIECES_IN_A_CALL = 2000
 };
 
 static tdmf_motion motion;
@@ -118,20 +118,17 @@ static tdmf_outcome advance_to_event(double until, bool *event) {
     return *event ? TDMF_ARRIVED : outcome;
 }
 
-/* Advances to a time, stopping after the first event if asked. On the ground a sample is taken at least every
- * `interval`. Gives the tdmf_outcome; but for arrival and fall, the message says what went wrong. */
+/* Advances to a time, stopping after the first event if asked, and before where that is far. On the ground a
+ * sample is taken at least every `interval`. Gives the tdmf_outcome; but for arrival and fall, the message
+ * says what went wrong. */
 LIVE_EXPORT(live_advance)
 int live_advance(double until, double interval, bool to_event) {
     tdmf_outcome outcome = TDMF_ARRIVED;
     sample_count = 0;
     live.message[0] = '\0';
-    for (int piece = 0; outcome == TDMF_ARRIVED && motion.time < until; ++piece) {
+    for (int i = 0; i < PIECES_IN_A_CALL && outcome == TDMF_ARRIVED && motion.time < until; ++i) {
         const bool flies = motion.mode.contact == TDMF_CONTACT_FLIGHT;
         bool event = false;
-        if (piece == PIECES_IN_A_CALL) {
-            outcome = TDMF_TOO_MANY_EVENTS;
-            break;
-        }
         outcome = advance_to_event(flies ? until : fmin(until, motion.time + interval), &event);
         if (event && to_event) {
             break;

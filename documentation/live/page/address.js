@@ -30,6 +30,11 @@ export function stateOf(hash) {
   return { state, problem: problems.join(" ") };
 }
 
+/** Whether an address says anything of a runner; else it names a place on the page. */
+export function hasState(hash) {
+  return hash.length < 2 || hash.includes("=");
+}
+
 /** The address of a state. */
 export function hashOf(state) {
   const pairs = [...known.values()]

@@ -7,7 +7,7 @@ import { printed, shownUnit } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
 const SPAN = 10; // of a slider about a positive value, each way
-const OPEN = new Set(["ground", "control", "hip"]);
+const OPEN = new Set(matchMedia("(min-width: 1081px)").matches ? ["ground", "control", "hip"] : ["ground"]);
 
 const groupOf = ({ name }) => (name.includes(".") ? name.split(".")[0] : "world");
 

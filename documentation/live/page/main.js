@@ -4,7 +4,7 @@
  */
 import { Controls, fillPresets } from "./controls.js";
 import { compileCore, Core } from "./core.js";
-import { defaults } from "./address.js";
+import { defaults, hasState } from "./address.js";
 import { hipPhases } from "./data.js";
 import { EnergyBars } from "./energy_bars.js";
 import { FrictionPlot } from "./friction_plot.js";
@@ -13,7 +13,7 @@ import { GaitPanel, lambdaMax, Numbers } from "./gait_panel.js";
 import { listenToKeys } from "./keys.js";
 import { digits, shownWord, steady } from "./numbers.js";
 import { isStart, PageState } from "./page_state.js";
-import { Pool } from "./pool.js";
+import { Pool, processors } from "./pool.js";
 import { Region, apexText } from "./region.js";
 import { Run, isLoaded, modeName } from "./run.js";
 import { described, fillLegend, MODE_TEXT, Scene } from "./scene.js";
@@ -28,6 +28,7 @@ const STEP = 0.01; // sqrt(m/k)
 const NEXT_EVENT_WITHIN = 100; // sqrt(m/k)
 const NUMBERS_EVERY = 120; // ms, while it runs
 const FRAMES_KEPT = 600;
+const SEARCHERS = 2; // a gait's curve goes both ways
 
 const NUMBERS = [
   ["time", "time", "s"],
@@ -43,12 +44,12 @@ const NUMBERS = [
 const $ = (id) => document.getElementById(id);
 
 class Page {
-  constructor(core, pool) {
+  constructor(core, painters, searchers) {
     this.core = core;
-    this.pool = pool;
+    this.painters = painters;
     this.run = new Run(core);
     this.state = new PageState(core, this.run);
-    this.running = true;
+    this.running = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.frames = [];
     const redraw = () => this.run.outputs && this.draw();
     this.scene = new Scene($("scene"), redraw);
@@ -63,7 +64,7 @@ class Page {
       { ...selects, canvas: $("region"), width: $("region-width"), legend: $("region-legend") },
       (apex) => this.startFrom(apex),
     );
-    this.search = new GaitSearch(pool, () => this.runner(), {
+    this.search = new GaitSearch(searchers, () => this.runner(), {
       found: (gait, message) => this.showGait(gait, message),
       point: (friction, gait) => this.frictionPlot.add(friction, gait),
       cleared: () => this.clearGait(),
@@ -75,7 +76,7 @@ class Page {
     fillLegend($("legend"));
     fillPresets($("preset"), (preset) => this.choose(preset));
     const actions = {
-      play: () => this.play(!this.running),
+      play: () => (this.run.over ? this.begin(this.state.values) : this.play(!this.running)),
       step: () => this.step(() => this.run.advance(STEP * this.core.timeScale)),
       "step-event": () => this.step(() => this.run.advanceToEvent(NEXT_EVENT_WITHIN * this.core.timeScale)),
       restart: () => this.begin(this.state.values),
@@ -87,7 +88,7 @@ class Page {
     };
     Object.entries(actions).forEach(([id, action]) => $(id).addEventListener("click", action));
     $("scene").addEventListener("click", actions.play);
-    addEventListener("hashchange", () => this.readAddress());
+    addEventListener("hashchange", () => hasState(location.hash) && this.readAddress());
     watchTheme($("theme"), () => this.redrawAll());
     listenToKeys({
       " ": actions.play,
@@ -251,19 +252,21 @@ class Page {
       }
       const { given } = this.runner();
       $("region-hint").textContent = "Painting …";
-      const done = await this.region.paint(this.pool, given, gait, this.core.sectionScales, () => {});
+      const done = await this.region.paint(this.painters, given, gait, this.core.sectionScales, () => {});
       if (done) {
         $("region-hint").textContent = `${digits(100 * this.region.settledShare, 3)} % of these starts settle on the gait.`;
       }
     });
   }
 
-  /** What goes wrong in a worker is told, too. */
+  /** What goes wrong where nobody expects it is told, too, and the page goes on to answer. */
   async guarded(work) {
     try {
       await work();
     } catch (problem) {
-      this.report(String(problem.message ?? problem));
+      this.running = false;
+      this.report(`Something went wrong: ${problem.message ?? problem}`);
+      console.error(problem);
     }
   }
 
@@ -271,8 +274,8 @@ class Page {
 
   play(running) {
     this.running = running && !this.run.over;
-    $("play").textContent = this.running ? "Pause" : "Run";
-    if (!this.running) {
+    $("play").textContent = this.running ? "Pause" : this.run.over ? "Run again" : "Run";
+    if (!this.running && !this.run.over) {
       this.tell();
     }
   }
@@ -280,8 +283,11 @@ class Page {
   step(advance) {
     this.play(false);
     advance();
+    this.noticeEnd();
     this.draw();
-    this.tell();
+    if (!this.run.over) {
+      this.tell();
+    }
   }
 
   nextPace() {
@@ -300,12 +306,14 @@ class Page {
     const before = performance.now();
     const elapsed = Math.min((now - (this.last ?? now)) / 1000, LONGEST_FRAME);
     this.last = now;
+    requestAnimationFrame((next) => this.frame(next));
     if (this.running) {
-      this.advance(elapsed);
-      this.draw();
+      this.guarded(() => {
+        this.advance(elapsed);
+        this.draw();
+      });
       this.keepFrame(performance.now() - before);
     }
-    requestAnimationFrame((next) => this.frame(next));
   }
 
   /** In slow motion on the ground only, flight ends at touchdown. */
@@ -317,6 +325,10 @@ class Page {
     } else {
       this.run.advance(duration);
     }
+    this.noticeEnd();
+  }
+
+  noticeEnd() {
     if (this.run.over) {
       this.play(false);
       this.report(this.run.trouble);
@@ -331,7 +343,7 @@ class Page {
 
   draw() {
     this.scene.draw(this.run, this.state.values);
-    this.plots.draw(this.run, this.state.values[FRICTION]);
+    this.plots.draw(this.run, this.state.values);
     const now = performance.now();
     if (!this.running || now - (this.told ?? 0) > NUMBERS_EVERY) {
       this.told = now;
@@ -375,16 +387,17 @@ class Page {
 async function main() {
   try {
     const module = await compileCore();
-    const pool = new Pool(module);
-    const page = new Page(await Core.of(module), pool);
-    await pool.ready;
+    const painters = new Pool(module, processors());
+    const searchers = new Pool(module, SEARCHERS);
+    const page = new Page(await Core.of(module), painters, searchers);
+    await Promise.all([painters.ready, searchers.ready]);
     /** For scripts and tests: the page as it is. */
     globalThis.tdmfSlip = page;
+    $("loading").hidden = true;
     page.open();
   } catch (problem) {
-    const shown = document.getElementById("problem");
-    shown.textContent = `The page could not start: ${problem.message ?? problem}`;
-    shown.hidden = false;
+    $("problem").textContent = `The page could not start: ${problem.message ?? problem}`;
+    $("problem").hidden = false;
     throw problem;
   }
 }

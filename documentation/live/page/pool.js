@@ -42,11 +42,19 @@ class Hand {
   }
 }
 
-/** As many workers as processors, four at the most. */
+/** How many workers this machine has a use for. */
+export function processors() {
+  return Math.max(1, Math.min(4, navigator.hardwareConcurrency || 2));
+}
+
+/** Workers that are alike. */
 export class Pool {
-  /** @param {WebAssembly.Module} module The core's. */
-  constructor(module) {
-    const count = Math.max(1, Math.min(4, navigator.hardwareConcurrency || 2));
+  /**
+   * @param {WebAssembly.Module} module The core's.
+   * @param {number} count Of workers.
+   */
+  constructor(module, count) {
+    this.module = module;
     this.hands = Array.from({ length: count }, () => new Hand(module));
     this.ready = Promise.all(this.hands.map((hand) => hand.ready));
   }
@@ -64,5 +72,16 @@ export class Pool {
    */
   run(name, job, onPart) {
     return this.idlest.run(name, job, onPart);
+  }
+
+  /** Nobody waits for what is under way: it is given up, and will never be answered. */
+  abandon() {
+    this.hands = this.hands.map((hand) => {
+      if (hand.jobs.size === 0) {
+        return hand;
+      }
+      hand.worker.terminate();
+      return new Hand(this.module);
+    });
   }
 }

@@ -51,22 +51,35 @@ export class Scene {
     const { outputs } = run;
     const length = given["leg.free_length"];
     const { width, height } = this.surface;
-    const wanted = Math.max(SHOWN_HEIGHT, (1.2 * outputs["com.y"]) / length);
+    const centre = outputs["com.x"];
+    this.line = groundLine(given, outputs, this.line);
+    const base = this.groundAt(centre);
+    const wanted = Math.max(SHOWN_HEIGHT, (1.2 * (outputs["com.y"] - base)) / length);
     this.tall += (wanted - this.tall) * (wanted > this.tall ? 1 : 0.02);
     const scale = (0.86 * height) / (this.tall * length);
-    const centre = outputs["com.x"];
     this.place = {
       length,
       scale,
       x: (x) => 0.5 * width + (x - centre) * scale,
-      y: (y) => 0.9 * height - y * scale,
+      y: (y) => 0.9 * height - (y - base) * scale,
     };
-    this.line = groundLine(given, outputs, this.line);
     this.ground(context, centre);
     this.trail(context, run.trail);
     this.tracks(context, run.tracks);
     this.forces(context, run, given);
     this.runner(context, outputs);
+    if (run.over) {
+      this.say(context, run.fallen ? "The runner has fallen" : "The run has stopped");
+    }
+  }
+
+  say(context, text) {
+    const { bad, sans } = palette();
+    context.font = `600 16px ${sans}`;
+    context.fillStyle = bad;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(text, 0.5 * this.surface.width, 26);
   }
 
   /** Height of the ground, m. */
@@ -142,12 +155,23 @@ export class Scene {
       this.arrow(context, [outputs["foot.x"], outputs["foot.y"]], arrow, palette()[modeName(outputs["contact.mode"])]);
     }
     this.torque(context, outputs, given);
+    this.push(context, outputs, given);
+  }
+
+  /** What pushes the body from outside, over its weight. */
+  push(context, outputs, given) {
+    const weight = given["body.mass"] * given.gravity;
+    const share = ["body.external_fx", "body.external_fy"].map((name) => (given[name] ?? 0) / weight);
+    const most = Math.max(1, Math.hypot(...share));
+    const arrow = share.map((part) => (part / most) * this.place.length);
+    this.arrow(context, [outputs["body.x"], outputs["body.y"]], arrow, palette().second);
   }
 
   cone(context, outputs, given) {
     const { cone } = palette();
     const { x, y, scale, length } = this.place;
-    const half = Math.atan(given["ground.friction"]);
+    const resting = modeName(outputs["contact.mode"]) === "stick" ? (given["ground.static_friction_ratio"] ?? 1) : 1;
+    const half = Math.atan(resting * given["ground.friction"]);
     const upright = -0.5 * Math.PI - this.line.slope;
     context.fillStyle = cone;
     context.beginPath();

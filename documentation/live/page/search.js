@@ -10,7 +10,7 @@ const AGAIN_DELAY = 350; // ms after the last change of a parameter
 
 export class GaitSearch {
   /**
-   * @param {Pool} pool
+   * @param {Pool} pool Whose workers have nothing else to do.
    * @param {function(): {given: Object<string, number>, apex: number[]}} runner Whose gait is looked for.
    * @param {{found: function(?Gait, string), point: function(number, Gait), cleared: function()}} listener
    */
@@ -50,9 +50,11 @@ export class GaitSearch {
     }
   }
 
-  /** What was found is of another runner. */
+  /** What was found, or is looked for, is of another runner. */
   forget() {
     clearTimeout(this.again);
+    this.pool.abandon();
+    this.following = null;
     this.gait = null;
     this.listener.cleared();
     return ++this.version;

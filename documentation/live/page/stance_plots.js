@@ -19,26 +19,35 @@ export class StancePlots {
     this.ratio = new Surface(ratioCanvas, redraw);
   }
 
-  /** @param {Run} run @param {number} friction */
-  draw(run, friction) {
+  /**
+   * @param {Run} run
+   * @param {Object<string, number>} given Parameters and inputs, by name.
+   */
+  draw(run, given) {
+    const friction = given["ground.friction"];
+    const resting = friction * (given["ground.static_friction_ratio"] ?? 1);
     const present = pieces(run.stance);
     const last = pieces(run.lastStance);
     const ends = [...present, ...last].map(({ rows }) => rows.at(-1).time);
     const length = Math.max(...ends, 0) || 1;
     const x = [-ROOM * length, (1 + ROOM) * length];
     this.panel(this.velocity, present, last, velocity, { x, title: "foot velocity, m/s", zero: true });
-    const cone = friction <= MOST_CONE ? [-friction, friction] : [];
-    this.panel(this.ratio, present, last, ratio, { x, title: "force ratio, fx/fy", cone, labelX: "time since touchdown, s" });
+    const cone = resting <= MOST_CONE ? { friction, resting } : null;
+    const labelX = "time since touchdown, s";
+    this.panel(this.ratio, present, last, ratio, { x, title: "force ratio, fx/fy", cone, labelX });
   }
 
-  panel(surface, present, last, value, { x, title, labelX, cone = [], zero }) {
+  panel(surface, present, last, value, { x, title, labelX, cone, zero }) {
     const context = surface.clear();
     const shown = [...present, ...last].flatMap(({ rows }) => rows.map(value));
-    const y = rangeOf([...shown, ...cone, ...(zero ? [0] : [])], zero ? 0 : 0.05);
+    const edges = cone ? [-cone.resting, cone.resting] : [];
+    const y = rangeOf([...shown, ...edges, ...(zero ? [0] : [])], zero ? 0 : 0.05);
     const box = { x: 0, y: 0, width: surface.width, height: surface.height };
     const axes = new Axes(context, box, { x, y, title, labelX });
     axes.draw();
-    this.coneOf(axes, cone, x);
+    if (cone) {
+      this.cone(axes, cone, x);
+    }
     axes.inside(() => {
       context.globalAlpha = 0.3;
       last.forEach((piece) => this.piece(axes, piece, value));
@@ -52,17 +61,19 @@ export class StancePlots {
     }
   }
 
-  coneOf(axes, cone, x) {
+  /** The cone of a foot that slips, and around it that of a foot at rest. */
+  cone(axes, { friction, resting }, x) {
     const { accent, cone: tint } = palette();
-    if (cone.length) {
-      axes.context.fillStyle = tint;
-      axes.context.fillRect(axes.left, axes.y(cone[1]), axes.right - axes.left, axes.y(cone[0]) - axes.y(cone[1]));
-      cone.forEach((edge) => axes.line([[x[0], edge], [x[1], edge]], accent, 1, [4, 3]));
-      axes.context.fillStyle = accent;
-      axes.context.textAlign = "right";
-      axes.context.fillText("+μ", axes.right - 4, axes.y(cone[1]) + 12);
-      axes.context.fillText("−μ", axes.right - 4, axes.y(cone[0]) - 5);
+    const { context } = axes;
+    for (const edge of new Set([friction, resting])) {
+      context.fillStyle = tint;
+      context.fillRect(axes.left, axes.y(edge), axes.right - axes.left, axes.y(-edge) - axes.y(edge));
+      [-edge, edge].forEach((at) => axes.line([[x[0], at], [x[1], at]], accent, 1, [4, 3]));
     }
+    context.fillStyle = accent;
+    context.textAlign = "right";
+    context.fillText("+μ", axes.right - 4, axes.y(friction) + 12);
+    context.fillText("−μ", axes.right - 4, axes.y(-friction) - 5);
   }
 
   piece(axes, { mode, rows }, value) {
