@@ -2,6 +2,7 @@
  * full model do. At lift-off they are those at a fixed time, with the centre of mass ballistic from there. */
 #include "tdmf_slip/reduced_map.h"
 
+#include "event_log.h"
 #include "prescribed_flight.h"
 #include "reduced_stride.h"
 #include "tdmf_slip/dynamics.h"
@@ -90,8 +91,16 @@ static double energy_of(const run *run, const double state[TDMF_STATE_COUNT]) {
     return tdmf_mechanical_energy(run->model, run->inputs, &run->motion.mode, state).total;
 }
 
+static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard guard,
+                      const tdmf_mode *before, const double state[TDMF_STATE_COUNT]) {
+    tdmf_event event = {.time = motion->time, .guard = (int)guard, .before = *before, .after = motion->mode};
+    memcpy(event.state, state, sizeof event.state);
+    tdmf_log_event(log, &event);
+}
+
 /* From the apex into contact. */
-static tdmf_reduced_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until) {
+static tdmf_reduced_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until,
+                                    tdmf_event_log *log) {
     const tdmf_reduced_outcome begun = tdmf_reduced_begin(run->model, run->inputs, apex, &run->motion);
     if (begun != TDMF_REDUCED_CLOSED) {
         return begun;
@@ -101,6 +110,7 @@ static tdmf_reduced_outcome descend(run *run, const double apex[TDMF_REDUCED_COU
     const tdmf_reduced_outcome landed =
         tdmf_reduced_touch_down(run->model, run->inputs, until, &run->motion, &run->before);
     if (landed == TDMF_REDUCED_CLOSED) {
+        log_event(log, &run->motion, TDMF_GUARD_TOUCHDOWN, &run->before.mode, run->before.state);
         run->leg_loss = energy_at_apex - energy_of(run, run->before.state);
         touch_down(&run->bundle, run->model, run->inputs, run->from, &run->motion, &run->before);
     }
@@ -132,10 +142,14 @@ static tdmf_reduced_outcome stand(run *run, tdmf_solver *solver, double until, t
     return outcome_of_stance(stance);
 }
 
-static tdmf_reduced_outcome rise(run *run) {
+static tdmf_reduced_outcome rise(run *run, tdmf_event_log *log) {
+    const tdmf_mode lifted_off = run->motion.mode;
     memcpy(run->lift_off, run->motion.state, sizeof run->lift_off);
     const tdmf_reduced_outcome risen = tdmf_reduced_fly(run->model, run->inputs, &run->motion);
     run->leg_loss += energy_of(run, run->lift_off) - energy_of(run, run->motion.state);
+    if (risen == TDMF_REDUCED_CLOSED) {
+        log_event(log, &run->motion, TDMF_GUARD_APEX, &lifted_off, run->motion.state);
+    }
     return risen;
 }
 
@@ -165,12 +179,12 @@ tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *mode
     if (derivatives) {
         open_bundle(&run.bundle, changes, count);
     }
-    result.outcome = descend(&run, apex, until);
+    result.outcome = descend(&run, apex, until, solver->log);
     if (result.outcome == TDMF_REDUCED_CLOSED) {
         result.outcome = stand(&run, solver, until, &result.solver);
     }
     if (result.outcome == TDMF_REDUCED_CLOSED) {
-        result.outcome = rise(&run);
+        result.outcome = rise(&run, solver->log);
     }
     if (result.outcome == TDMF_REDUCED_CLOSED) {
         note_stride(&run, &result);

@@ -5,6 +5,7 @@
 #include "prescribed_flight.h"
 #include "tdmf_slip/automaton.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The state at an apex, integrals zero. */
@@ -34,11 +35,17 @@ static void move_time(tdmf_motion *motion, double elapsed) {
     motion->time = motion->record.now.time;
 }
 
+void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]) {
+    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT], apex[TDMF_REDUCED_COM_SPEED], 0.0};
+    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
+    write_apex(model, inputs, com, state);
+}
+
 tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
                                         const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
-    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT], apex[TDMF_REDUCED_COM_SPEED], 0.0};
     memset(motion, 0, sizeof *motion);
-    write_apex(model, inputs, com, motion->state);
+    tdmf_reduced_state(model, inputs, apex, motion->state);
     if (motion->state[TDMF_FOOT_Y] <= 0.0) {
         return TDMF_REDUCED_FOOT_BELOW;
     }
@@ -56,7 +63,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
         return TDMF_REDUCED_FOOT_BELOW;
     }
     const tdmf_descent descent = tdmf_descend(model, inputs, apex);
-    if (!(descent.time <= until)) {
+    if (!(descent.time <= until) || isinf(descent.time)) {
         return TDMF_REDUCED_NO_TOUCHDOWN;
     }
     move_time(motion, descent.time);

@@ -383,6 +383,30 @@ static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
     assert_close(scene.apex[0], reduced_gaits[2].apex[0], 1e-8);
 }
 
+/* ---- events ------------------------------------------------------------------------------------------- */
+
+static void a_log_has_the_events_of_a_stride(void **state) {
+    const apex_scene scene = at_gait(&reduced_gaits[0]); /* 0+ */
+    static const int expected[] = {TDMF_GUARD_TOUCHDOWN, TDMF_GUARD_MID_STANCE,
+                                   TDMF_GUARD_SLIP_ONSET_POSITIVE, TDMF_GUARD_LIFT_OFF, TDMF_GUARD_APEX};
+    enum { EVENTS = sizeof expected / sizeof expected[0] };
+    const tdmf_model model = model_of(&scene);
+    tdmf_event_log log = {0};
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    solver.log = &log;
+    const tdmf_reduced_return stride =
+        tdmf_reduced_map(&solver, &model, &scene.inputs, scene.apex, INFINITY, false, NULL, 0);
+    assert_int_equal(log.count, EVENTS);
+    for (int i = 0; i < EVENTS; ++i) {
+        assert_int_equal(log.events[i].guard, expected[i]);
+        assert_true(i == 0 || log.events[i].time > log.events[i - 1].time);
+    }
+    assert_close(log.events[3].time - log.events[0].time, stride.stride.stance_time, 1e-12);
+    assert_close(log.events[4].time, stride.stride.period, 1e-12);
+    assert_close(log.events[3].state[TDMF_LEG_ANGLE], stride.liftoff_angle, 0.0);
+}
+
 /* ---- the flight down ---------------------------------------------------------------------------------- */
 
 /* The leg turns many times in the fall: the first of many heights zero is the touchdown. Sampled densely. */
@@ -426,6 +450,7 @@ int main(void) {
         cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
         cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),
+        cmocka_unit_test(a_log_has_the_events_of_a_stride),
         cmocka_unit_test(the_first_touchdown_is_found_however_the_leg_turns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

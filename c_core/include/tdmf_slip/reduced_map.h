@@ -20,6 +20,10 @@ enum {
     TDMF_REDUCED_COUNT
 };
 
+/* The state at an apex above x = 0, with the leg at rest where it is to be placed, integrals zero. */
+void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]);
+
 /* What becomes of a stride. */
 typedef enum {
     TDMF_REDUCED_CLOSED,       /* it has a next apex */
@@ -58,7 +62,8 @@ typedef struct {
 
 /* One stride from an apex, whose flight down and whose stance take no longer than `until` each. With
  * `derivatives`, also how it changes with the two coordinates and along `count` directions of parameters and
- * inputs; they are not finite on the edge of an event, see tdmf_native_stride_varied. */
+ * inputs; they are not finite on the edge of an event, see tdmf_native_stride_varied. A log in the solver has
+ * touchdown, the events of the stance, and the apex. */
 tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
                                      const tdmf_change *changes, int count);

@@ -19,12 +19,12 @@ from ..files.whole import check_place
 from ..library import ensemble
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
-from ..library.section import COORDINATES
+from ..library.section import COORDINATES, check_axes
 from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .fates import MOST_STRIDES, STARTS_AT_ONCE, fates
-from .search import find_orbit
+from .search import find_orbit, model_of
 
 NOT_YET = -1
 LEG_LENGTH = COORDINATES.index("leg_length")
@@ -45,7 +45,7 @@ class Slice:
     runner: Runner
     """Whose starts."""
     apex: tuple[float, ...]
-    """The gait's, shape (6,)."""
+    """The gait's, shape (n,)."""
     axes: tuple[str, str]
     """Names of the two coordinates."""
     rows: tuple[float, ...]
@@ -58,7 +58,7 @@ class Slice:
         sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
         sections[..., COORDINATES.index(self.axes[0])] = np.asarray(self.rows)[:, None]
         sections[..., COORDINATES.index(self.axes[1])] = np.asarray(self.columns)[None, :]
-        return sections.reshape(-1, len(COORDINATES))
+        return sections.reshape(-1, len(self.apex))
 
 
 def fates_of_slice(part: Slice) -> NDArray[np.void]:
@@ -139,24 +139,6 @@ def _rounded(value: float) -> float:
     return round(value, 5 - math.floor(math.log10(abs(value)))) if value else 0.0
 
 
-def check_axes(axes: Sequence[str]) -> None:
-    """Refuse names that are not those of coordinates of the section.
-
-    Parameters
-    ----------
-    axes : sequence of str
-        What was given as names.
-
-    Raises
-    ------
-    InputError
-        One is not.
-    """
-    wrong = next((axis for axis in axes if axis not in COORDINATES), None)
-    if wrong is not None:
-        raise InputError(f"axes: {wrong!r} is not allowed; allowed: {', '.join(COORDINATES)}")
-
-
 def basin(
     runner: Runner | Mapping[str, Given],
     axes: tuple[str, str],
@@ -170,8 +152,8 @@ def basin(
 ) -> xarray.Dataset:
     """The fate of a runner from each point of a slice through the gait's apex.
 
-    The other four coordinates are the gait's. With a path the result is written there as NetCDF, block by
-    block, and a file of the same slice is gone on with.
+    The other coordinates are the gait's; the reduced map has none. With a path the result is written there as
+    NetCDF, block by block, and a file of the same slice is gone on with.
 
     Parameters
     ----------
@@ -208,7 +190,7 @@ def basin(
     """
     unit, runner = load(unit), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")
-    axes, values = _checked_slice(axes, ranges, unit)
+    axes, values = _checked_slice(axes, ranges, runner.coordinates, unit)
     gait = stable_gait(runner, unit)
     data = _blank(gait, axes, values, unit)
     if path is not None:
@@ -239,12 +221,12 @@ def basin(
 
 
 def _checked_slice(
-    axes: Any, ranges: Any, unit: Unit
+    axes: Any, ranges: Any, coordinates: Sequence[str], unit: Unit
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     for what, pair in (("axes", axes), ("ranges", ranges)):
         if not isinstance(pair, Sequence | np.ndarray) or isinstance(pair, str) or len(pair) != 2:
             raise InputError(f"{what} = {reprlib.repr(pair)} is not allowed; allowed: a pair")
-    check_axes(axes)
+    check_axes(axes, coordinates)
     first, second = axes
     if first == second:
         raise InputError(f"axes {first}, {second}: allowed: two that differ")
@@ -291,10 +273,10 @@ def _blank(
         "flag_meanings": " ".join(ensemble.FATES),
     }
     data["strides"].attrs = {"units": "1", "long_name": "strides closed until then"}
-    for axis, value in zip(COORDINATES, gait.apex, strict=True):
+    for axis, value in zip(gait.runner.coordinates, gait.apex, strict=True):
         data.attrs[f"gait_{axis}"] = float(value)
     for axis in axes:
         variable = unit.variables[f"apex.{axis}"]
         data[axis].attrs = {"units": variable.unit or "1", "long_name": variable.description}
-    data.attrs |= {"word": gait.word, **gait.runner.values}
+    data.attrs |= {"word": gait.word, **gait.runner.values, **model_of(gait.runner)}
     return data

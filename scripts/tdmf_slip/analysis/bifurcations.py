@@ -101,7 +101,7 @@ def _simple_pieces(family: Family, before: Point, after: Point) -> Iterator[tupl
 
 def _period_doubling(point: Point) -> float:
     """Zero where an eigenvalue is -1."""
-    return float(np.linalg.det(point.orbit.jacobian + np.eye(6)))
+    return float(np.linalg.det(point.orbit.jacobian + np.eye(len(point.orbit.apex))))
 
 
 def _neimark_sacker(point: Point) -> float:

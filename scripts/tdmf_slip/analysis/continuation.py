@@ -145,7 +145,7 @@ def _predicted(family: Family, orbit: Orbit, step: float) -> NDArray[np.float64]
     """The apex at a parameter a little away, along the branch's tangent."""
     assert orbit.by_parameter is not None
     try:
-        tangent = np.linalg.solve(np.eye(6) - orbit.jacobian, orbit.by_parameter)
+        tangent = np.linalg.solve(np.eye(len(orbit.apex)) - orbit.jacobian, orbit.by_parameter)
     except np.linalg.LinAlgError:
         raise RunError(f"the branch turns at {family.name} = {family.value_of(orbit):g}") from None
     return orbit.apex + step * tangent
@@ -205,7 +205,7 @@ def trace(
     if not abs(end - start) > 0.0:
         raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
     family = Family(runner.but(name, start), name)
-    towards_end = np.append(np.zeros(6), end - start)
+    towards_end = np.append(np.zeros_like(first.apex), end - start)
     points, ended = [family.point(family.orbit(start, first.apex), towards_end)], f"{most_points} gaits"
     step = largest_step / 10.0
     while len(points) < most_points:

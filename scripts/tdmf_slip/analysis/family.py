@@ -30,7 +30,7 @@ class Point:
     value: float
     """Of the parameter."""
     direction: NDArray[np.float64]
-    """Unit tangent of the branch, over the scales: six coordinates, then the parameter."""
+    """Unit tangent of the branch, over the scales: the coordinates, then the parameter."""
 
     @property
     def rises(self) -> bool:
@@ -61,7 +61,7 @@ class Family:
         ----------
         value : float
             Of the parameter.
-        guess : sequence of float, shape (6,)
+        guess : sequence of float, shape (n,)
             An apex near the gait's.
 
         Returns
@@ -100,7 +100,7 @@ class Family:
         ----------
         orbit : Orbit
             The gait.
-        along : ndarray of float, shape (7,)
+        along : ndarray of float, shape (n + 1,)
             Coordinates and parameter, over the scales.
 
         Returns
@@ -116,7 +116,9 @@ class Family:
         if orbit.by_parameter is None or orbit.along != self.name:
             orbit = self.orbit(self.value_of(orbit), orbit.apex)
         assert orbit.by_parameter is not None
-        rows = np.hstack([orbit.jacobian - np.eye(6), orbit.by_parameter[:, None]]) * self.scales
+        rows = (
+            np.hstack([orbit.jacobian - np.eye(len(orbit.apex)), orbit.by_parameter[:, None]]) * self.scales
+        )
         if not np.isfinite(rows).all():
             raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
         tangent = np.linalg.svd(rows)[2][-1]
@@ -132,8 +134,8 @@ class Family:
 
         Returns
         -------
-        ndarray of float, shape (7,)
-            Six coordinates, then the parameter.
+        ndarray of float, shape (n + 1,)
+            Coordinates, then the parameter.
         """
         place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
         return place
@@ -143,9 +145,9 @@ class Family:
 
         Parameters
         ----------
-        goal : ndarray of float, shape (7,)
+        goal : ndarray of float, shape (n + 1,)
             Apex and parameter over the scales.
-        normal : ndarray of float, shape (7,)
+        normal : ndarray of float, shape (n + 1,)
             A unit vector along the branch.
 
         Returns
@@ -168,7 +170,11 @@ class Family:
                 apex, jacobian, by_parameter = stride_from(runner, place[:-1] * scales, self.name)
             except RunError as problem:
                 raise RunError(f"{where}: {problem}") from None
-            across = np.hstack([jacobian - np.eye(6), by_parameter[:, None]]) * self.scales / scales[:, None]
+            across = (
+                np.hstack([jacobian - np.eye(len(apex)), by_parameter[:, None]])
+                * self.scales
+                / scales[:, None]
+            )
             residual = np.append(apex / scales - place[:-1], (place - goal) @ normal)
             try:
                 change = np.linalg.solve(np.vstack([across, normal]), -residual)

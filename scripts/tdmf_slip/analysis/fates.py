@@ -31,16 +31,16 @@ def fates(
     ----------
     runner : Runner or mapping of str to float
         Parameters and inputs, or start values by name.
-    apex : sequence of float, shape (6,)
-        Of the gait that they may settle on, in the order of `COORDINATES`.
-    starts : array_like of float, shape (n, 6)
+    apex : sequence of float, shape (n,)
+        Of the gait that they may settle on, in the order of the runner's `coordinates`.
+    starts : array_like of float, shape (runners, n)
         Apices, one to a row.
     tolerance : float, default 1e-5
         Relative tolerance of a step.
 
     Returns
     -------
-    structured ndarray, shape (n,)
+    structured ndarray, shape (runners,)
         As `run_ensemble` gives it.
 
     Raises

@@ -20,6 +20,7 @@ from ..library.section import COORDINATES
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given, Values
+from .search import model_of
 from .sweep import MOST_VALUES, check_frictions, sweep_row
 
 GAITS_AGREE = 1e-6
@@ -66,7 +67,7 @@ def _of_stride(name: str) -> Callable[[Orbit], float]:
 
 
 def _of_apex(index: int) -> Callable[[Orbit], float]:
-    return lambda orbit: float(orbit.apex[index])
+    return lambda orbit: float(orbit.section[index])
 
 
 COLUMNS: Mapping[str, Column] = {
@@ -184,6 +185,7 @@ def grid(
     attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {unit.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
+    attributes |= model_of(runner)
     blank = as_dataset([None] * (len(down) * len(across)), coordinates, unit)
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
     blank["problem"] = (name,), np.full(len(down), "", dtype=object)
@@ -248,7 +250,7 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
     frictions = row[FRICTION].values
     try:
         orbits = [
-            orbit_near(runner.but(FRICTION, friction), apex) if there else None
+            orbit_near(runner.but(FRICTION, friction), apex[: len(runner.coordinates)]) if there else None
             for friction, apex, there in zip(frictions, apices, found, strict=True)
         ]
     except TdmfSlipError:

@@ -81,7 +81,7 @@ def robustness(gait: Orbit) -> Robustness:
 def _reach(gait: Orbit, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
-    runner = Runner(gait.runner.values)
+    runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
     recovered, lost = 0.0, FARTHEST * runner.scales[index]
     for _ in range(REFINEMENTS):
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]

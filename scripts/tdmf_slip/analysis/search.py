@@ -1,14 +1,56 @@
 """The gait of a runner, wherever it begins: near a guess, by settling, or along the friction."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near, settled_orbit
 from ..library.runner import Runner
-from ..library.section import Apex
+from ..library.section import MODELS, Apex
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given
 from .continuation import gaits_over
+
+
+def runner_by(runner: Runner, model: str | None) -> Runner:
+    """The same runner by one of the models.
+
+    Parameters
+    ----------
+    runner : Runner
+        Which runner.
+    model : str, optional
+        One of `MODELS`; by default the runner stays as it is.
+
+    Returns
+    -------
+    Runner
+        By that model.
+
+    Raises
+    ------
+    InputError
+        There is no such model.
+    """
+    if model not in (None, *MODELS):
+        raise InputError(f"model {model!r} is not allowed; allowed: {', '.join(MODELS)}")
+    return runner if model is None else replace(runner, reduced=model == "reduced")
+
+
+def model_of(runner: Runner) -> dict[str, str]:
+    """What the attributes of a file say of a runner's map from apex to apex.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose results are on file.
+
+    Returns
+    -------
+    dict of str to str
+        Nothing for the full model.
+    """
+    return {"model": "reduced"} if runner.reduced else {}
 
 
 def find_orbit(
@@ -16,6 +58,7 @@ def find_orbit(
     guess: Apex | None = None,
     *,
     along: str | None = None,
+    model: str | None = None,
     unit: Unit | None = None,
 ) -> Orbit:
     """The periodic gait of a runner, stable or not, with its eigenvalues.
@@ -29,22 +72,26 @@ def find_orbit(
     runner : Runner or mapping of str to float, optional
         Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own.
     guess : sequence of float, shape (6,), optional
-        An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s.
+        An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
+        for the reduced map the first two.
     along : str, optional
         A parameter or input by which the next apex is differentiated, too.
+    model : str, optional
+        One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
+        in flight as if by itself. By default that of the runner.
     unit : Unit, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
     Orbit
-        Apex, word, quantities of the stride, Jacobian and eigenvalues of the return map.
+        Apex, word, quantities of the stride, Jacobian and eigenvalues of the map.
 
     Raises
     ------
     InputError
-        The guess is no apex, the start values are refused or not in flight, `along` is unknown, or the
-        friction is 0.
+        The guess is no apex, the start values are refused or not in flight, `along` or `model` is unknown, or
+        the friction is 0.
     RunError
         No gait was found; the message says what happened on the way.
 
@@ -55,7 +102,7 @@ def find_orbit(
     >>> gait.word, gait.stable
     ('+-', True)
     """
-    runner = Runner.of(runner, unit)
+    runner = runner_by(Runner.of(runner, unit), model)
     if guess is not None:
         return orbit_near(runner, guess, along=along)
     try:

@@ -43,6 +43,8 @@ class Volume:
     """The box's own volume, in the section's scales."""
     unsolved: int = 0
     """Starts whose run the solver did not get through; they count as not settled."""
+    coordinates: tuple[str, ...] = COORDINATES
+    """Those of the box that are drawn: in the reduced map two."""
 
     @property
     def share(self) -> float:
@@ -74,7 +76,7 @@ class Volume:
             "volume": estimate,
             "volume_interval": [low, high],
             "confidence": CONFIDENCE,
-            "box": {name: list(ends) for name, ends in BOX.items()},
+            "box": {name: list(BOX[name]) for name in self.coordinates},
         }
 
 
@@ -85,7 +87,7 @@ class Drawing:
     runner: Runner
     """Whose starts."""
     apex: tuple[float, ...]
-    """The gait's, shape (6,)."""
+    """The gait's, shape (n,)."""
     seed: int
     """Of the whole estimate."""
     number: int
@@ -96,8 +98,8 @@ class Drawing:
     def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""
         source = np.random.default_rng([self.seed, self.number])
-        low, high = np.array(list(BOX.values())).T
-        return self.runner.scales * source.uniform(low, high, size=(self.count, len(COORDINATES)))
+        low, high = np.array([BOX[name] for name in self.runner.coordinates]).T
+        return self.runner.scales * source.uniform(low, high, size=(self.count, len(low)))
 
 
 def count_fates(drawing: Drawing) -> NDArray[np.int64]:
@@ -127,7 +129,7 @@ def volume(
     workers: int | None = None,
     show_progress: bool = False,
 ) -> Volume:
-    """Estimate the volume of a gait's region of attraction in all six coordinates.
+    """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map.
 
     Parameters
     ----------
@@ -158,7 +160,7 @@ def volume(
     samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
-    runner = Runner(gait.runner.values)
+    runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
     drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
@@ -168,6 +170,6 @@ def volume(
         for number, found in results:
             counted += found
             bar.update(counts[number])
-    low, high = np.array(list(BOX.values())).T
+    low, high = np.array([BOX[name] for name in runner.coordinates]).T
     fate = dict(zip(ensemble.FATES, counted.tolist(), strict=True))
-    return Volume(samples, fate["settled"], float(np.prod(high - low)), fate["unsolved"])
+    return Volume(samples, fate["settled"], float(np.prod(high - low)), fate["unsolved"], runner.coordinates)

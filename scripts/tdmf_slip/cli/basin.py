@@ -11,12 +11,13 @@ from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..files.whole import check_place
 from ..library.ensemble import FATES
-from ..library.section import COORDINATES
+from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
 from ..unit.unit import Unit, load
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
+    MODEL_OPTION,
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
@@ -74,6 +75,7 @@ from .runner import runner_of
 @WORKERS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
+@MODEL_OPTION
 @JSON_OPTION
 def basin_command(
     friction: float | None,
@@ -87,6 +89,7 @@ def basin_command(
     workers: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
+    model: str,
     as_json_object: bool,
 ) -> None:
     """The region of attraction of a gait: a map over a slice of the apex section, its volume, its robustness.
@@ -94,9 +97,9 @@ def basin_command(
     Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
     recovers from.
     """
-    from ..analysis.basin import basin, check_axes, range_around, stable_gait  # xarray is slow to load
+    from ..analysis.basin import basin, range_around, stable_gait  # xarray is slow to load
 
-    check_axes(axes)
+    check_axes(axes, MODELS[model])
     if output is not None:
         check_place(output, (".nc",), "--output")
     if plot is not None:
@@ -104,7 +107,7 @@ def basin_command(
 
         check_place(plot, overview.FORMATS, "--plot")
     unit = load()
-    runner = runner_of(unit, parameters, values_given(friction, settings))
+    runner = runner_of(unit, parameters, values_given(friction, settings), model)
     variables = [unit.variables[f"apex.{axis}"] for axis in axes]
     ends = [ends_of(*pair, "--range") for pair in zip(spans, variables, strict=True)] if spans else None
     gait = stable_gait(runner, unit)

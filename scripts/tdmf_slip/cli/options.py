@@ -7,6 +7,7 @@ import click
 
 from ..checks import checked, checked_whole
 from ..errors import InputError
+from ..library.section import MODELS
 from ..unit.parameters import preset_names, read_parameters
 from ..unit.unit import FRICTION, Unit
 from ..unit.variable import Given, Value
@@ -80,6 +81,14 @@ PARAMETERS_OPTION = click.option(
     "--parameters",
     metavar="FILE",
     help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
+)
+MODEL_OPTION = click.option(
+    "--model",
+    type=click.Choice(list(MODELS)),
+    default="full",
+    show_default=True,
+    help="Of flight: in full, or reduced to where the leg is to be placed, so that an apex is a height and a "
+    "speed.",
 )
 SCHEDULER_OPTION = click.option(
     "--scheduler",

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from ..analysis.search import runner_by
 from ..errors import InputError
 from ..library.members import STATES, VARIED
 from ..library.runner import Runner
@@ -10,7 +11,9 @@ from ..unit.variable import Given
 from .options import file_values, start_values
 
 
-def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, Given]]) -> Runner:
+def runner_of(
+    unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
+) -> Runner:
     """The runner of the options.
 
     Raises
@@ -25,4 +28,4 @@ def runner_of(unit: Unit, parameters: str | None, given: Mapping[str, tuple[str,
                 f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                 f"allowed: parameters and inputs of the model, and its state"
             )
-    return Runner.of(starts, unit)
+    return runner_by(Runner.of(starts, unit), model)

@@ -15,6 +15,7 @@ from ..terminal.text import table
 from ..unit.unit import FRICTION, Unit, load
 from .options import (
     JSON_OPTION,
+    MODEL_OPTION,
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
@@ -56,6 +57,7 @@ SPACING_OPTION = click.option(
 @WORKERS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
+@MODEL_OPTION
 @JSON_OPTION
 def sweep_command(
     frictions: str,
@@ -66,6 +68,7 @@ def sweep_command(
     workers: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
+    model: str,
     as_json_object: bool,
 ) -> None:
     """Gaits over a range of friction, and the borders between gait words.
@@ -80,7 +83,7 @@ def sweep_command(
     given = values_given(None, settings)
     refuse_given(given, FRICTION, "--friction")
     values = values_of(frictions, spacing, unit.variables[FRICTION], "--friction")
-    runner = runner_of(unit, parameters, given)
+    runner = runner_of(unit, parameters, given, model)
     if over is None and (scheduler is not None or workers is not None):
         raise InputError(
             "--scheduler, --workers: without --over each gait is found from the one before; "

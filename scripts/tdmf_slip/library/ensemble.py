@@ -48,7 +48,7 @@ class Case:
     runner: Runner
     """Parameters and inputs."""
     gaits: Sequence[Apex] | NDArray[np.float64] = field(default=())
-    """Apices, shape (gaits, 6); without any, runners make the most strides or fall."""
+    """Apices, shape (gaits, n); without any, runners make the most strides or fall."""
 
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none."""
@@ -100,8 +100,9 @@ def run_ensemble(
     ----------
     cases : sequence of Case
         Parameters, inputs and gaits; a runner alone, or its start values, stand for a case without gaits.
-    starts : array_like of float, shape (runners, 6)
-        Apices, one to a row, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s.
+    starts : array_like of float, shape (runners, n)
+        Apices, one to a row, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; of
+        runners by the reduced map the first two.
     case_of : array_like of int, shape (runners,), optional
         The number of each runner's case; by default all have the first.
     most_strides : int
@@ -119,8 +120,8 @@ def run_ensemble(
     -------
     ends : structured ndarray, shape (runners,)
         With the fields of the library's `tdmf_ensemble_end`: `fate` (a number into `FATES`), `gait` (-1 for
-        none), `strides`, `word_code`, and of the strides closed the last `apex`, `time` (s), `distance` (m),
-        `work`, `damper_loss`, `friction_loss` and `impact_loss` (J).
+        none), `strides`, `word_code`, and of the strides closed the last `apex` (all six coordinates), `time`
+        (s), `distance` (m), `work`, `damper_loss`, `friction_loss` and `impact_loss` (J).
     work : Work
         What was done.
 
@@ -129,12 +130,16 @@ def run_ensemble(
     InputError
         An array of another shape, or a value that is not allowed.
     """
-    sections = _apices("starts", starts)
     check_kind(cases, Sequence, "cases", "one or more cases in a list")
     if not len(cases):
         raise InputError("cases: none; allowed: one or more")
     all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in cases]
+    reduced = all_cases[0].runner.reduced
+    if any(case.runner.reduced != reduced for case in all_cases):
+        raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
+    sections = _apices("starts", starts, all_cases[0].runner.coordinates)
     ensemble = ffi.new("tdmf_ensemble *")
+    ensemble.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
     ensemble.relative_tolerance = _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0)
@@ -160,14 +165,16 @@ def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Str
     made = ffi.new("tdmf_ensemble_case[]", len(cases))
     kept: list[object] = []
     for case, its in zip(cases, made, strict=True):
-        apices = _apices("gaits", case.gaits if len(case.gaits) else np.empty((0, len(COORDINATES))))
+        coordinates = case.runner.coordinates
+        gaits = case.gaits if len(case.gaits) else np.empty((0, len(coordinates)))
+        apices = _apices("gaits", gaits, coordinates)
         if not np.isfinite(apices).all():
             raise InputError(f"gaits: {apices.tolist()}: allowed: finite numbers")
-        gaits = ffi.new("double[][6]", apices.tolist())
+        c_gaits = ffi.new("double[][6]", apices.tolist())
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
-        its.rules.gaits, its.rules.gait_count = gaits, len(case.gaits)
+        its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
         its.rules.distance, its.rules.most_strides = near, most_strides
-        kept += [gaits, case.runner]
+        kept += [c_gaits, case.runner]
     return made, kept
 
 
@@ -179,14 +186,19 @@ def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.in
     return np.ascontiguousarray(numbers)
 
 
-def _apices(name: str, given: object) -> NDArray[np.float64]:
+def _apices(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:
+    """One to a row, with zeros for the coordinates that the reduced map has not."""
     try:
         apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
     except (TypeError, ValueError) as problem:
-        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(COORDINATES)}") from None
-    if apices.ndim != 2 or apices.shape[1] != len(COORDINATES):
-        raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(COORDINATES)}")
-    return apices
+        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(coordinates)}") from None
+    if apices.ndim != 2 or apices.shape[1] != len(coordinates):
+        raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(coordinates)}")
+    if len(coordinates) == len(COORDINATES):
+        return apices
+    sections = np.zeros((len(apices), len(COORDINATES)))
+    sections[:, : len(coordinates)] = apices
+    return sections
 
 
 def _within(name: str, value: object, low: float, high: float) -> float:

@@ -16,9 +16,10 @@ from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
-from .return_map import derivatives, direction, end_text
+from .maps import map_of
+from .return_map import derivatives, direction
 from .runner import Runner, text_of
-from .section import Apex, checked_apex
+from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .structs import EventLog, FoundOrbit
 from .word import Event, Letter, letters_of
 
@@ -48,7 +49,7 @@ class Orbit(Drawable):
     runner: Runner
     """Whose gait it is: parameters and inputs; where the runner starts does not matter."""
     apex: NDArray[np.float64]
-    """Section, shape (6,), in the order of `COORDINATES`."""
+    """Shape (n,), in the order of the runner's `coordinates`: six, or in the reduced map two."""
     word: str
     """The gait word: `+`, `0` or `-` for each contact mode in the order of the stance."""
     liftoff_angle: float
@@ -56,11 +57,11 @@ class Orbit(Drawable):
     stride: Mapping[str, float]
     """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
     jacobian: NDArray[np.float64]
-    """Of the return map, shape (6, 6); [i, k] is the change of coordinate i by coordinate k."""
+    """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: str | None
     """The parameter or input by which the next apex is differentiated, too; None: by none."""
     by_parameter: NDArray[np.float64] | None
-    """Change of the next apex along it, shape (6,); None where none was asked for."""
+    """Change of the next apex along it, shape (n,); None where none was asked for."""
     error: float
     """What is left of apex minus next apex, over the coordinates' scales."""
     iterations: int
@@ -93,8 +94,15 @@ class Orbit(Drawable):
         return self.runner.start_values(self.apex)
 
     @cached_property
+    def section(self) -> NDArray[np.float64]:
+        """The apex, shape (6,), in the order of `COORDINATES`; in the reduced map the leg is as placed."""
+        state = self.runner.state_at(self.apex)
+        leg = (state[name.replace("leg_", "leg.")] for name in COORDINATES[len(REDUCED) :])
+        return np.array([*self.apex[: len(REDUCED)], *leg])
+
+    @cached_property
     def eigenvalues(self) -> NDArray[np.float64] | NDArray[np.complex128]:
-        """Of the Jacobian, shape (6,), the largest first; complex where any is."""
+        """Of the Jacobian, shape (n,), the largest first; complex where any is."""
         found: NDArray[Any] = np.linalg.eigvals(self.jacobian)
         return found[np.argsort(-np.abs(found), kind="stable")]
 
@@ -172,8 +180,8 @@ def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbi
     ----------
     runner : Runner
         Whose gait.
-    guess : sequence of float, shape (6,)
-        An apex near the gait's, in the order of `COORDINATES`.
+    guess : sequence of float, shape (n,)
+        An apex near the gait's, in the order of the runner's `coordinates`.
     along : str, optional
         A parameter or input by which the next apex is differentiated, too.
 
@@ -190,7 +198,7 @@ def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbi
         The runner falls, no gait is near, the solver does not get through a stride, or the gait has no
         derivatives.
     """
-    return _search(runner, checked_apex(guess), 0, along)
+    return _search(runner, checked_apex(guess, runner.coordinates), 0, along)
 
 
 def settled_orbit(runner: Runner, *, along: str | None = None) -> Orbit:
@@ -222,22 +230,23 @@ def settled_orbit(runner: Runner, *, along: str | None = None) -> Orbit:
 def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: str | None) -> Orbit:
     """By Newton's method, after so many strides."""
     check_has_gaits(runner.values[FRICTION])
-    change = direction(along)
+    change, map = direction(along), map_of(runner)
     log: EventLog = ffi.new("tdmf_event_log *")
-    solver, section = runner.solver(log), ffi.new("double[6]", list(apex))
-    ran = settling and c.tdmf_settle(solver, runner.model, runner.inputs, settling, section)
-    found: FoundOrbit = c.tdmf_find_orbit(solver, runner.model, runner.inputs, section, change)
+    solver, section = runner.solver(log), ffi.new("double[]", list(apex))
+    ran = settling and map.settle(solver, runner.model, runner.inputs, settling, section)
+    found = map.find(solver, runner.model, runner.inputs, section, change)
     if found.outcome != c.TDMF_ORBIT_FOUND:
         raise RunError(_why_not(runner, found, ran < settling, ran))
     log.count = 0
-    c.tdmf_return_map(solver, runner.model, runner.inputs, found.section, np.inf, False, ffi.NULL, 0)
-    return _orbit(runner, found, log, along)
+    fixed_point = map.fixed_point(found)
+    map.stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
+    return _orbit(runner, found, np.array(list(fixed_point)), log, along)
 
 
 def _why_not(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str:
     where = f"no gait at friction {runner.values[FRICTION]:g}"
     if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
-        why = end_text(found.stride)
+        why = map_of(runner).why_not(found.stride)
         return f"{where}: " + (
             f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
         )
@@ -247,7 +256,9 @@ def _why_not(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str
     )
 
 
-def _orbit(runner: Runner, found: FoundOrbit, log: EventLog, along: str | None) -> Orbit:
+def _orbit(
+    runner: Runner, found: FoundOrbit, apex: NDArray[np.float64], log: EventLog, along: str | None
+) -> Orbit:
     stride = found.stride
     jacobian, by_parameter = derivatives(runner, stride)
     quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
@@ -257,7 +268,7 @@ def _orbit(runner: Runner, found: FoundOrbit, log: EventLog, along: str | None) 
     )
     return Orbit(
         runner=runner,
-        apex=np.array(list(found.section)),
+        apex=apex,
         word=text_of(stride.stride.word),
         liftoff_angle=stride.liftoff_angle,
         stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},

@@ -1,4 +1,4 @@
-"""The return map: one stride from apex to apex, with its exact derivatives."""
+"""One stride from apex to apex, by the return map or the reduced one, with its exact derivatives."""
 
 from collections.abc import Mapping
 
@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from ..unit.unit import FRICTION
 from ..unit.variable import Given
-from .binding import c, ffi
+from .binding import ffi
+from .maps import map_of
 from .members import INPUTS, PARAMETERS, check_varied
-from .runner import Runner, text_of
-from .section import COORDINATES, Apex, checked_apex
+from .runner import Runner
+from .section import Apex, checked_apex
 from .structs import Return, Struct
 
 
@@ -24,18 +25,18 @@ def stride_from(
     ----------
     runner : Runner or mapping of str to float
         Who makes the stride, or start values by name.
-    apex : sequence of float, shape (6,)
-        In the order of `COORDINATES`.
+    apex : sequence of float, shape (n,)
+        In the order of the runner's `coordinates`.
     along : str
         A parameter or input by which the next apex is differentiated, too.
 
     Returns
     -------
-    next_apex : ndarray of float, shape (6,)
+    next_apex : ndarray of float, shape (n,)
         Where the stride closes.
-    jacobian : ndarray of float, shape (6, 6)
+    jacobian : ndarray of float, shape (n, n)
         [i, k] is the change of coordinate i of the next apex by coordinate k of this one.
-    by_parameter : ndarray of float, shape (6,)
+    by_parameter : ndarray of float, shape (n,)
         The next apex's change along the parameter.
 
     Raises
@@ -45,12 +46,14 @@ def stride_from(
     RunError
         No stride closes from there, or it has no derivatives.
     """
-    runner, section = Runner.of(runner), list(checked_apex(apex))
-    stride: Return = c.tdmf_return_map(
+    runner = Runner.of(runner)
+    map, section = map_of(runner), list(checked_apex(apex, runner.coordinates))
+    stride = map.stride(
         runner.solver(), runner.model, runner.inputs, section, np.inf, True, direction(along), 1
     )
-    if not stride.outcome.closed:
-        raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {end_text(stride)}")
+    why_not = map.why_not(stride)
+    if why_not is not None:
+        raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {why_not}")
     return np.array(list(stride.apex)), *derivatives(runner, stride)
 
 
@@ -66,9 +69,9 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
 
     Returns
     -------
-    jacobian : ndarray of float, shape (6, 6)
+    jacobian : ndarray of float, shape (n, n)
         As in `stride_from`.
-    by_parameter : ndarray of float, shape (6,)
+    by_parameter : ndarray of float, shape (n,)
         As in `stride_from`.
 
     Raises
@@ -76,7 +79,7 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     RunError
         The stride has none.
     """
-    jacobian = np.array([list(stride.by_section[k].apex) for k in range(len(COORDINATES))]).T
+    jacobian = np.array([list(stride.by_section[k].apex) for k in range(len(runner.coordinates))]).T
     by_parameter = np.array(list(stride.by_parameter[0].apex))
     if not (np.isfinite(jacobian).all() and np.isfinite(by_parameter).all()):
         raise RunError(
@@ -112,23 +115,3 @@ def direction(along: str | None) -> Struct:
                 if member.name == along:
                     member.write(getattr(change, part), 1.0)
     return change
-
-
-def end_text(stride: Return) -> str:
-    """What ended a stride that has not closed: a fall, or what the solver met.
-
-    Parameters
-    ----------
-    stride : Return
-        Not closed.
-
-    Returns
-    -------
-    str
-        In words, to follow in a message.
-    """
-    if not stride.began_at_apex:
-        return "there is no apex above the ground"
-    if stride.outcome.outcome == c.TDMF_ARRIVED:
-        return "no stride closes in the time that it may take"
-    return text_of(c.tdmf_outcome_text(stride.outcome.outcome))

@@ -13,7 +13,7 @@ from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
-from .section import Apex, checked_apex
+from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .structs import Center, EventLog, Refusal, Solver, Struct
 
 TOLERANCE = 1e-13
@@ -32,6 +32,8 @@ class Runner:
     """In the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`."""
     relative_tolerance: float = TOLERANCE
     """Of the native solver, for each step; above 0 and below 1."""
+    reduced: bool = False
+    """Goes from apex to apex by the reduced map, whose apices are height and speed alone."""
 
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
@@ -99,9 +101,9 @@ class Runner:
             raise InputError(f"{name} = {value!r} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: float(value)})
 
-    def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float]]:
+    def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float, bool]]:
         """Without what the C library has made of it, which is of use in this process only."""
-        return type(self), (dict(self.values), self.relative_tolerance)
+        return type(self), (dict(self.values), self.relative_tolerance, self.reduced)
 
     @cached_property
     def model(self) -> Struct:
@@ -134,12 +136,17 @@ class Runner:
         _check(c.tdmf_check_inputs(inputs))
         return inputs
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Of an apex: `COORDINATES`, or `REDUCED`."""
+        return REDUCED if self.reduced else COORDINATES
+
     @cached_property
     def scales(self) -> NDArray[np.float64]:
-        """Scales of the section, shape (6,): l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m)."""
+        """Scales of the coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m)."""
         scales = ffi.new("double[6]")
         c.tdmf_section_scales(self.model, scales)
-        return np.array(list(scales))
+        return np.array(list(scales)[: len(self.coordinates)])
 
     def solver(self, log: EventLog | None = None) -> Solver:
         """A native solver.
@@ -175,8 +182,8 @@ class Runner:
 
         Returns
         -------
-        ndarray of float, shape (6,)
-            In the order of `COORDINATES`.
+        ndarray of float, shape (n,)
+            In the order of `coordinates`.
 
         Raises
         ------
@@ -187,15 +194,15 @@ class Runner:
         motion.state[0 : len(STATES)] = [self.values[name] for name in STATES]
         center: Center = c.tdmf_center_of_mass(self.model, motion.state)
         leg = (self.values[name] for name in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate"))
-        return np.array([center.y, center.vx, *leg])
+        return np.array([center.y, center.vx, *leg])[: len(self.coordinates)]
 
     def start_apex(self) -> NDArray[np.float64]:
         """The section at the start values; a vertical velocity, which other masses make, is left out.
 
         Returns
         -------
-        ndarray of float, shape (6,)
-            In the order of `COORDINATES`.
+        ndarray of float, shape (n,)
+            In the order of `coordinates`.
 
         Raises
         ------
@@ -204,23 +211,23 @@ class Runner:
         """
         apex = self.apex()
         motion = ffi.new("tdmf_motion *")
-        c.tdmf_section_state(self.model, ffi.new("double[6]", list(apex)), motion.state)
+        self._write_state(apex, motion.state)
         mode, record = ffi.addressof(motion.mode), ffi.addressof(motion.record)
         _check(c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record))
         if not motion.record.open.began_at_apex:
+            height = motion.state[STATES.index("foot.y")]
             raise InputError(
-                f"start values: foot.y = {self.values['foot.y']:g}: the search for a gait begins in flight; "
-                "allowed: above 0"
+                f"start values: foot.y = {height:g}: the search for a gait begins in flight; allowed: above 0"
             )
         return apex
 
     def state_at(self, apex: Apex) -> dict[str, float]:
-        """The mechanical states at an apex; the foot is above x = 0.
+        """The mechanical states at an apex; the foot, in the reduced map the centre of mass, is above x = 0.
 
         Parameters
         ----------
-        apex : sequence of float, shape (6,)
-            In the order of `COORDINATES`.
+        apex : sequence of float, shape (n,)
+            In the order of `coordinates`.
 
         Returns
         -------
@@ -230,19 +237,27 @@ class Runner:
         Raises
         ------
         InputError
-            Not six coordinates, or a parameter is refused.
+            Other coordinates, or a parameter is refused.
         """
         state = ffi.new("double[]", c.TDMF_STATE_COUNT)
-        c.tdmf_section_state(self.model, ffi.new("double[6]", list(checked_apex(apex))), state)
+        self._write_state(checked_apex(apex, self.coordinates), state)
         return dict(zip(STATES, state, strict=False))
+
+    def _write_state(self, apex: NDArray[np.float64], state: object) -> None:
+        """The state at an apex; the reduced map has the leg where it is to be placed."""
+        coordinates = ffi.new("double[]", list(apex))
+        if self.reduced:
+            c.tdmf_reduced_state(self.model, self.inputs, coordinates, state)
+        else:
+            c.tdmf_section_state(self.model, coordinates, state)
 
     def start_values(self, apex: Apex) -> dict[str, float]:
         """Everything that a run of the unit needs to begin at an apex: the runner's values, and `state_at`.
 
         Parameters
         ----------
-        apex : sequence of float, shape (6,)
-            In the order of `COORDINATES`.
+        apex : sequence of float, shape (n,)
+            In the order of `coordinates`.
 
         Returns
         -------
@@ -252,7 +267,7 @@ class Runner:
         Raises
         ------
         InputError
-            Not six coordinates, or a parameter is refused.
+            Other coordinates, or a parameter is refused.
         """
         return {**self.values, **self.state_at(apex)}
 

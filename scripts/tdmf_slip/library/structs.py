@@ -24,13 +24,6 @@ class Center(Protocol):
     vy: float
 
 
-class StrideOutcome(Protocol):
-    """`tdmf_stride_outcome`: how the solver's call ended, a `tdmf_outcome`, and whether the stride closed."""
-
-    outcome: int
-    closed: bool
-
-
 class StrideChange(Protocol):
     """`tdmf_stride_change`: how the next apex changes with something."""
 
@@ -44,10 +37,8 @@ class Stride(Protocol):
 
 
 class Return(Protocol):
-    """`tdmf_return`: what became of a stride from an apex."""
+    """`tdmf_return` or `tdmf_reduced_return`: what became of a stride; how it ended, `maps` can tell."""
 
-    outcome: StrideOutcome
-    began_at_apex: bool
     apex: Sequence[float]
     stride: Stride
     liftoff_angle: float
@@ -56,12 +47,15 @@ class Return(Protocol):
 
 
 class FoundOrbit(Protocol):
-    """`tdmf_orbit`: a gait, or where the search for it ended."""
+    """`tdmf_orbit` or `tdmf_reduced_orbit`: a gait, or where the search for it ended."""
 
     outcome: int
     iterations: int
     error: float
     section: Sequence[float]
+    """Of a `tdmf_orbit`."""
+    apex: Sequence[float]
+    """Of a `tdmf_reduced_orbit`."""
     stride: Return
 
 

@@ -1,0 +1,156 @@
+"""The reduced map: gaits against the reference, and the same commands as for the full model."""
+
+import json
+import pathlib
+import pickle
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, RunError, Runner, basin, find_orbit, run_ensemble, sweep
+from tdmf_slip.analysis import borders, volume
+from tdmf_slip.analysis.continuation import trace
+from tdmf_slip.analysis.search import runner_by
+from tdmf_slip.library import ensemble
+from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.library.section import COORDINATES, REDUCED
+
+GAITS = json.loads((pathlib.Path(__file__).parent / "reduced_gaits.json").read_text())["gaits"]
+"""Fixed points in units m = k = l0 = 1, computed independently in extended precision: values to 1e-12,
+eigenvalues to 1e-9."""
+
+
+def reduced(**values):
+    names = {"friction": "ground.friction"}
+    return runner_by(Runner.of({names[name]: value for name, value in values.items()}), "reduced")
+
+
+@pytest.mark.parametrize("gait", GAITS, ids=lambda gait: str(gait["given"]))
+def test_gaits_are_those_of_the_reference(gait):
+    found = find_orbit(gait["given"], gait["apex"], model="reduced")
+    assert found.word == gait["word"]
+    assert found.apex == pytest.approx(gait["apex"], abs=1e-10)
+    for name in ("period", "length", "speed"):
+        assert found.stride[name] == pytest.approx(gait[name], rel=1e-10)
+    assert found.stride["work"] == pytest.approx(gait["stance_work"], abs=1e-10)
+    assert sorted(found.eigenvalues) == pytest.approx(sorted(gait["eigenvalues"]), abs=1e-9)
+    assert found.stable and found.error < 1e-11
+    assert [letter.letter for letter in found.letters] == list(gait["word"])
+
+
+def test_a_gait_is_found_without_a_guess_too():
+    assert find_orbit(model="reduced").apex == pytest.approx(GAITS[2]["apex"], abs=1e-10)
+    assert find_orbit({"ground.friction": 0.05}, model="reduced").word == "+-"
+
+
+def test_the_larger_eigenvalue_is_that_of_the_full_model():
+    """To 1e-3; the second is near the full model's second, and the words are the same."""
+    compared = 0
+    for friction in (10.0, 1.2, 0.6, 0.43, 0.2, 0.05):
+        full, small = (find_orbit({"ground.friction": friction}, model=m) for m in ("full", "reduced"))
+        assert small.word == full.word
+        assert small.eigenvalues[0] == pytest.approx(full.eigenvalues[0], abs=1e-3)
+        assert small.eigenvalues[1] == pytest.approx(full.eigenvalues[1], abs=0.07)
+        assert small.stride["speed"] == pytest.approx(full.stride["speed"], rel=5e-3)
+        compared += 1
+    assert compared == 6
+
+
+def test_the_command_tells_the_same_keys(command):
+    full = json.loads(command("gait", "--json")[1])
+    small = json.loads(command("gait", "--model", "reduced", "--json")[1])
+    assert small.keys() == full.keys()
+    assert small["apex"] == pytest.approx(GAITS[2]["apex"], abs=1e-10)
+    assert np.shape(small["eigenvalues"]) == (2, 2)
+    assert small["work"] == pytest.approx(GAITS[2]["stance_work"], abs=1e-10)
+    assert small["start_values"]["leg.angle"] == pytest.approx(np.radians(40.0))
+    assert command("gait", "--model", "smaller")[0] == 2
+
+
+def test_a_sweep_has_the_borders_of_the_reduced_map():
+    found = sweep(reduced(), [1.2, 0.6, 0.5, 0.4])
+    assert [orbit.word for orbit in found.orbits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
+    assert found.problem is None
+    for border in found.borders:
+        beside = [
+            find_orbit(reduced(friction=border.value * (1 + s)), found.orbits[1].apex).word
+            for s in (1e-6, -1e-6)
+        ]
+        assert beside == [border.before, border.after]
+    words = [found.borders[0].before, *(border.after for border in found.borders)]
+    assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
+    one = borders.borders_between(reduced(), "ground.friction", found.orbits[2], found.orbits[3])
+    assert [border.value for border in one] == [border.value for border in found.borders[1:]]
+
+
+def test_a_branch_is_followed_in_the_plane():
+    first = find_orbit(model="reduced")
+    branch = trace(first.runner, "hip.touchdown_angle", first, np.radians(44.0))
+    assert branch.ended == "end of the range"
+    assert branch.orbits[-1].apex.shape == (2,)
+    apex, jacobian, _ = stride_from(branch.orbits[-1].runner, branch.orbits[-1].apex, "hip.touchdown_angle")
+    assert apex == pytest.approx(branch.orbits[-1].apex, abs=1e-10)
+    assert jacobian.shape == (2, 2)
+
+
+def test_runners_by_the_map_end_where_strides_in_turn_lead():
+    runner = reduced()
+    start = np.add(GAITS[2]["apex"], [0.1, -0.1])
+    ends, _ = run_ensemble([runner], [start, [0.3, 1.0]], most_strides=5, tolerance=1e-12)
+    apex = start
+    for _ in range(5):
+        apex, _, _ = stride_from(runner, apex, "ground.friction")
+    assert ends["apex"][0, :2] == pytest.approx(apex, abs=1e-9)
+    assert [ensemble.FATES[fate] for fate in ends["fate"]] == ["undecided", "no_start"]
+
+
+def test_a_basin_is_the_whole_plane(tmp_path):
+    data = basin(
+        reduced(),
+        REDUCED,
+        (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+        path=tmp_path / "plane.nc",
+        workers=1,
+    )
+    assert data.attrs["model"] == "reduced"
+    assert 0.9 < data.attrs["settled_share"] < 1.0
+    again = basin(
+        reduced(),
+        REDUCED,
+        (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+        path=tmp_path / "plane.nc",
+        workers=1,
+    )
+    assert np.array_equal(again["fate"], data["fate"])
+    found = volume.volume(find_orbit(model="reduced"), 300, workers=1)
+    assert found.as_json()["box"].keys() == set(REDUCED)
+    with pytest.raises(InputError, match="another slice"):
+        basin(
+            Runner.of(),
+            REDUCED,
+            (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+            path=tmp_path / "plane.nc",
+        )
+
+
+def test_what_makes_no_sense_is_refused(command):
+    with pytest.raises(InputError, match="model 'half'"):
+        find_orbit(model="half")
+    with pytest.raises(InputError, match="com_height, com_speed"):
+        find_orbit(guess=np.ones(6), model="reduced")
+    with pytest.raises(InputError, match="all by one of them"):
+        run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], most_strides=1)
+    with pytest.raises(InputError, match="rows of com_height, com_speed"):
+        run_ensemble([reduced()], np.ones((1, 6)), most_strides=1)
+    with pytest.raises(RunError, match="the foot is not above the ground at the apex"):
+        find_orbit(guess=[0.3, 1.0], model="reduced")
+    status, said, problem = command("basin", "--model", "reduced", "--axes", "com_height", "leg_angle")
+    assert (status, said) == (2, "")
+    assert "'leg_angle' is not allowed; allowed: com_height, com_speed" in problem
+
+
+def test_a_runner_keeps_its_map():
+    runner = reduced(friction=0.43)
+    assert pickle.loads(pickle.dumps(runner)).reduced
+    assert runner.but("ground.friction", 0.6).reduced
+    assert runner.coordinates == COORDINATES[:2] == tuple(REDUCED)
+    assert len(runner.scales) == 2
