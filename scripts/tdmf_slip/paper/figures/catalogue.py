@@ -28,6 +28,7 @@ from . import (
     figure_7,
     figure_8,
     figure_9,
+    retraction,
 )
 from .columns import Columns, write_columns
 
@@ -118,6 +119,8 @@ def _figures(unit: Unit) -> dict[str, Figure]:
         chosen = [orbits[i] for i in np.linspace(0, len(orbits) - 1, MEASURED).round().astype(int)]
         return measure_all(chosen)
 
+    retracting = cache(lambda: retraction.branches(runner))
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -137,6 +140,9 @@ def _figures(unit: Unit) -> dict[str, Figure]:
             lambda path: attraction.draw(path, gaits(), measured()), lambda: attraction.table(measured())
         ),
         "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
+        "retraction": Figure(
+            lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
+        ),
     }
 
 

@@ -1,0 +1,81 @@
+"""Both leading eigenvalues of gaits along a branch, with their signs: the slow one, and the one of height."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from ...analysis.bifurcations import FOLD, PERIOD_DOUBLING
+from ...analysis.continuation import Branch
+from ...library.orbit import Orbit
+from ...pictures import style
+
+COLOURS = (style.CURVE, style.SECOND_CURVE)
+MARKS: Mapping[str, str] = {FOLD: "o", PERIOD_DOUBLING: "s"}
+
+
+def leading(orbits: Sequence[Orbit]) -> NDArray[np.float64]:
+    """Real parts of the two eigenvalues of largest size, the greater first: shape (gaits, 2).
+
+    Parameters
+    ----------
+    orbits : sequence of Orbit
+        The gaits.
+
+    Returns
+    -------
+    ndarray of float, shape (gaits, 2)
+        In the order of the gaits.
+    """
+    return np.array([np.sort(orbit.eigenvalues[:2].real)[::-1] for orbit in orbits])
+
+
+def draw(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit], *, named: bool = False) -> None:
+    """Draw both over a parameter, solid where the gait is stable, and the borders of stability.
+
+    Parameters
+    ----------
+    axes : Axes
+        To draw in.
+    values : sequence of float
+        Of the parameter.
+    orbits : sequence of Orbit
+        The gaits.
+    named : bool, default False
+        Whether the curves are named in a legend.
+    """
+    stable = np.array([orbit.stable for orbit in orbits])
+    for heights, colour, name in zip(
+        leading(orbits).T, COLOURS, ("the greater", "the other, of height"), strict=True
+    ):
+        axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
+        axes.plot(values, np.where(stable, heights, np.nan), color=colour, label=name if named else None)
+    for border in (-1.0, 1.0):
+        axes.axhline(border, **style.LIMIT_LINE)
+
+
+def mark(axes: Axes, branch: Branch, *, named: bool = False) -> None:
+    """Mark folds and period doublings on the border of stability that they are at.
+
+    Parameters
+    ----------
+    axes : Axes
+        To draw in.
+    branch : Branch
+        Whose bifurcations.
+    named : bool, default False
+        Whether they are named in a legend.
+    """
+    for kind, marker in MARKS.items():
+        found = [special.value for special in branch.specials if special.kind == kind]
+        height = 1.0 if kind == FOLD else -1.0
+        axes.plot(
+            found,
+            np.full(len(found), height),
+            marker,
+            color=style.MODE_COLOURS["slip_negative"],
+            markersize=5,
+            zorder=4,
+            label=kind if named else None,
+        )

@@ -1,0 +1,91 @@
+"""Does swing-leg retraction stabilize? Both leading eigenvalues over its rate, at three frictions."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+from ...analysis.continuation import Branch, trace
+from ...analysis.search import find_orbit
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from . import leading
+from .columns import Columns
+
+RATE = "hip.retraction_rate"
+FRICTIONS = (0.2, 0.6, 10.0)
+SHOWN = (-0.0085, 0.035)
+"""Rates, over √(k/m)."""
+EIGENVALUES = (-1.7, 1.7)
+LARGEST_STEP = 0.025
+POINTS = 320
+"""Of a branch: beyond its fold it goes on for long."""
+
+
+def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
+    """By friction: gaits from no retraction on, towards negative rates and towards positive ones.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+
+    Returns
+    -------
+    mapping of float to pairs of Branch
+        With their bifurcations.
+    """
+    found = {}
+    for friction in FRICTIONS:
+        its = runner.but(FRICTION, friction)
+        first = find_orbit(its)
+        back, forth = (
+            trace(its, RATE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+            for end in (2.0 * SHOWN[0], SHOWN[1])
+        )
+        found[friction] = back, forth
+    return found
+
+
+def table(found: Mapping[float, tuple[Branch, Branch]]) -> Columns:
+    """The figure's data, by column: along each branch from its fold to its largest rate."""
+    rows = [
+        (friction, value, orbit)
+        for friction, (back, forth) in found.items()
+        for value, orbit in [
+            *reversed(list(zip(back.values, back.orbits, strict=True))[1:]),
+            *zip(forth.values, forth.orbits, strict=True),
+        ]
+    ]
+    pairs = leading.leading([orbit for _, _, orbit in rows])
+    return {
+        "friction": [friction for friction, _, _ in rows],
+        "retraction_rate": [value for _, value, _ in rows],
+        "word": [orbit.word for _, _, orbit in rows],
+        "stable": [orbit.stable for _, _, orbit in rows],
+        "greater_eigenvalue": pairs[:, 0],
+        "other_eigenvalue": pairs[:, 1],
+        "speed": [orbit.stride["speed"] for _, _, orbit in rows],
+        "cost_of_transport": [orbit.stride["cost_of_transport"] for _, _, orbit in rows],
+    }
+
+
+def draw(path: Path, found: Mapping[float, tuple[Branch, Branch]]) -> None:
+    """Draw a panel for each friction."""
+    with style.styled():
+        figure, panels = plt.subplots(
+            len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True, layout="constrained"
+        )
+        for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
+            for number, branch in enumerate(pair):
+                named = axes is panels[0] and number == 1
+                leading.draw(axes, branch.values, branch.orbits, named=named)
+                leading.mark(axes, branch, named=named)
+            axes.axvline(0.0, **style.STANCE_LINE)
+            axes.set_title(f"({letter}) leading eigenvalues at friction {friction:g}")
+        panels[0].set_xlim(*SHOWN)
+        panels[0].set_ylim(*EIGENVALUES)
+        panels[0].legend(loc="center right", ncols=2)
+        panels[-1].set_xlabel("rate of retraction  / √(k/m)")
+        style.save(figure, path)

@@ -1,0 +1,43 @@
+"""Swing-leg retraction: what its rate does to the gaits, found by the branch and seen in runs."""
+
+import numpy as np
+import pytest
+from tdmf_slip import Runner, find_orbit, run_ensemble
+from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
+from tdmf_slip.analysis.continuation import trace
+from tdmf_slip.paper.figures import leading
+
+RATE = "hip.retraction_rate"
+
+
+@pytest.fixture(scope="module")
+def branch(unit):
+    runner = Runner.of({"ground.friction": 0.2}, unit)
+    return trace(runner, RATE, find_orbit(runner), 0.01)
+
+
+def heights(runner, apex):
+    """Of the apices of four strides after many."""
+    ends, _ = run_ensemble([runner], apex[None], most_strides=1000)
+    found = []
+    for _ in range(4):
+        ends, _ = run_ensemble([runner], ends["apex"], most_strides=1)
+        found.append(ends["apex"][0, 0])
+    return np.array(found)
+
+
+def test_beyond_the_period_doubling_strides_alternate(branch):
+    (doubling,) = (special.value for special in branch.specials if special.kind == PERIOD_DOUBLING)
+    apex = branch.orbits[0].apex
+    once = heights(branch.orbits[0].runner.but(RATE, 0.9 * doubling), apex)
+    twice = heights(branch.orbits[0].runner.but(RATE, 1.2 * doubling), apex)
+    np.testing.assert_allclose(once, once[0], rtol=1e-7)
+    np.testing.assert_allclose(twice[2:], twice[:2], rtol=1e-7)
+    assert abs(twice[1] - twice[0]) > 0.05
+
+
+def test_leading_eigenvalues_keep_their_signs(branch):
+    greater, other = leading.leading(branch.orbits).T
+    assert (greater > 0.9).all()
+    assert (np.diff(other) < 0.0).all()
+    assert other[-1] < -1.0 < other[0]
