@@ -5,6 +5,8 @@
 
 #include "tdmf_slip/reduced_map.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -88,6 +90,10 @@ typedef struct {
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
  * none of those given, the map is none, or there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
+
+/* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
+ * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
+double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
 
 /* Whether this processor and this build have them. */
 bool tdmf_has_instructions(tdmf_instructions instructions);
