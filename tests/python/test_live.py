@@ -305,7 +305,7 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
         ("ground.friction", "-1", "ground.friction = -1 is refused: allowed from 0 to 1000000"),
         ("ground.friction", "slippery", "ground.friction = nan is refused: allowed from 0 to 1000000"),
         ("ground.friction", "", "ground.friction = nan is refused: allowed from 0 to 1000000"),
-        ("foot.y", "-2", "foot.y = -2 m is refused: allowed from 0 to 1e+09 m"),
+        ("foot.vx", "2e12", "foot.vx = 2e+12 m/s is refused: allowed from -1e+12 to 1e+12 m/s"),
     ],
 )
 def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(page, name, text, says):

@@ -49,10 +49,10 @@ export class Run {
   }
 
   /** The run goes on under other values. The ledger of this stride would not close, and is not shown as a whole one. */
-  change(byParameter) {
+  change(unaccounted) {
     this.core.goOn();
     this.outputs = this.core.read();
-    this.disturbed ||= byParameter;
+    this.disturbed ||= unaccounted;
   }
 
   get fallen() {
