@@ -4,12 +4,15 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(TDMF_SLIP_VARIABLE_TABLE ${PROJECT_SOURCE_DIR}/modelDescription.xml)
 set(TDMF_SLIP_GENERATOR ${PROJECT_SOURCE_DIR}/scripts/generate_variables.py)
 
-# generate_variables(<what> <output> [<argument>...]): see scripts/generate_variables.py --help.
+# generate_variables(<what> <output> [TEMPLATE <file>] [<argument>...]): see scripts/generate_variables.py --help.
 function(generate_variables what output)
+    cmake_parse_arguments(given "" TEMPLATE "" ${ARGN})
+    set(template ${given_TEMPLATE})
+    list(TRANSFORM template PREPEND "--template=")
     add_custom_command(
         OUTPUT ${output}
         COMMAND Python3::Interpreter ${TDMF_SLIP_GENERATOR} ${what} ${TDMF_SLIP_VARIABLE_TABLE} ${output}
-                --version ${PROJECT_VERSION} ${ARGN}
-        DEPENDS ${TDMF_SLIP_VARIABLE_TABLE} ${TDMF_SLIP_GENERATOR}
+                --version ${PROJECT_VERSION} ${template} ${given_UNPARSED_ARGUMENTS}
+        DEPENDS ${TDMF_SLIP_VARIABLE_TABLE} ${TDMF_SLIP_GENERATOR} ${given_TEMPLATE}
         COMMENT "Generating ${what} from modelDescription.xml" VERBATIM)
 endfunction()

@@ -96,10 +96,10 @@ static const char *when_not_settable(const instance *instance, const unit_variab
     return settable_at_times ? name_of_state(instance->state) : "at any time";
 }
 
-/* Some importers' solvers set all inputs wherever they evaluate. */
-static bool keeps_its_value(const instance *instance, const unit_variable *variable, double value) {
-    return instance->state == CONTINUOUS_TIME_MODE && unit_is_set_at_events(variable) &&
-           unit_get_number(&instance->unit, NULL, variable) == value;
+/* Some importers' solvers set all inputs wherever they evaluate, and at an event's time those of before it.
+ */
+static bool keeps_its_value(const instance *instance, const unit_variable *variable) {
+    return instance->state == CONTINUOUS_TIME_MODE && unit_is_set_at_events(variable);
 }
 
 /* A state of a run that has begun is a trial value, free to go beyond the range of starts. */
@@ -113,7 +113,10 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     if (variable == NULL) {
         return CALL_ERROR;
     }
-    if (!is_settable_now(instance, variable) && !keeps_its_value(instance, variable, value)) {
+    if (keeps_its_value(instance, variable)) {
+        return CALL_OK;
+    }
+    if (!is_settable_now(instance, variable)) {
         return refuse(instance, call, "%s cannot be set %s", variable->name,
                       when_not_settable(instance, variable));
     }
@@ -135,8 +138,19 @@ static void try_state(unit *unit, size_t index, double value) {
     unit_try_state(unit, states);
 }
 
-static void set_number(instance *instance, uint32_t reference, double value) {
+static call_status warn_of_value_kept(const instance *instance, const char *call,
+                                      const unit_variable *variable) {
+    log_message(instance, CALL_WARNING, LOG_STATUS_WARNING,
+                "%s: %s changes in event mode only, and stays as it is", call, variable->name);
+    return CALL_WARNING;
+}
+
+static call_status set_number(instance *instance, const char *call, uint32_t reference, double value) {
     const unit_variable *variable = &unit_variables[reference];
+    if (keeps_its_value(instance, variable)) {
+        const bool same = unit_get_number(&instance->unit, NULL, variable) == value;
+        return same ? CALL_OK : warn_of_value_kept(instance, call, variable);
+    }
     if (is_trial(instance, variable)) {
         try_state(&instance->unit, variable->place, value);
     } else {
@@ -149,6 +163,7 @@ static void set_number(instance *instance, uint32_t reference, double value) {
         unit_set_number_rate(&instance->unit, variable, 0.0);
     }
     forget_view(instance);
+    return CALL_OK;
 }
 
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
@@ -158,8 +173,12 @@ call_status set_numbers(instance *instance, const char *call, unsigned types, co
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         status = check_set(instance, call, types, references[i], read(values, i));
     }
-    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        set_number(instance, references[i], read(values, i));
+    if (status != CALL_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const call_status done = set_number(instance, call, references[i], read(values, i));
+        status = done > status ? done : status;
     }
     return status;
 }

@@ -143,6 +143,7 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
  *     continuous-time mode    continuous inputs and states, these as trial values of the importer's solver
  *     step mode               inputs, tunable parameters
  *
+ * What is set at events only keeps its value in continuous-time mode, and a set of another is warned of.
  * An input's rate is 0 once it is set.
  * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],

@@ -9,12 +9,14 @@
     generate_variables.py fmi3        SOURCE OUTPUT --version V     the description inside the FMI 3.0 unit
     generate_variables.py build       SOURCE OUTPUT --sources F...  FMI 3.0: how its sources are compiled
     generate_variables.py terminals   SOURCE OUTPUT                 FMI 3.0: icon and terminals
+    generate_variables.py page        SOURCE OUTPUT --template PAGE the units' page with its list of variables
 
 Needs nothing but Python's standard library, because the C build runs it.
 """
 
 import argparse
 import hashlib
+import html
 import pathlib
 import uuid
 import xml.etree.ElementTree as ElementTree
@@ -463,6 +465,49 @@ def terminals(table):
     return document(root)
 
 
+# ---- the units' page -----------------------------------------------------------------------------------
+
+VARIABLES_HERE = "<!-- variables -->"
+"""Where the page wants its list of variables."""
+
+
+def kind(variable):
+    """How a variable is used, in the words of FMI."""
+    kinds = {"tunable": "tunable parameter", "discrete": f"discrete {variable.causality}"}
+    return kinds.get(variable.variability, variable.causality)
+
+
+def allowed(variable):
+    """What the values of a variable may be."""
+    if variable.items:
+        return ", ".join(item.get("name") for item in variable.items)
+    low, high = variable.value.get("min"), variable.value.get("max")
+    if low is None and high is None:
+        return ""
+    return f"{low} to {high}" if high is not None else f"from {low}"
+
+
+def default(variable):
+    """The start value of a variable, as text."""
+    start = variable.value.get("start", "")
+    return next((item.get("name") for item in variable.items if item.get("value") == start), start)
+
+
+def page(table, template):
+    """The page, with a row for every variable."""
+    head = ("variable", "unit", "range", "default", "kind", "meaning")
+    lines = ['<table class="all">', "<tr>" + "".join(f"<th>{title}</th>" for title in head) + "</tr>"]
+    for v in table.variables:
+        unit = "" if v.unit in (None, "1") else v.unit
+        cells = [unit, allowed(v), default(v), kind(v), v.element.get("description")]
+        texts = [f"<code>{v.name}</code>", *(html.escape(cell) for cell in cells)]
+        lines.append("<tr>" + "".join(f"<td>{text}</td>" for text in texts) + "</tr>")
+    text = pathlib.Path(template).read_text(encoding="utf-8")
+    if text.count(VARIABLES_HERE) != 1:
+        raise SystemExit(f"{template}: {VARIABLES_HERE} has to be in it once")
+    return text.replace(VARIABLES_HERE, "\n".join([*lines, "</table>"]))
+
+
 # ---- the guid ------------------------------------------------------------------------------------------
 
 
@@ -484,12 +529,14 @@ def main():
         "fmi3": lambda: fmi3(table, identity, arguments.version),
         "build": lambda: build(table, arguments.sources),
         "terminals": lambda: terminals(table),
+        "page": lambda: page(table, arguments.template),
     }
     parser.add_argument("what", choices=list(makers))
     parser.add_argument("source")
     parser.add_argument("output")
     parser.add_argument("--version", default="")
     parser.add_argument("--sources", nargs="*", default=[], help="names of the unit's C files")
+    parser.add_argument("--template", help="page without its list of variables")
     arguments = parser.parse_args()
     table = Table(arguments.source)
     identity = guid_of(arguments.source, arguments.version)

@@ -368,6 +368,10 @@ def test_every_variable_is_told(command, unit):
     assert status == 0 and len(lines) == len(unit.variables) + 2
     row = next(line for line in lines if line.startswith("status.terminate_on_fall"))
     assert row.split()[1:3] == ["true", "parameter"]
+    kinds = {name: row["variability"] for name, row in told.items()}
+    assert kinds["hip.kp"] == "tunable" and kinds["ground.slope"] == "discrete"
+    assert "tunable parameter" in next(line for line in lines if line.startswith("hip.kp"))
+    assert "discrete input" in next(line for line in lines if line.startswith("ground.slope"))
 
 
 def test_settings_of_one_interface_are_those_that_the_unit_describes_so(unit):

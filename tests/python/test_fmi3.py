@@ -153,7 +153,7 @@ def test_the_variables_are_those_of_fmi2(description, description3):
     ]
     for two, three in zip(description.outputs, description3.outputs, strict=True):
         assert [v.name for v in two.dependencies or []] == [v.name for v in three.dependencies or []]
-    assert description3.numberOfEventIndicators == description.numberOfEventIndicators == 13
+    assert description3.numberOfEventIndicators == description.numberOfEventIndicators == 15
 
 
 def test_files_beside_the_description_follow_their_schemas(fmu3):
@@ -240,6 +240,6 @@ def test_counts_never_change(make):
     model.enterInitializationMode()
     model.exitInitializationMode()
     model.enterContinuousTimeMode()
-    indicators = (ctypes.c_double * 13)()
-    model.getEventIndicators(indicators, 13)
+    indicators = (ctypes.c_double * 15)()
+    model.getEventIndicators(indicators, 15)
     assert all(value > 0.0 for value in indicators)

@@ -1,6 +1,9 @@
 """The description inside the FMU: what schema and checkers see, and the faults that none of them notices."""
 
+import html
+import math
 import pathlib
+import re
 import shutil
 import subprocess
 from xml.etree import ElementTree
@@ -44,18 +47,46 @@ def test_every_variable_is_described_once(description):
     assert all(variable.description for variable in description.modelVariables)
 
 
+TUNABLE = {
+    "hip.stance_torque",
+    "hip.touchdown_angle",
+    "hip.kp",
+    "hip.kd",
+    "hip.liftoff_angle_factor",
+    "hip.retraction_rate",
+    "leg.thrust",
+}
+DISCRETE_INPUTS = {
+    "ground.height",
+    "ground.slope",
+    "control.touchdown_angle",
+    "control.stance_torque",
+    "control.thrust",
+}
+CONTINUOUS_INPUTS = {
+    "ground.friction",
+    "hip.external_torque",
+    "leg.extension",
+    "body.external_fx",
+    "body.external_fy",
+}
+
+
 def test_causality_variability_and_initial(description):
     variables = {variable.name: variable for variable in description.modelVariables}
+    inputs = {"continuous": set(), "discrete": set()}
     for variable in description.modelVariables:
         if variable.causality == "parameter":
-            assert (variable.variability, variable.initial) == ("fixed", "exact"), variable.name
+            variability = "tunable" if variable.name in TUNABLE else "fixed"
+            assert (variable.variability, variable.initial) == (variability, "exact"), variable.name
         if variable.causality == "input":
-            assert variable.variability == "continuous", variable.name
+            inputs[variable.variability].add(variable.name)
         if variable.type != "Real" and variable.causality == "output":
             assert variable.variability == "discrete", variable.name
+    assert inputs == {"continuous": CONTINUOUS_INPUTS, "discrete": DISCRETE_INPUTS}
     states = [unknown.variable.derivative for unknown in description.derivatives]
     assert [state.causality for state in states] == ["output"] * 15
-    assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 5
+    assert [state.initial for state in states] == ["exact"] * 8 + ["calculated"] * 7
     assert variables["time"].causality == "independent"
 
 
@@ -63,11 +94,21 @@ def test_inputs_carry_no_initial(unpacked):
     """Read from the file itself, because FMPy fills in a default."""
     root = ElementTree.parse(f"{unpacked}/modelDescription.xml").getroot()
     inputs = [element for element in root.find("ModelVariables") if element.get("causality") == "input"]
-    assert len(inputs) == 2
+    assert len(inputs) == 10
     assert not any("initial" in element.attrib for element in inputs)
 
 
 PROMISED = [
+    *sorted(TUNABLE | DISCRETE_INPUTS | CONTINUOUS_INPUTS),
+    "leg.work",
+    "energy.external_work",
+    "ground.pending",
+    "contact.normal",
+    "contact.tangential",
+    "leg.force",
+    "stride.rise",
+    "stride.hip_work",
+    "stride.leg_work",
     "body.mass",
     "foot.mass",
     "leg.stiffness",
@@ -75,16 +116,8 @@ PROMISED = [
     "leg.free_length",
     "leg.min_length",
     "gravity",
-    "hip.stance_torque",
-    "hip.touchdown_angle",
-    "hip.kp",
-    "hip.kd",
-    "hip.liftoff_angle_factor",
-    "hip.retraction_rate",
     "ground.static_friction_ratio",
     "status.terminate_on_fall",
-    "ground.friction",
-    "hip.external_torque",
     "foot.x",
     "foot.y",
     "leg.length",
@@ -150,6 +183,24 @@ def test_promised_names_are_there(description):
     assert set(PROMISED) <= names
     states = {name for name in names if f"der({name})" in names}
     assert len(states) == 15
+
+
+def test_the_page_lists_every_variable(unpacked, unit):
+    """With what the description says of it."""
+    page = pathlib.Path(unpacked, "documentation", "index.html").read_text(encoding="utf-8")
+    rows = re.findall(r"<tr><td><code>([^<]*)</code></td>((?:<td>[^<]*</td>){5})</tr>", page)
+    assert [name for name, _ in rows] == list(unit.variables)
+    for name, row in rows:
+        variable = unit.variables[name]
+        measure, allowed, start, kind, meaning = map(html.unescape, re.findall("<td>(.*?)</td>", row))
+        assert measure == variable.unit.removesuffix("1") and kind == variable.kind, name
+        assert meaning == variable.description, name
+        if variable.items:
+            assert allowed == ", ".join(variable.items.values()), name
+        elif math.isfinite(variable.maximum):
+            assert [float(x) for x in allowed.split(" to ")] == [variable.minimum, variable.maximum], name
+        if variable.type == "Real" and variable.start is not None:
+            assert float(start) == variable.start, name
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")

@@ -19,7 +19,7 @@ def variables_command(as_json_object: bool) -> None:
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))
     else:
-        print(table(("name", "unit", "range", "default", "causality", "meaning"), list(map(row, variables))))
+        print(table(("name", "unit", "range", "default", "kind", "meaning"), list(map(row, variables))))
 
 
 def _object(variable: Variable) -> dict[str, object]:
@@ -33,6 +33,7 @@ def _object(variable: Variable) -> dict[str, object]:
         "items": {name: number for number, name in variable.items.items()} or None,
         "default": variable.start,
         "causality": variable.causality,
+        "variability": variable.variability,
         "settable": variable.settable,
         "meaning": variable.description,
     }
@@ -57,7 +58,7 @@ def row(variable: Variable) -> tuple[str, str, str, str, str, str]:
         unit,
         _range(variable),
         _default(variable),
-        variable.causality,
+        variable.kind,
         variable.description,
     )
 

@@ -14,22 +14,20 @@ from .unit import Unit
 from .variable import Value, Variable
 
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
-"""By name of an input: times in s, ascending, and values. Values in between are interpolated linearly; a time
-given twice is a jump. Before and after the table its first and last value hold."""
+"""By name of an input or a tunable parameter: times in s, ascending, and values. Values of a continuous input
+are interpolated linearly, and a time given twice is a jump; a discrete input and a tunable parameter keep a
+value until the next. Before and after the table its first and last value hold."""
 
 
 def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) -> NDArray[np.void] | None:
-    """All inputs on one time grid, as FMPy wants them; None without tables.
-
-    FMPy's CVODE applies inputs where it looks for events, not at each evaluation of the right-hand side: a
-    ramp is followed within one solver step. Jumps are exact.
+    """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables.
 
     Parameters
     ----------
     unit : Unit
         Whose inputs.
     tables : InputTables
-        By name of an input.
+        By name of an input or a tunable parameter.
     start_values : mapping of str to float
         Of inputs without a table.
 
@@ -41,14 +39,14 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) 
     Raises
     ------
     InputError
-        A name that is no input, times that go back, a value out of range.
+        A name that is neither, times that go back, a value out of range.
     """
     if not tables:
         return None
     check_kind(tables, Mapping, "inputs", "pairs of times and values, by the names of inputs")
     checked = {name: _checked(unit, name, table, "inputs") for name, table in tables.items()}
     grid = _grid([times for times, _ in checked.values()])
-    inputs = unit.names("input")
+    inputs = list(dict.fromkeys([*unit.names("input"), *checked]))
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
     array["time"] = grid
     for name in inputs:
@@ -62,7 +60,8 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) 
 def read_tables(path: Path | str, unit: Unit) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
-    A value is a number in its input's unit, or has a unit after a space.
+    Columns may be of tunable parameters, too. A value is a number in its column's unit, or has a unit after a
+    space.
 
     Parameters
     ----------
@@ -122,8 +121,10 @@ def _checked(
     unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike], where: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     variable = unit.find(name, where)
-    if variable.causality != "input":
-        raise InputError(f"{where}: {name} is no input; inputs: {', '.join(unit.names('input'))}")
+    if variable.causality != "input" and variable.variability != "tunable":
+        raise InputError(
+            f"{where}: {name} is neither an input nor tunable; inputs: {', '.join(unit.names('input'))}"
+        )
     try:
         times, values = (np.asarray(column, dtype=float) for column in table)
     except (TypeError, ValueError):
@@ -136,7 +137,16 @@ def _checked(
         raise InputError(f"{where}: {name}: times have to be finite and ascending")
     for time, value in zip(times, values, strict=True):
         variable.value_of(float(value), f"{where}, time {time:g}")
-    return times, values
+    return (times, values) if variable.variability == "continuous" else _steps(times, values)
+
+
+def _steps(
+    times: NDArray[np.float64], values: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The table that keeps each value until the next; of several at one time the last counts."""
+    last = np.append(np.diff(times) > 0, True)
+    times, values = times[last], values[last]
+    return np.repeat(times, 2)[1:], np.repeat(values, 2)[:-1]
 
 
 def _grid(all_times: list[NDArray[np.float64]]) -> NDArray[np.float64]:

@@ -141,6 +141,10 @@ class Instance:
     def _simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
+        if experiment.inputs is not None:
+            from .following import follow_inputs  # SUNDIALS is slow to load
+
+            follow_inputs()
         try:
             rows: NDArray[np.void] = fmpy.simulate_fmu(
                 self.unit.folder,
@@ -152,6 +156,7 @@ class Instance:
                 output_interval=experiment.output_interval,
                 start_values=dict(experiment.start_values),
                 input=experiment.inputs,
+                set_input_derivatives=experiment.inputs is not None,
                 output=list(experiment.variables),
                 step_finished=step_finished,
                 terminate=False,

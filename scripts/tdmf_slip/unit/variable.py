@@ -37,6 +37,8 @@ class Variable:
     description: str
     """Its meaning."""
     causality: str
+    variability: str
+    """`fixed`, `tunable`, `discrete` or `continuous`."""
     """As FMI has it: `parameter`, `input`, `output` and so on."""
     settable: bool
     """A start value is accepted."""
@@ -60,6 +62,13 @@ class Variable:
     def member(self) -> str:
         """What it is called in its group, as `period` in `stride.period`."""
         return self.name.rpartition(".")[2]
+
+    @property
+    def kind(self) -> str:
+        """How it is used: its causality, and whether it is tunable or discrete."""
+        if self.variability == "tunable":
+            return "tunable parameter"
+        return f"discrete {self.causality}" if self.variability == "discrete" else self.causality
 
     @property
     def allowed(self) -> str:
@@ -197,6 +206,7 @@ def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, floa
         unit=unit,
         description=variable.description or "",
         causality=variable.causality,
+        variability=variable.variability,
         settable=variable.causality == "input" or variable.initial == "exact",
         minimum=float(variable.min) if variable.min is not None else -math.inf,
         maximum=float(variable.max) if variable.max is not None else math.inf,
