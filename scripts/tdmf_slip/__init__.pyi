@@ -1,6 +1,8 @@
 from .analysis.basin import basin
+from .analysis.branch import Branch
 from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
+from .analysis.tracing import continue_branch
 from .errors import InputError, RunError, TdmfSlipError
 from .library.ensemble import run_ensemble
 from .library.orbit import Orbit
@@ -14,6 +16,7 @@ from .unit.unit import Unit, fmu_path, load
 from .version import __version__
 
 __all__ = [
+    "Branch",
     "InputError",
     "Orbit",
     "Run",
@@ -25,6 +28,7 @@ __all__ = [
     "Validation",
     "__version__",
     "basin",
+    "continue_branch",
     "find_orbit",
     "fmu_path",
     "load",

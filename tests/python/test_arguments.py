@@ -14,6 +14,7 @@ from tdmf_slip.analysis import (
     robustness,
     search,
     sweep,
+    tracing,
     volume,
 )
 from tdmf_slip.blocks import running
@@ -50,7 +51,7 @@ TAKE_A_RUNNER = {
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
-    "trace": lambda given, found: continuation.trace(given, FRICTION, found, 0.21, most_points=2).values,
+    "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, most_points=2).values,
     "basin": lambda given, found: basin.basin(given, AXES, RANGES, workers=1)["strides"].values,
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
@@ -106,12 +107,12 @@ WRONG = [
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], r)),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], o.apex)),
     lambda r, o: borders.borders_between(r, FRICTION, r, o),
-    lambda r, o: continuation.trace(r, FRICTION, r, 0.3),
-    lambda r, o: continuation.trace(r, FRICTION, o, "x"),
-    lambda r, o: continuation.trace(r, FRICTION, o, float("nan")),
-    lambda r, o: continuation.trace(r, FRICTION, o, 0.2),
-    lambda r, o: continuation.trace(r, FRICTION, o, 0.3, most_points=0),
-    lambda r, o: continuation.trace(r, FRICTION, o, 0.3, largest_step=-1),
+    lambda r, o: tracing.trace(r, FRICTION, r, 0.3),
+    lambda r, o: tracing.trace(r, FRICTION, o, "x"),
+    lambda r, o: tracing.trace(r, FRICTION, o, float("nan")),
+    lambda r, o: tracing.trace(r, FRICTION, o, 0.2),
+    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, most_points=0),
+    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, largest_step=-1),
     lambda r, o: basin.basin(r, AXES, RANGES[:1]),
     lambda r, o: basin.basin(r, "com_height", RANGES),
     lambda r, o: basin.basin(r, 3, RANGES),
@@ -158,7 +159,11 @@ WRONG = [
     lambda r, o: r.start_values("human"),
     lambda r, o: r.but("hip.touchdown_angle", "42 deg"),
     lambda r, o: sweep.sweep(r, ["0.3"]),
-    lambda r, o: continuation.trace(r, FRICTION, o, "0.3"),
+    lambda r, o: tracing.trace(r, FRICTION, o, "0.3"),
+    lambda r, o: tdmf_slip.continue_branch(r, FRICTION, 0.6, "low"),
+    lambda r, o: tdmf_slip.continue_branch(r, FRICTION, 0.6, -1.0),
+    lambda r, o: tdmf_slip.continue_branch(r, FRICTION, 0.6, 0.6),
+    lambda r, o: tdmf_slip.continue_branch(r, "foot.y", 0.6, 0.7),
     lambda r, o: running.run_blocks(abs, [1, 2], workers="x").__enter__(),
 ]
 
@@ -176,7 +181,7 @@ def test_a_wrong_name_is_told_with_the_nearest(runner, found):
     for call in (
         lambda: runner.but("leg.dampin", 1.0),
         lambda: find_orbit(runner, along="leg.dampin"),
-        lambda: continuation.trace(runner, "leg.dampin", found, 1.0),
+        lambda: tracing.trace(runner, "leg.dampin", found, 1.0),
         lambda: tdmf_slip.simulate({"leg.dampin": 1.0}),
     ):
         with pytest.raises(InputError, match=r"near matches: leg\.damping"):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tdmf_slip import Runner, find_orbit
 from tdmf_slip.analysis.bifurcations import happenings
-from tdmf_slip.analysis.family import Point
+from tdmf_slip.analysis.family import Family, Point
 
 NAME = "leg.damping"
 
@@ -16,39 +16,45 @@ def gait(unit):
     return find_orbit(Runner.of({}, unit))
 
 
-class Made:
+class Made(Family):
     """A branch by its arclength s: eigenvalues, the parameter's value, and the word."""
 
     def __init__(self, gait, eigenvalues, value=lambda s: s, word=lambda s: "+0+"):
-        self.gait, self.eigenvalues, self.value, self.word = gait, eigenvalues, value, word
-        self.name, self.runner = NAME, gait.runner
+        self.gait, self.eigenvalues, self.at, self.word = gait, eigenvalues, value, word
+        self.name, self.scales = NAME, np.ones(7)
 
-    def orbit(self, value, _guess):
-        return self.point(value).orbit
-
-    def point(self, s):
+    def made(self, s, along=1.0):
         jacobian = np.zeros((6, 6))
         for place, entry in enumerate(self.eigenvalues(s)):
             jacobian[2 * place : 2 * place + 2, 2 * place : 2 * place + 2] = entry
-        value = float(self.value(s))
+        value = float(self.at(s))
         orbit = replace(
             self.gait,
-            runner=self.runner.but(NAME, value),
+            runner=self.gait.runner.but(NAME, value),
             apex=np.array([s, 0, 0, 0, 0, 0]),
             jacobian=jacobian,
             word=self.word(s),
         )
-        slope = (self.value(s + 1e-7) - self.value(s - 1e-7)) / 2e-7
-        return Point(orbit, value, np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope))
+        slope = (self.at(s + 1e-7) - self.at(s - 1e-7)) / 2e-7
+        direction = np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope)
+        return Point(orbit, value, along * direction)
 
-    def distance(self, before, after):
-        return abs(after.orbit.apex[0] - before.orbit.apex[0])
+    def on_plane(self, goal, normal):
+        """By halving the way through the plane."""
+        low, high = goal[0] - 0.3, goal[0] + 0.3
 
-    def between(self, before, after, share):
-        return self.point(before.orbit.apex[0] + share * (after.orbit.apex[0] - before.orbit.apex[0]))
+        def beyond(s):
+            return (s - goal[0]) * normal[0] + (self.at(s) - goal[-1]) * normal[-1] > 0.0
+
+        at_high = beyond(high)
+        assert beyond(low) != at_high
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if beyond(middle) == at_high else (middle, high)
+        return self.made(high, 1.0 if normal[0] > 0.0 else -1.0)
 
     def told(self, low=0.5, high=1.5):
-        _, specials = happenings(self, self.point(low), self.point(high))
+        _, specials = happenings(self, self.made(low), self.made(high))
         return [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in specials]
 
 
@@ -69,14 +75,14 @@ def test_each_bifurcation_by_its_eigenvalues(gait):
 
 def test_a_gait_is_stable_inside_the_unit_circle(gait):
     for radius, stable in ((0.9, True), (1.1, False)):
-        orbit = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).point(1.0).orbit
+        orbit = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).made(1.0).orbit
         assert orbit.stable == stable
         assert np.abs(orbit.eigenvalues[:3]) == pytest.approx([radius, radius, 0.3])
 
 
 def test_located_where_it_is(gait):
     """However curved the way there is."""
-    found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.point(0.5), made.point(1.5))[1]
+    found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
     assert [special.kind for special in found] == ["period doubling"]
     assert found[0].value == pytest.approx(1.0, abs=1e-10)
     assert found[0].between == (0.5, 1.5) and found[0].orbit.runner.values[NAME] == found[0].value
@@ -136,12 +142,12 @@ def test_eigenvalues_may_jump_at_a_border(gait):
         (real(1.8, 0.5), real(2.1, 0.5), []),
         (real(0.8), real(0.9), []),
         (real(0.8), real(1.1), [("not judged", 1.0)]),
-        (real(-0.8), real(-1.1), [("not judged", 1.0)]),
-        (real(-1.1), real(1.1), [("not judged", 1.0)]),
+        (real(-0.8), real(-1.1), [("period doubling", 1.0)]),
+        (real(-1.1), real(1.1), [("period doubling", 1.0), ("not judged", 1.0)]),
     ):
         made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
         assert made.told() == [("word border", 1.0), *told]
-        borders, _ = happenings(made, made.point(0.5), made.point(1.5))
+        borders, _ = happenings(made, made.made(0.5), made.made(1.5))
         assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
 
 
@@ -149,7 +155,7 @@ def test_a_branch_that_cannot_be_parted_is_not_judged(gait):
     """Newton's method may come back to the same gait again and again."""
     made = Made(gait, lambda s: [real(-s, -s - 0.05)])
     made.between = lambda before, after, share: after
-    (special,) = happenings(made, made.point(0.5), made.point(1.5))[1]
+    (special,) = happenings(made, made.made(0.5), made.made(1.5))[1]
     assert (special.kind, special.between) == ("not judged", (0.5, 1.5))
     assert special.why == "0 eigenvalues outside the unit circle become 2"
     assert special.as_json() == {

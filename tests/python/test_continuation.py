@@ -2,15 +2,18 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
 from tdmf_slip.analysis.bifurcations import SHORTEST, happenings
-from tdmf_slip.analysis.continuation import gaits_over, trace
+from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
+from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.unit.unit import FRICTION
 
+FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
 KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "not judged"}
 UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
@@ -24,11 +27,7 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def human(unit):
-    return Runner.of(read_parameters("human"), unit)
-
-
-def unstable(orbit):
-    return int(np.count_nonzero(np.abs(orbit.eigenvalues) > 1.0))
+    return Runner.of(read_parameters(FAST_HUMAN), unit)
 
 
 def kinds(branch):
@@ -40,7 +39,7 @@ def places_told(branch):
     told = [special for special in branch.specials if special.kind != "word border"]
     places = 0
     for (before, low), (after, high) in pairwise(zip(branch.orbits, branch.values, strict=True)):
-        if unstable(before) != unstable(after):
+        if before.unstable != after.unstable:
             slack = 0.5 * abs(high - low) + 1e-3 * abs(high)  # a fold lies beyond both
             assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in told)
             places += 1
@@ -61,6 +60,7 @@ def assert_judged_rightly(special):
         assert abs(abs(pair) - 1.0) < 1e-8 and abs(pair.imag) > 1e-3
     assert special.kind in KINDS
     assert (special.kind == "not judged") == bool(special.why)
+    assert bool(special.words) or special.kind != "word border"
 
 
 def test_a_branch_is_followed_past_loss_of_stability(runner):
@@ -76,7 +76,7 @@ def test_a_branch_is_followed_past_loss_of_stability(runner):
     before = [
         orbit.stable for orbit, at in zip(branch.orbits, branch.values, strict=True) if at < doubling.value
     ]
-    assert all(before) and not branch.orbits[-1].stable
+    assert all(before) and not branch.orbits[-1].stable and branch.values[-1] == 0.6
     assert doubling.as_json() == {"kind": "period doubling", "value": doubling.value}
 
 
@@ -94,14 +94,16 @@ def test_a_fold_beside_word_borders_is_found(human):
     """In one step of the branch the word changes and the parameter turns back: the fold is told as well."""
     branch = trace(human, FRICTION, find_orbit(human), 0.2)
     assert kinds(branch) == ["fold"]
-    assert places_told(branch) == 2
+    assert places_told(branch) >= 1
     assert branch.orbits[0].stable and not branch.orbits[-1].stable
     assert branch.ended == "back at ground.friction = 0.6"
     words = [branch.orbits[0].word, *(border.after for border in branch.borders)]
     assert [border.before for border in branch.borders] == words[:-1] and words[-1] == branch.orbits[-1].word
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     assert_judged_rightly(fold)
-    assert fold.value < min(branch.values)
+    assert fold.value == pytest.approx(0.3836020818, abs=1e-9) and fold.value < min(branch.values)
+    assert branch.began == "beginning of the range" and branch.values[-1] == 0.6
+    assert sum(not orbit.stable for orbit in branch.orbits) >= 9
     direction = np.linalg.svd(fold.orbit.jacobian - np.eye(6))[2][-1]
     here = human.but(FRICTION, fold.value + 1e-6)
     sides = [find_orbit(here, fold.orbit.apex + s * direction) for s in (-1e-2, 1e-2)]
@@ -115,7 +117,7 @@ def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
     first = find_orbit(runner.but(ANGLE, 0.725), UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
     complex_pairs = [abs(orbit.eigenvalues[0].imag) > 1e-3 for orbit in branch.orbits]
-    assert not complex_pairs[0] and complex_pairs[-1] and unstable(branch.orbits[-1]) == 2
+    assert not complex_pairs[0] and complex_pairs[-1] and branch.orbits[-1].unstable == 2
     assert kinds(branch) == ["fold"]
 
 
@@ -125,7 +127,7 @@ def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
     back = trace(runner, ANGLE, branch.orbits[-1], 0.755, largest_step=0.1)
     assert kinds(back) == ["Neimark-Sacker"]
-    assert [unstable(orbit) for orbit in (back.orbits[0], back.orbits[-1])] == [2, 0]
+    assert [orbit.unstable for orbit in (back.orbits[0], back.orbits[-1])] == [2, 0]
     assert_judged_rightly(next(special for special in back.specials if special.kind == "Neimark-Sacker"))
 
 
@@ -149,7 +151,7 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
         ({}, "hip.stance_torque", 0.3),
         ({}, "leg.damping", 0.4),
         ({}, "leg.damping", 0.06),
-        ("human", FRICTION, 0.2),
+        (FAST_HUMAN, FRICTION, 0.2),
     ],
 )
 def test_a_border_is_where_the_word_changes(unit, preset, name, end):
@@ -176,10 +178,12 @@ class Torn(Family):
 
 def test_what_cannot_be_located_is_told_as_not_judged(human):
     family = Family(human, FRICTION)
-    branch = trace(human, FRICTION, find_orbit(human), 0.2, most_points=16)
-    before = next(orbit for orbit, after in pairwise(branch.orbits) if unstable(orbit) != unstable(after))
-    start = family.point(before, np.append(np.zeros(6), -1.0))
-    end = family.on_plane(family.place(start) + 0.05 * start.direction, start.direction)
+    branch = trace(human, FRICTION, find_orbit(human), 0.2)
+    (fold,) = [special for special in branch.specials if special.kind == "fold"]
+    around = branch.orbits[fold.index : fold.index + 2]
+    start, end = (
+        family.point(orbit, way * np.eye(7)[-1]) for orbit, way in zip(around, (-1, 1), strict=True)
+    )
     assert (start.rises, end.rises) == (False, True)
     _, whole = happenings(family, start, end)
     assert "fold" in [special.kind for special in whole]
@@ -209,7 +213,7 @@ def test_stability_that_changes_at_a_border_is_not_judged(human):
     towards = np.append(np.zeros(6), -1.0)
     start, end = (family.point(orbit, towards) for orbit in branch.orbits[last - 1 : last + 1])
     jumping = Point(replace(end.orbit, jacobian=1.2 * end.orbit.jacobian), end.value, end.direction)
-    assert (unstable(start.orbit), unstable(jumping.orbit)) == (0, 1)
+    assert (start.orbit.unstable, jumping.orbit.unstable) == (0, 1)
     _, specials = happenings(family, start, jumping)
     assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]
 

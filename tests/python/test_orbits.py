@@ -4,6 +4,7 @@ import csv
 import json
 import pickle
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,9 +13,10 @@ from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
 from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweep as sweeps
 from tdmf_slip.analysis.borders import borders_between
-from tdmf_slip.analysis.continuation import gaits_over, trace
+from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.grid import grid
 from tdmf_slip.analysis.sweep import sweep
+from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
@@ -22,6 +24,8 @@ from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.unit.unit import FRICTION
+
+FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
 # Independent values: refined fixed points in extended precision, differenced there.
 EIGENVALUES = {
@@ -176,8 +180,8 @@ def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
 
 def test_events_and_letters_are_those_of_one_stride(unit):
     """A word's letters with their durations, in stances of their own too."""
-    human = Runner.of(read_parameters("human"), unit)
-    branch = trace(human, "leg.stiffness", find_orbit(human), 17000.0, largest_step=0.1, most_points=25)
+    human = Runner.of(read_parameters(FAST_HUMAN), unit)
+    branch = trace(human, "leg.stiffness", find_orbit(human), 18000.0)
     assert {orbit.word for orbit in branch.orbits} == {"+0+", "+|+0+"}
     for orbit in branch.orbits:
         assert "".join(letter.letter for letter in orbit.letters) == orbit.word.replace("|", "")
@@ -433,7 +437,7 @@ def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
     """At human scale, where the runner falls at 0.35: the same gaits from either end."""
     answers = []
     for span in ("0.35:0.8:4", "0.8:0.35:4"):
-        options = ("--parameters", "human", "--json", "--output", f"from_{span[:3]}.nc")
+        options = ("--parameters", str(FAST_HUMAN), "--json", "--output", f"from_{span[:3]}.nc")
         status, out, said = command("sweep", "--friction", span, *options)
         found = json.loads(out)
         assert status == 1 and "no gait at friction 0.3" in said and "3 of 4 gaits were found" in said
@@ -449,7 +453,7 @@ def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
 
 def test_a_sweep_goes_on_beyond_a_gap(unit):
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
-    runner = Runner.of(read_parameters("human"), unit)
+    runner = Runner.of(read_parameters(FAST_HUMAN), unit)
     found = sweep(runner, [0.6, 0.3, 0.405])
     assert [gait and gait.word for gait in found.gaits] == ["+0+", None, "+0-0+"]
     assert "friction 0.3" in found.problem

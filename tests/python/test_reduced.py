@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, RunError, Runner, basin, find_orbit, run_ensemble, sweep
 from tdmf_slip.analysis import borders, volume
-from tdmf_slip.analysis.continuation import trace
 from tdmf_slip.analysis.search import runner_by
+from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED

@@ -1,12 +1,15 @@
 """Where a branch turns or a gait's stability changes: located along the branch, and judged there.
 
 A fold is an eigenvalue at +1 where the parameter turns back, a period doubling one at -1, a Neimark-Sacker
-point a complex pair on the unit circle. Whatever else changes the number of eigenvalues outside the unit
-circle from one gait to the next is told as not judged: none is passed over.
+point a complex pair on the unit circle. Where the word changes the return map is smooth on either side only,
+and eigenvalues may jump: the maps of both sides then tell what happens, by Feigin's conditions for a border
+collision. The branch turns where det(I - J) changes its sign from one side to the other, and the period
+doubles where det(I + J) does. Whatever else changes the number of eigenvalues outside the unit circle from
+one gait to the next is told as not judged: none is passed over.
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -14,11 +17,12 @@ from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit
-from .borders import Border, crossings
+from .borders import Border, Crossing, crossings
 from .family import Family, Point
 
 FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
 WORD_BORDER, NOT_JUDGED = "word border", "not judged"
+KINDS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER, WORD_BORDER, NOT_JUDGED)
 SHORTEST = 1e-6
 """Length of branch within which changes that come together are not told apart."""
 LOCATED = 1e-11
@@ -42,11 +46,16 @@ class Special:
     """Values of the parameter at two gaits around it, in their order along the branch."""
     why: str = ""
     """Why it is not judged."""
+    words: tuple[str, str] | None = None
+    """At a word border, also of what else happens there: the words before and after it."""
+    index: int = 0
+    """Number of the branch's point after which it lies."""
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object."""
+        """As a plain object; `from` and `to` are the words where they change."""
         known: dict[str, object] = {"kind": self.kind, "value": self.value}
-        return known | ({"between": list(self.between), "why": self.why} if self.why else {})
+        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
+        return known | words | ({"between": list(self.between), "why": self.why} if self.why else {})
 
 
 def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
@@ -64,44 +73,92 @@ def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border
     pair of lists, of Border and of Special
         The borders between words, and the special points, which have the borders among them.
     """
-    borders: list[Border] = []
-    specials: list[Special] = []
-    for begin, end in _simple_pieces(family, before, after):
-        changes, around = _changes(begin, end), (begin.value, end.value)
-        try:
-            for border, beyond in _borders(family, begin, end, changes):
-                borders.append(border)
-                specials.append(Special(WORD_BORDER, border.value, beyond, around))
-            if _is_simple(begin, end):
-                specials += _bifurcations(family, begin, end, changes)
-            elif _matters(begin, end, changes):
-                raise RunError(_account(begin, end, changes))
-        except (InputError, RunError) as problem:
-            specials.append(Special(NOT_JUDGED, sum(around) / 2.0, end.orbit, around, str(problem)))
+    specials = list(_specials(family, before, after))
+    borders = [
+        Border(special.value, *special.words)
+        for special in specials
+        if special.kind == WORD_BORDER and special.words
+    ]
     return borders, specials
 
 
-def _simple_pieces(family: Family, before: Point, after: Point) -> Iterator[tuple[Point, Point]]:
-    """Pieces with one thing each that explains what happens, or too short to be told apart."""
-    length = family.distance(before, after)
-    if _is_simple(before, after) or length < SHORTEST:
-        yield before, after
+def _specials(family: Family, before: Point, after: Point) -> Iterator[Special]:
+    """In the order of the branch: piece by piece, with one thing each, or too short to be told apart."""
+    try:
+        if before.orbit.word != after.orbit.word:
+            yield from _across_borders(family, before, after)
+            return
+        if _is_simple(before, after):
+            yield from _bifurcations(family, before, after)
+            return
+    except (InputError, RunError) as problem:
+        if family.distance(before, after) < SHORTEST:
+            yield _not_judged(before, after, str(problem))
+            return
+    halves = _halves(family, before, after)
+    if halves is None:
+        yield _not_judged(before, after, _account(before, after))
         return
+    for begin, end in halves:
+        yield from _specials(family, begin, end)
+
+
+def _halves(family: Family, before: Point, after: Point) -> tuple[tuple[Point, Point], ...] | None:
+    """Two pieces of one; None where it is too short, or cannot be parted."""
+    length = family.distance(before, after)
+    if length < SHORTEST:
+        return None
     try:
         middle = family.between(before, after, 0.5)
-        halved = max(family.distance(before, middle), family.distance(middle, after)) < 0.8 * length
     except (InputError, RunError):
-        halved = False
-    if not halved:
-        yield before, after
-        return
-    yield from _simple_pieces(family, before, middle)
-    yield from _simple_pieces(family, middle, after)
+        return None
+    if max(family.distance(before, middle), family.distance(middle, after)) >= 0.8 * length:
+        return None
+    return (before, middle), (middle, after)
+
+
+def _across_borders(family: Family, before: Point, after: Point) -> Iterator[Special]:
+    """Borders, what happens on them, and what between them."""
+    begin = before
+    for crossing in list(crossings(family, before, after)):
+        yield from _specials(family, begin, crossing.short)
+        yield from _at_border(crossing, (before.value, after.value))
+        begin = crossing.beyond
+    yield from _specials(family, begin, after)
+
+
+def _at_border(crossing: Crossing, around: tuple[float, float]) -> Iterator[Special]:
+    """The border, and by the maps of both sides whether the branch turns there or the period doubles."""
+    border, short, beyond = crossing.border, crossing.short, crossing.beyond
+    words = (border.before, border.after)
+    yield Special(WORD_BORDER, border.value, beyond.orbit, around, words=words)
+    changes = _changes(short, beyond)
+    turns = FOLD in changes and _passes_one(short, beyond)
+    real = [FOLD] * turns + [PERIOD_DOUBLING] * (PERIOD_DOUBLING in changes)
+    for kind in real:
+        yield Special(kind, border.value, beyond.orbit, around, words=words)
+    more = abs(beyond.orbit.unstable - short.orbit.unstable)
+    explained = more <= len(real) and (more - len(real)) % 2 == 0
+    if not explained or turns != (FOLD in changes):
+        yield replace(_not_judged(short, beyond, _account(short, beyond)), words=words)
+
+
+def _not_judged(before: Point, after: Point, why: str) -> Special:
+    middle, around = 0.5 * (before.value + after.value), (before.value, after.value)
+    words = (before.orbit.word, after.orbit.word)
+    return Special(NOT_JUDGED, middle, after.orbit, around, why, words if words[0] != words[1] else None)
 
 
 def _period_doubling(point: Point) -> float:
     """Zero where an eigenvalue is -1."""
-    return float(np.linalg.det(point.orbit.jacobian + np.eye(len(point.orbit.apex))))
+    return float(np.linalg.det(point.orbit.jacobian + np.eye(len(point.orbit.jacobian))))
+
+
+def _passes_one(before: Point, after: Point) -> bool:
+    """An odd number of real eigenvalues gets across +1."""
+    identity = np.eye(len(before.orbit.jacobian))
+    low, high = (np.linalg.det(identity - point.orbit.jacobian) for point in (before, after))
+    return bool((low > 0.0) != (high > 0.0))
 
 
 def _neimark_sacker(point: Point) -> float:
@@ -118,7 +175,6 @@ _TESTS: Mapping[str, Callable[[Point], float]] = {
 """Functions of a gait that change their sign where something may happen."""
 _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
     (): (0,),
-    (WORD_BORDER,): (0,),
     (FOLD,): (1,),
     (PERIOD_DOUBLING,): (1,),
     (NEIMARK_SACKER,): (0, 2),
@@ -126,16 +182,14 @@ _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
 """By how many the eigenvalues outside the unit circle may become more or fewer, where one thing happens."""
 
 
-def _unstable(point: Point, *, of_pairs: bool = False) -> int:
-    """How many eigenvalues are outside the unit circle: all, or of complex pairs."""
+def _unstable_of_pairs(point: Point) -> int:
+    """How many eigenvalues of complex pairs are outside the unit circle."""
     values = point.orbit.eigenvalues
-    counted = values[values.imag != 0.0] if of_pairs else values
-    return int(np.count_nonzero(np.abs(counted) > 1.0))
+    return int(np.count_nonzero(np.abs(values[values.imag != 0.0]) > 1.0))
 
 
 def _changes(before: Point, after: Point) -> tuple[str, ...]:
-    found = [kind for kind, test in _TESTS.items() if (test(before) > 0.0) != (test(after) > 0.0)]
-    return (*found, WORD_BORDER) if before.orbit.word != after.orbit.word else tuple(found)
+    return tuple(kind for kind, test in _TESTS.items() if (test(before) > 0.0) != (test(after) > 0.0))
 
 
 def _is_simple(before: Point, after: Point) -> bool:
@@ -144,41 +198,24 @@ def _is_simple(before: Point, after: Point) -> bool:
     Two real ones that leave it make the same sign change as a complex pair.
     """
     changes = _changes(before, after)
-    more = _unstable(after) - _unstable(before)
-    pairs = _unstable(after, of_pairs=True) - _unstable(before, of_pairs=True)
+    more = after.orbit.unstable - before.orbit.unstable
+    pairs = _unstable_of_pairs(after) - _unstable_of_pairs(before)
     if changes == (NEIMARK_SACKER,) and more not in (0, pairs):
         return False
     return abs(more) in _STABILITY_CHANGES.get(changes, ())
 
 
-def _matters(before: Point, after: Point, changes: tuple[str, ...]) -> bool:
-    """More than a border at which the eigenvalues jump, but none of them across the unit circle."""
-    return bool({FOLD, PERIOD_DOUBLING} & set(changes)) or _unstable(before) != _unstable(after)
-
-
-def _account(before: Point, after: Point, changes: tuple[str, ...]) -> str:
+def _account(before: Point, after: Point) -> str:
     """What is seen of two gaits between which more happens than can be told apart."""
-    words = f"{before.orbit.word} becomes {after.orbit.word}" if WORD_BORDER in changes else ""
+    changes = _changes(before, after)
+    words = f"{before.orbit.word} becomes {after.orbit.word}" if before.orbit.word != after.orbit.word else ""
     turns = "the branch turns" if FOLD in changes else ""
     passes = "an eigenvalue passes -1" if PERIOD_DOUBLING in changes else ""
-    counts = f"{_unstable(before)} eigenvalues outside the unit circle become {_unstable(after)}"
+    counts = f"{before.orbit.unstable} eigenvalues outside the unit circle become {after.orbit.unstable}"
     return ", ".join(filter(None, (words, turns, passes, counts)))
 
 
-def _borders(
-    family: Family, before: Point, after: Point, changes: tuple[str, ...]
-) -> Iterator[tuple[Border, Orbit]]:
-    """With the gaits just beyond. Where the branch turns as well, only a short piece says where."""
-    if WORD_BORDER not in changes:
-        return
-    if FOLD not in changes:
-        yield from crossings(family, before.orbit, after.orbit)
-    elif family.distance(before, after) < SHORTEST:
-        middle = 0.5 * (before.value + after.value)
-        yield Border(middle, before.orbit.word, after.orbit.word), after.orbit
-
-
-def _bifurcations(family: Family, before: Point, after: Point, changes: tuple[str, ...]) -> Iterator[Special]:
+def _bifurcations(family: Family, before: Point, after: Point) -> Iterator[Special]:
     """What a sign change of a test function stands for; a neutral saddle is nothing.
 
     Raises
@@ -186,14 +223,12 @@ def _bifurcations(family: Family, before: Point, after: Point, changes: tuple[st
     RunError
         The eigenvalues at the zero are not those of a bifurcation.
     """
-    for kind in changes:
-        if kind == WORD_BORDER:
-            continue
+    for kind in _changes(before, after):
         point = _zero(family, before, after, _TESTS[kind])
         if _is_there(kind, point.orbit.eigenvalues):
             yield Special(kind, point.value, point.orbit, (before.value, after.value))
-        elif _unstable(before) != _unstable(after):
-            raise RunError(f"no eigenvalues of a {kind}: {_account(before, after, changes)}")
+        elif before.orbit.unstable != after.orbit.unstable:
+            raise RunError(f"no eigenvalues of a {kind}: {_account(before, after)}")
 
 
 def _is_there(kind: str, eigenvalues: NDArray[np.float64] | NDArray[np.complex128]) -> bool:

@@ -4,23 +4,26 @@ How long it lasts is zero there, and that is what is solved for.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
 from ..unit.variable import Given
-from .family import Family
+from .family import Family, Point
 
 ROOT_ACCURACY = 1e-11
-"""Of the parameter where a test function of the gait is zero, over the larger of the values around."""
+"""Length of branch, over the scales, within which a border is located."""
 CLOSE_TO_BORDER = 1e-7
-"""Distance at which a straight line through two durations is exact, likewise."""
+"""Distance at which a straight line through two durations is exact."""
 SURE = 1e-10
-"""Distance from a border at which the words on both sides are read, likewise: so far it may be off."""
+"""Distance from a border at which the words on both sides are read: so far it may be off."""
+CORNER = 1e-9
+"""Points on both sides of a border that are farther apart are at a corner that the chord does not show."""
+ACUTE = 100.0
+"""How far such points may be from the corner, over how far they are apart."""
 MOST_LOOKS = 100
 MOST_BORDERS = 100
 
@@ -69,105 +72,151 @@ def borders_between(
     """
     check_orbit(first, "first")
     check_orbit(last, "last")
-    return [border for border, _ in crossings(Family(runner, name), first, last)]
+    family = Family(runner, name)
+    return [crossing.border for crossing in crossings(family, *family.points(first, last))]
 
 
-def crossings(family: Family, first: Orbit, last: Orbit) -> Iterator[tuple[Border, Orbit]]:
-    """The borders of `borders_between` with the gaits just beyond.
+@dataclass(frozen=True)
+class Crossing:
+    """A border, and the points of the branch on both sides of it."""
+
+    border: Border
+    short: Point
+    beyond: Point
+
+
+def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
+    """The borders between two points of a branch.
 
     Parameters
     ----------
     family : Family
         Whose branch it is.
-    first, last : Orbit
-        Gaits of the branch.
+    first, last : Point
+        Of the branch.
 
     Yields
     ------
-    border : Border
-    beyond : Orbit
-        The gait just beyond it.
+    Crossing
+        In order from first to last.
 
     Raises
     ------
+    InputError
+        A value between them is not allowed.
     RunError
         A gait between them cannot be found, or there are more borders than can be told apart.
     """
     inside = first
     for _ in range(MOST_BORDERS):
-        if inside.word == last.word:
+        if inside.orbit.word == last.orbit.word:
             return
-        value, outside = _border(family, inside, last)
-        yield Border(value, inside.word, outside.word), outside
-        inside = outside
-    raise RunError(f"more than {MOST_BORDERS} borders between {first.word} and {last.word}")
+        short, beyond = _border(_Chord(family, inside, last), inside, last)
+        short = _turned(short, inside)
+        beyond = _turned(beyond, last) if beyond.orbit.word == last.orbit.word else beyond
+        if family.distance(short, beyond) > CORNER:
+            reach = ACUTE * family.distance(short, beyond)
+            short, beyond = (_approached(family, *side) for side in ((short, reach, 1), (beyond, reach, -1)))
+        value = 0.5 * (short.value + beyond.value)
+        yield Crossing(Border(value, inside.orbit.word, beyond.orbit.word), short, beyond)
+        inside = beyond
+    raise RunError(f"more than {MOST_BORDERS} borders between {first.orbit.word} and {last.orbit.word}")
 
 
-def _border(family: Family, inside: Orbit, last: Orbit) -> tuple[float, Orbit]:
-    """Where the word of `inside` ends on the way to `last`, and the gait just beyond.
+def _turned(point: Point, like: Point) -> Point:
+    """The point, with the direction that goes with another of the same smooth piece."""
+    return point if point.direction @ like.direction >= 0.0 else replace(point, direction=-point.direction)
 
-    The gaits on both sides are brought together until a letter's duration is all but zero, each time nine
+
+class _Chord:
+    """The straight way between two points of a branch, and how far along it other points are."""
+
+    def __init__(self, family: Family, first: Point, last: Point) -> None:
+        self.family, self.begin = family, family.place(first)
+        way = family.place(last) - self.begin
+        self.normal = way / np.linalg.norm(way)
+
+    def along(self, point: Point) -> float:
+        """How far a point is along the way."""
+        return float((self.family.place(point) - self.begin) @ self.normal)
+
+    def at(self, distance: float, inside: Point, outside: Point) -> Point:
+        """The point of the branch that is so far along the way, between two that are known."""
+        low, high = self.along(inside), self.along(outside)
+        if distance in (low, high):
+            return inside if distance == low else outside
+        begin, end = self.family.place(inside), self.family.place(outside)
+        goal = begin + (distance - low) / (high - low) * (end - begin)
+        return self.family.on_plane(goal, self.normal)
+
+
+def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
+    """The points short of where the word of `inside` ends on the way to `last`, and just beyond.
+
+    The points on both sides are brought together until a letter's duration is all but zero, each time nine
     tenths of the way to where the last two say it vanishes. A look that does not serve halves what is left,
     and so does every second one: that finds durations which end as a square root does, where a guard is just
     touched.
     """
-    name = family.name
     outside = last
-    smallest = 1e-9 * max(abs(inside.runner.values[name]), abs(last.runner.values[name]))
-    sides: dict[str, list[Orbit]] = {inside.word: [inside], last.word: [last]}
+    sides: dict[str, list[Point]] = {inside.orbit.word: [inside], last.orbit.word: [last]}
     for looks in range(MOST_LOOKS):
-        low, high = inside.runner.values[name], outside.runner.values[name]
-        size = max(abs(low), abs(high), smallest)
-        if abs(high - low) <= ROOT_ACCURACY * size:
-            return 0.5 * (low + high), outside
-        vanishing = _vanishing_point(name, sides[inside.word], sides[outside.word], low, high)
+        low, high = chord.along(inside), chord.along(outside)
+        if high - low <= ROOT_ACCURACY:
+            return inside, outside
+        vanishing = _vanishing_point(chord, sides[inside.orbit.word], sides[outside.orbit.word])
         look = 0.5 * (low + high)
         if vanishing is not None:
-            near, value = vanishing
-            if abs(near - value) <= CLOSE_TO_BORDER * size:
-                short, beyond = _sides(family, inside, outside, value)
-                if short.word == inside.word != beyond.word:
-                    return value, beyond
-            elif looks % 2 == 0 and min(low, high) < value + 0.1 * (near - value) < max(low, high):
-                look = value + 0.1 * (near - value)
-        tried = family.orbit(look, _between(inside, outside, look, name))
-        sides.setdefault(tried.word, []).append(tried)
-        if tried.word == inside.word:
+            near, end = vanishing
+            if abs(near - end) <= CLOSE_TO_BORDER:
+                places = np.clip([end - SURE, end + SURE], low, high)
+                short, beyond = (chord.at(place, inside, outside) for place in places)
+                if short.orbit.word == inside.orbit.word != beyond.orbit.word:
+                    return short, beyond
+            elif looks % 2 == 0 and low < end + 0.1 * (near - end) < high:
+                look = end + 0.1 * (near - end)
+        tried = chord.at(look, inside, outside)
+        sides.setdefault(tried.orbit.word, []).append(tried)
+        if tried.orbit.word == inside.orbit.word:
             inside = tried
         else:
             outside = tried
-    words = f"{inside.word} and {outside.word}"
-    raise RunError(f"border between {words} not located near {name} = {low:g}")
+    words = f"{inside.orbit.word} and {outside.orbit.word}"
+    raise RunError(f"border between {words} not located near {chord.family.name} = {inside.value:g}")
 
 
-def _sides(family: Family, inside: Orbit, outside: Orbit, value: float) -> tuple[Orbit, Orbit]:
-    """The gaits just short of a value and just beyond it, on the way from one gait to another."""
-    low, high = inside.runner.values[family.name], outside.runner.values[family.name]
-    step = np.copysign(SURE * max(abs(low), abs(high)), high - low)
-    places = np.clip([value - step, value + step], min(low, high), max(low, high))
-    return family.orbit(places[0], inside.apex), family.orbit(places[1], outside.apex)
-
-
-def _between(inside: Orbit, outside: Orbit, value: float, name: str) -> NDArray[np.float64]:
-    low, high = inside.runner.values[name], outside.runner.values[name]
-    share = (value - low) / (high - low)
-    return (1.0 - share) * inside.apex + share * outside.apex
+def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
+    """The last point of the same word from one on, along its tangent, no farther than a reach."""
+    begin, direction = family.place(point), way * point.direction
+    low, high, last = 0.0, reach, point
+    while high - low > ROOT_ACCURACY:
+        middle = 0.5 * (low + high)
+        try:
+            tried = family.on_plane(begin + middle * direction, direction)
+            there = tried.orbit.word == point.orbit.word and family.distance(point, tried) <= 2.0 * middle
+        except (InputError, RunError):
+            there = False
+        if there:
+            low, last = middle, replace(tried, direction=point.direction)
+        else:
+            high = middle
+    return last
 
 
 def _vanishing_point(
-    name: str, inside: Sequence[Orbit], outside: Sequence[Orbit], low: float, high: float
+    chord: _Chord, inside: Sequence[Point], outside: Sequence[Point]
 ) -> tuple[float, float] | None:
-    """The last value on the side with more letters, and where by its last two gaits a letter ends."""
-    side = inside if len(inside[-1].word) > len(outside[-1].word) else outside
-    if len(side) < 2 or len(side[-1].letters) != len(side[-2].letters):
+    """How far the last point is on the side with more letters, and where by its last two a letter ends."""
+    side = inside if len(inside[-1].orbit.word) > len(outside[-1].orbit.word) else outside
+    if len(side) < 2 or len(side[-1].orbit.letters) != len(side[-2].orbit.letters):
         return None
     near, far = side[-1], side[-2]
-    at, step = near.runner.values[name], near.runner.values[name] - far.runner.values[name]
+    at, step = chord.along(near), chord.along(near) - chord.along(far)
     roots = [
         at - letter.duration * step / (letter.duration - before.duration)
-        for letter, before in zip(near.letters, far.letters, strict=True)
+        for letter, before in zip(near.orbit.letters, far.orbit.letters, strict=True)
         if letter.duration != before.duration
     ]
-    slack = SURE * abs(at)  # the border may lie on a gait already tried, or beside it by rounding
-    within = [root for root in roots if min(low, high) - slack <= root <= max(low, high) + slack]
+    low, high = chord.along(inside[-1]) - SURE, chord.along(outside[-1]) + SURE  # beside a point by rounding
+    within = [root for root in roots if low <= root <= high]
     return (at, min(within, key=lambda root: abs(root - at))) if within else None

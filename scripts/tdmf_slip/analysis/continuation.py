@@ -1,76 +1,21 @@
-"""Gaits along a parameter: at values in turn, or as a branch that is followed through folds.
-
-A branch is followed by pseudo-arclength continuation on the exact Jacobian.
-"""
+"""Gaits at values of a parameter in turn, each from the one before, predicted along the branch's tangent."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, checked, checked_whole, is_number
-from ..drawable import Drawable
-from ..errors import InputError, RunError
+from ..checks import check_kind
+from ..errors import RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
-from ..unit.unit import Unit, load
 from ..unit.variable import Given, Values
-from .bifurcations import Special, happenings
-from .borders import Border
-from .family import Family, Point
+from .family import Family
 
-if TYPE_CHECKING:
-    import xarray
-
-SHORTEST_STEP = 1e-7
-"""Along the branch: where no step of this length finds a gait, the branch ends."""
-LARGEST_STEP = 1e9
-MOST_POINTS = 1_000_000
-"""Of a branch."""
-
-
-@dataclass(frozen=True, repr=False)
-class Branch(Drawable):
-    """Gaits in the order in which they were met along a parameter."""
-
-    name: str
-    """Of the parameter or input."""
-    values: tuple[float, ...]
-    """Of the parameter, at each gait."""
-    orbits: tuple[Orbit, ...]
-    """The gaits."""
-    borders: tuple[Border, ...]
-    """Where the word changes, in the branch's order."""
-    specials: tuple[Special, ...]
-    """Bifurcations, word borders, and what could not be judged, in the branch's order."""
-    ended: str
-    """Why the branch stops: at the end of the range, where it began, or in words what happened."""
-
-    def __repr__(self) -> str:
-        """In a line: how many gaits, from where to where, and what is special."""
-        kinds = ", ".join(dict.fromkeys(special.kind for special in self.specials)) or "nothing special"
-        ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
-        return f"<Branch {len(self.orbits)} gaits, {self.name} {ends}: {kinds}; ended: {self.ended}>"
-
-    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
-        """Quantities of the gaits over the parameter, in the branch's order, with units.
-
-        Parameters
-        ----------
-        unit : Unit, optional
-            For units and descriptions; by default that of `fmu_path`.
-
-        Returns
-        -------
-        xarray.Dataset
-            As `grid.as_dataset` gives it; behind a fold the parameter goes back.
-        """
-        from .grid import as_dataset  # xarray is slow to load
-
-        return as_dataset(self.orbits, {self.name: np.array(self.values)}, load(unit))
+FARTHEST = 0.7
+"""How far a gait may be from where it was predicted, over how far it is from the one before."""
+SAME = 1e-6
+"""Over the scales: gaits as near are of one branch."""
 
 
 def gaits_over(
@@ -107,20 +52,42 @@ def gaits_over(
     RunError
         The branch cannot be followed so far.
     """
-    family = Family(runner, name)
     check_orbit(first, "first")
     check_kind(values, (Sequence, np.ndarray), "values", f"a row of values of {name}")
+    family = Family(runner, name, first.strides)
     at = family.value_of(first)
     orbit = first if first.along == name else family.orbit(at, first.apex)
     for value in values:
-        for part in _walk(family, orbit, at, family.runner.but(name, value).values[name]):
+        for part in walk(family, orbit, at, family.runner.but(name, value).values[name]):
             orbit, at = part, family.value_of(part)
         yield orbit
         step_finished()
 
 
-def _walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
-    """Gaits from one value to another, by predictions along the branch, shorter where they fail."""
+def walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
+    """Gaits from one value to another, by predictions along the branch, shorter where they fail.
+
+    Parameters
+    ----------
+    family : Family
+        Whose gaits.
+    orbit : Orbit
+        The first one, differentiated by the family's parameter.
+    at : float
+        Its value.
+    to : float
+        The last value.
+
+    Yields
+    ------
+    Orbit
+        On the way; the last one is at the last value.
+
+    Raises
+    ------
+    RunError
+        The branch cannot be followed so far.
+    """
     step = to - at
     if step == 0.0:
         yield family.orbit(to, orbit.apex)
@@ -132,6 +99,7 @@ def _walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]
         try:
             nearby = _predicted(family, orbit, value - at)
             following = family.orbit(value, nearby)
+            _check_near(family, orbit, nearby, following)
         except RunError:
             step *= 0.5
             if abs(step) < smallest:
@@ -151,95 +119,15 @@ def _predicted(family: Family, orbit: Orbit, step: float) -> NDArray[np.float64]
     return orbit.apex + step * tangent
 
 
-def trace(
-    runner: Runner | Mapping[str, Given],
-    name: str,
-    first: Orbit,
-    end: float,
-    *,
-    largest_step: float = 0.05,
-    most_points: int = 1000,
-    step_finished: Callable[[], None] = lambda: None,
-) -> Branch:
-    """Follow the branch of a gait, through folds, until the parameter leaves the range.
-
-    Pseudo-arclength continuation: each gait is sought on the plane across the branch's tangent. Lengths along
-    the branch are measured over the coordinates' scales, and over the first value of the parameter.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Whose gaits.
-    name : str
-        Parameter or input that is varied.
-    first : Orbit
-        A gait to begin at.
-    end : float
-        Value of the parameter at which to stop; where a fold leads back, the branch stops at its first.
-    largest_step : float, default 0.05
-        Along the branch.
-    most_points : int, default 1000
-        Stop after so many gaits.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Returns
-    -------
-    Branch
-        The gaits in their order, with borders and bifurcations.
+def _check_near(family: Family, before: Orbit, nearby: NDArray[np.float64], after: Orbit) -> None:
+    """Refuse a gait that is of another branch: as far from where it was predicted as from the one before.
 
     Raises
     ------
-    InputError
-        No such parameter, it has the value of `end` already, or what is given is none.
     RunError
-        The first gait cannot be found again.
+        It is.
     """
-    runner = Family(runner, name).runner
-    check_orbit(first, "first")
-    checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
-    checked_whole("most_points", most_points, 1, MOST_POINTS)
-    start = first.runner.values[name]
-    if not is_number(end):
-        raise InputError(f"end {end!r} of {name}: allowed: a number")
-    if not abs(end - start) > 0.0:
-        raise InputError(f"end {end:g} of {name}: allowed: a number other than the first gait's {start:g}")
-    family = Family(runner.but(name, start), name)
-    towards_end = np.append(np.zeros_like(first.apex), end - start)
-    points, ended = [family.point(family.orbit(start, first.apex), towards_end)], f"{most_points} gaits"
-    step = largest_step / 10.0
-    while len(points) < most_points:
-        last = points[-1]
-        try:
-            following = family.on_plane(family.place(last) + step * last.direction, last.direction)
-        except (InputError, RunError) as problem:
-            step *= 0.5
-            if step < SHORTEST_STEP:
-                ended = str(problem)
-                break
-            continue
-        points.append(following)
-        step_finished()
-        if not min(start, end) < following.value < max(start, end):
-            beyond_end = (following.value - end) * (end - start) >= 0.0
-            ended = "end of the range" if beyond_end else f"back at {name} = {start:g}"
-            break
-        step = min(largest_step, 1.5 * step)
-    return _branch(family, points, ended)
-
-
-def _branch(family: Family, points: Sequence[Point], ended: str) -> Branch:
-    borders: list[Border] = []
-    specials: list[Special] = []
-    for before, after in pairwise(points):
-        its_borders, its_specials = happenings(family, before, after)
-        borders += its_borders
-        specials += its_specials
-    return Branch(
-        family.name,
-        tuple(point.value for point in points),
-        tuple(point.orbit for point in points),
-        tuple(borders),
-        tuple(specials),
-        ended,
-    )
+    scales = family.scales[:-1]
+    off, moved = (float(np.linalg.norm((after.apex - apex) / scales)) for apex in (nearby, before.apex))
+    if off > max(FARTHEST * moved, SAME):
+        raise RunError(f"the branch ends near {family.name} = {family.value_of(before):g}")

@@ -11,14 +11,17 @@ from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..library.members import check_varied
-from ..library.orbit import Orbit, orbit_near
-from ..library.return_map import stride_from
+from ..library.orbit import Orbit
+from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..library.strides import repeated_orbit_near, strides_from
 from ..unit.variable import Given
 
-NEWTON_ITERATIONS = 12
-NEWTON_CONVERGED = 1e-10
+NEWTON_ITERATIONS = 24
+SHORTENINGS = 12
+CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
+"""Largest difference of the apex and the next, over the scales."""
 
 
 @dataclass(frozen=True)
@@ -41,8 +44,13 @@ class Point:
 class Family:
     """Gaits of one runner by the value of a parameter."""
 
-    def __init__(self, runner: Runner | Mapping[str, Given], name: str) -> None:
-        """Whose gaits, and over which parameter or input; its scale is its value in the runner, or 1.
+    along: Along
+    """By what the next apex is differentiated."""
+
+    def __init__(self, runner: Runner | Mapping[str, Given], name: str, strides: int = 1) -> None:
+        """Whose gaits, over which parameter or input, and after how many strides they repeat themselves.
+
+        The parameter's scale is its value in the runner, or 1.
 
         Raises
         ------
@@ -52,7 +60,13 @@ class Family:
         check_varied(name, "name")
         self.runner = runner = Runner.of(runner)
         self.name = name
+        self.along = name
+        self.strides = strides
         self.scales = np.append(runner.scales, abs(runner.values[name]) or 1.0)
+
+    def runner_at(self, value: float) -> Runner:
+        """The runner at a value of the parameter, in its unit."""
+        return self.runner.but(self.name, value)
 
     def orbit(self, value: float, guess: Apex) -> Orbit:
         """The gait at a value near a guess.
@@ -61,7 +75,7 @@ class Family:
         ----------
         value : float
             Of the parameter.
-        guess : sequence of float, shape (n,)
+        guess : sequence of float, shape (6,)
             An apex near the gait's.
 
         Returns
@@ -76,21 +90,34 @@ class Family:
         RunError
             There is none.
         """
-        return orbit_near(self.runner.but(self.name, value), guess, along=self.name)
+        return repeated_orbit_near(self.runner_at(value), guess, self.strides, along=self.along)
 
-    def value_of(self, orbit: Orbit) -> float:
-        """Of the parameter.
+    def strides_at(self, value: float, apex: Apex) -> Orbit:
+        """The strides from an apex at a value, whether they lead back to it or not.
 
         Parameters
         ----------
-        orbit : Orbit
-            A gait of the family.
+        value : float
+            Of the parameter.
+        apex : sequence of float, shape (6,)
+            Where they begin.
 
         Returns
         -------
-        float
-            In the parameter's unit.
+        Orbit
+            Differentiated by the parameter, too; `left_over` says where they lead.
+
+        Raises
+        ------
+        InputError
+            The value is not allowed.
+        RunError
+            A stride does not close, or has no derivatives.
         """
+        return strides_from(self.runner_at(value), apex, self.strides, along=self.along)
+
+    def value_of(self, orbit: Orbit) -> float:
+        """The parameter's value, in its unit, at a gait of the family."""
         return orbit.runner.values[self.name]
 
     def point(self, orbit: Orbit, along: NDArray[np.float64]) -> Point:
@@ -100,7 +127,7 @@ class Family:
         ----------
         orbit : Orbit
             The gait.
-        along : ndarray of float, shape (n + 1,)
+        along : ndarray of float
             Coordinates and parameter, over the scales.
 
         Returns
@@ -113,41 +140,68 @@ class Family:
         RunError
             The gait has no tangent.
         """
-        if orbit.by_parameter is None or orbit.along != self.name:
+        if orbit.by_parameter is None or orbit.along != self.along:
             orbit = self.orbit(self.value_of(orbit), orbit.apex)
-        assert orbit.by_parameter is not None
-        rows = (
-            np.hstack([orbit.jacobian - np.eye(len(orbit.apex)), orbit.by_parameter[:, None]]) * self.scales
-        )
-        if not np.isfinite(rows).all():
-            raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
-        tangent = np.linalg.svd(rows)[2][-1]
+        tangent = np.linalg.svd(self._rows(orbit))[2][-1]
         return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
 
+    def points(self, *orbits: Orbit) -> list[Point]:
+        """Gaits of one branch as its points; it leads from the first to the last."""
+        ends = [np.append(orbit.apex, self.value_of(orbit)) / self.scales for orbit in orbits]
+        return [self.point(orbit, ends[-1] - ends[0]) for orbit in orbits]
+
+    def _rows(self, orbit: Orbit) -> NDArray[np.float64]:
+        """How what is left over of the strides changes, all over the scales.
+
+        Raises
+        ------
+        RunError
+            It has no derivative.
+        """
+        assert orbit.by_parameter is not None
+        dimension = len(orbit.apex)
+        rows: NDArray[np.float64]
+        rows = np.hstack([orbit.jacobian - np.eye(dimension), orbit.by_parameter[:, None]])
+        rows = rows * self.scales / self.scales[:-1, None]
+        if not np.isfinite(rows).all():
+            raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
+        return rows
+
     def place(self, point: Point) -> NDArray[np.float64]:
-        """Apex and parameter over the scales.
+        """Apex and parameter of a point over the scales: the coordinates, then the parameter."""
+        place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
+        return place
+
+    def look(self, place: NDArray[np.float64]) -> Orbit:
+        """The strides from an apex at a value of the parameter.
 
         Parameters
         ----------
-        point : Point
-            On a branch.
+        place : ndarray of float
+            Coordinates and parameter over the scales.
 
         Returns
         -------
-        ndarray of float, shape (n + 1,)
-            Coordinates, then the parameter.
+        Orbit
+            See `strides_at`.
+
+        Raises
+        ------
+        InputError
+            The value is not allowed.
+        RunError
+            A stride does not close, or has no derivatives.
         """
-        place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
-        return place
+        return self.strides_at(place[-1] * self.scales[-1], place[:-1] * self.scales[:-1])
 
     def on_plane(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Point:
         """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
 
         Parameters
         ----------
-        goal : ndarray of float, shape (n + 1,)
-            Apex and parameter over the scales.
-        normal : ndarray of float, shape (n + 1,)
+        goal : ndarray of float
+            Coordinates and parameter over the scales.
+        normal : ndarray of float
             A unit vector along the branch.
 
         Returns
@@ -162,28 +216,53 @@ class Family:
         RunError
             There is none.
         """
+        try:
+            return self._by_newton(goal, normal, SHORTENINGS)
+        except RunError:
+            return self._by_newton(goal, normal, 0)
+
+    def _by_newton(self, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int) -> Point:
+        """Steps that make the error larger are shortened so many times, or taken all the same.
+
+        Where an event is just touched the map has a square root, and only whole steps lead across.
+        """
         where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
-        place, scales = goal.copy(), self.scales[:-1]
-        for _ in range(NEWTON_ITERATIONS):
-            runner = self.runner.but(self.name, place[-1] * self.scales[-1])
+        place = goal
+        try:
+            orbit = self.look(place)
+            for _ in range(NEWTON_ITERATIONS):
+                if orbit.error <= CONVERGED:
+                    break
+                off = np.append(orbit.left_over / self.scales[:-1], (place - goal) @ normal)
+                change = np.linalg.solve(np.vstack([self._rows(orbit), normal]), -off)
+                improved = self._improved(place, change, orbit, shortenings)
+                if improved is None:
+                    break
+                place, orbit = improved
+        except (RunError, np.linalg.LinAlgError) as problem:
+            raise RunError(f"{where}: {problem}") from None
+        if orbit.error > GOOD_ENOUGH:
+            raise RunError(f"{where}: Newton's method does not converge")
+        return self.point(orbit, normal)
+
+    def _improved(
+        self, place: NDArray[np.float64], change: NDArray[np.float64], orbit: Orbit, shortenings: int
+    ) -> tuple[NDArray[np.float64], Orbit] | None:
+        """Goes a step, or the part of it that makes the error smaller; None where none does."""
+        if shortenings == 0:
+            there = self.look(place + change)
+            return None if orbit.error <= GOOD_ENOUGH <= there.error else (place + change, there)
+        for shortening in range(shortenings):
+            tried = place + 0.5**shortening * change
             try:
-                apex, jacobian, by_parameter = stride_from(runner, place[:-1] * scales, self.name)
-            except RunError as problem:
-                raise RunError(f"{where}: {problem}") from None
-            across = (
-                np.hstack([jacobian - np.eye(len(apex)), by_parameter[:, None]])
-                * self.scales
-                / scales[:, None]
-            )
-            residual = np.append(apex / scales - place[:-1], (place - goal) @ normal)
-            try:
-                change = np.linalg.solve(np.vstack([across, normal]), -residual)
-            except np.linalg.LinAlgError:
-                break
-            place = place + change
-            if np.max(np.abs(change)) < NEWTON_CONVERGED:
-                return self.point(self.orbit(place[-1] * self.scales[-1], place[:-1] * scales), normal)
-        raise RunError(where)
+                there = self.look(tried)
+            except RunError:
+                if shortening == shortenings - 1:
+                    raise
+                continue
+            if there.error < orbit.error:
+                return tried, there
+        return None
 
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next.
@@ -209,16 +288,5 @@ class Family:
         return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
 
     def distance(self, before: Point, after: Point) -> float:
-        """Between two points, over the scales.
-
-        Parameters
-        ----------
-        before, after : Point
-            On a branch.
-
-        Returns
-        -------
-        float
-            A pure number.
-        """
+        """Between two points of a branch, over the scales."""
         return float(np.linalg.norm(self.place(after) - self.place(before)))

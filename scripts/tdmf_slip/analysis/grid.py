@@ -109,7 +109,7 @@ def as_dataset(
     words = ["" if orbit is None else orbit.word for orbit in orbits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
     data["word"].attrs = attributes_of(unit, "stride.word")
-    for name in names:
+    for name in set(names) & set(unit.variables):
         data[name].attrs = attributes_of(unit, name)
     return data
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near, settled_orbit
+from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import MODELS, Apex
 from ..unit.unit import FRICTION, Unit, load
@@ -57,7 +58,7 @@ def find_orbit(
     runner: Runner | Mapping[str, Given] | None = None,
     guess: Apex | None = None,
     *,
-    along: str | None = None,
+    along: Along | None = None,
     model: str | None = None,
     unit: Unit | None = None,
 ) -> Orbit:
@@ -74,8 +75,8 @@ def find_orbit(
     guess : sequence of float, shape (6,), optional
         An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
         for the reduced map the first two.
-    along : str, optional
-        A parameter or input by which the next apex is differentiated, too.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the next apex is differentiated, too; or a direction of several.
     model : str, optional
         One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
         in flight as if by itself. By default that of the runner.

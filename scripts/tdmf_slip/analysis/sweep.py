@@ -9,7 +9,8 @@ import numpy as np
 
 from ..drawable import Drawable
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, check_has_gaits, settled_orbit
+from ..library.members import check_has_gaits
+from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
@@ -202,8 +203,8 @@ def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], lis
     problems: list[str] = []
     for before, after in pairwise(orbits):
         try:
-            for border, _ in crossings(Family(runner, FRICTION), before, after):
-                borders.append(border)
+            family = Family(runner, FRICTION)
+            borders += [found.border for found in crossings(family, *family.points(before, after))]
         except RunError as problem:
             problems.append(str(problem))
     return borders, problems

@@ -15,8 +15,10 @@ import click
 from ..errors import TdmfSlipError
 from ..terminal import interrupts
 
-COMMANDS = ("basin", "bench", "figures", "gait", "simulate", "sweep", "validate", "variables")
-"""Each in the module of its name."""
+COMMANDS = ("basin", "bench", "continue", "figures", "gait", "simulate", "sweep", "validate", "variables")
+"""Each in the module of its name, but for the following."""
+MODULES = {"continue": "continuation"}
+"""Of commands whose name is a word of Python."""
 
 
 class LazyGroup(click.Group):
@@ -31,7 +33,7 @@ class LazyGroup(click.Group):
         if cmd_name not in COMMANDS:
             return None
         with interrupts.held():
-            module = importlib.import_module(f".{cmd_name}", __package__)
+            module = importlib.import_module(f".{MODULES.get(cmd_name, cmd_name)}", __package__)
         command: click.Command = getattr(module, f"{cmd_name}_command")
         return command
 

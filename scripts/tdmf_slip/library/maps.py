@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .runner import Runner, text_of
 from .structs import FoundOrbit, Return, Struct
@@ -43,6 +44,37 @@ def map_of(runner: Runner) -> Map:
         The return map, or the reduced one.
     """
     return _MAPS[runner.reduced]
+
+
+def why_no_gait(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str:
+    """Why a search found no gait, in words.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+    found : FoundOrbit
+        How the search ended.
+    settling : bool
+        It ended before the runner had settled.
+    ran : int
+        After so many strides.
+
+    Returns
+    -------
+    str
+        For a message.
+    """
+    where = f"no gait at friction {runner.values[FRICTION]:g}"
+    if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
+        why = map_of(runner).why_not(found.stride)
+        return f"{where}: " + (
+            f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
+        )
+    return (
+        f"{where}: Newton's method stopped after {found.iterations} iterations "
+        f"with the next apex {found.error:.2g} of its scales away"
+    )
 
 
 def _why_no_return(stride: Any) -> str | None:

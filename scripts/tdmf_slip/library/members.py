@@ -74,3 +74,23 @@ def check_varied(name: object, what: str) -> None:
             f"{what} {name!r} is not allowed; allowed: a parameter or input of the model"
             f"{near_matches(name, VARIED)}"
         )
+
+
+def check_has_gaits(friction: float) -> None:
+    """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
+
+    Parameters
+    ----------
+    friction : float
+        Of the ground.
+
+    Raises
+    ------
+    InputError
+        It is 0.
+    """
+    if friction == 0.0:
+        raise InputError(
+            "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
+            "allowed for gaits: above 0"
+        )

@@ -4,7 +4,7 @@ The C library does the work: one stride with its exact Jacobian, and Newton's me
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -13,15 +13,16 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind
 from ..drawable import Drawable
-from ..errors import InputError, RunError
+from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
-from .maps import map_of
-from .return_map import derivatives, direction
+from .maps import map_of, why_no_gait
+from .members import check_has_gaits
+from .return_map import Along, derivatives, direction
 from .runner import Runner, text_of
 from .section import COORDINATES, REDUCED, Apex, checked_apex
-from .structs import EventLog, FoundOrbit
-from .word import Event, Letter, letters_of
+from .structs import EventLog, Return
+from .word import Event, Letter, letters_of, noted
 
 SETTLING_STRIDES = 400
 STRIDE_QUANTITIES = (
@@ -58,8 +59,8 @@ class Orbit(Drawable):
     """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
     jacobian: NDArray[np.float64]
     """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
-    along: str | None
-    """The parameter or input by which the next apex is differentiated, too; None: by none."""
+    along: Along | None
+    """The parameter or input, or the direction of several, by which the next apex is differentiated, too."""
     by_parameter: NDArray[np.float64] | None
     """Change of the next apex along it, shape (n,); None where none was asked for."""
     error: float
@@ -68,6 +69,19 @@ class Orbit(Drawable):
     """Of Newton's method."""
     events: tuple[Event, ...] = field(repr=False)
     """Of the stride, in their order."""
+    following: tuple[NDArray[np.float64], ...] = ()
+    """Where the gait takes more than one stride: the apexes between them, each of shape (6,)."""
+    left_over: NDArray[np.float64] = field(default_factory=lambda: np.zeros(len(COORDINATES)), repr=False)
+    """Last apex minus first, shape (n,), where the strides need not lead back; else zero."""
+
+    @property
+    def _apexes(self) -> list[list[float]]:
+        return [[float(value) for value in apex] for apex in (self.apex, *self.following)]
+
+    @property
+    def strides(self) -> int:
+        """After how many the gait repeats itself; word, quantities and Jacobian are of all of them."""
+        return 1 + len(self.following)
 
     def __repr__(self) -> str:
         """In a line: what tells one gait from another."""
@@ -112,6 +126,11 @@ class Orbit(Drawable):
         return float(abs(self.eigenvalues[0]))
 
     @property
+    def unstable(self) -> int:
+        """How many eigenvalues are outside the unit circle."""
+        return int(np.count_nonzero(np.abs(self.eigenvalues) > 1.0))
+
+    @property
     def stable(self) -> bool:
         """All eigenvalues are inside the unit circle."""
         return self.lambda_max < 1.0
@@ -121,8 +140,16 @@ class Orbit(Drawable):
         """Letters of the word with how long each mode lasts; graze and flight add none."""
         return letters_of(self.events)
 
+    @cached_property
+    def sequence(self) -> tuple[object, ...]:
+        """The word, and which guards fired in their order: the return map is smooth while they stay."""
+        return self.word, *((event.guard, event.contact_after) for event in self.events)
+
     def as_json(self) -> dict[str, object]:
-        """The gait as a plain object, eigenvalues as [re, im], start values for a run that begins on it."""
+        """The gait as a plain object, eigenvalues as [re, im], start values for a run that begins on it.
+
+        Of a gait of more than one stride, also how many, and the apexes in their order.
+        """
         return {
             "friction": self.friction,
             "word": self.word,
@@ -132,6 +159,7 @@ class Orbit(Drawable):
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
             "stable": self.stable,
             "start_values": self.start_values,
+            **({"strides": self.strides, "apexes": self._apexes} if self.following else {}),
         }
 
 
@@ -153,27 +181,7 @@ def check_orbit(given: object, what: str) -> None:
     check_kind(given, Orbit, what, "an Orbit, as find_orbit gives")
 
 
-def check_has_gaits(friction: float) -> None:
-    """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
-
-    Parameters
-    ----------
-    friction : float
-        Of the ground.
-
-    Raises
-    ------
-    InputError
-        It is 0.
-    """
-    if friction == 0.0:
-        raise InputError(
-            "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
-            "allowed for gaits: above 0"
-        )
-
-
-def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbit:
+def orbit_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Orbit:
     """The periodic gait near a guess, by Newton's method.
 
     Parameters
@@ -182,8 +190,8 @@ def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbi
         Whose gait.
     guess : sequence of float, shape (n,)
         An apex near the gait's, in the order of the runner's `coordinates`.
-    along : str, optional
-        A parameter or input by which the next apex is differentiated, too.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the next apex is differentiated, too; or a direction of several.
 
     Returns
     -------
@@ -201,15 +209,15 @@ def orbit_near(runner: Runner, guess: Apex, *, along: str | None = None) -> Orbi
     return _search(runner, checked_apex(guess, runner.coordinates), 0, along)
 
 
-def settled_orbit(runner: Runner, *, along: str | None = None) -> Orbit:
+def settled_orbit(runner: Runner, *, along: Along | None = None) -> Orbit:
     """The periodic gait that a runner settles on from its start, at the end by Newton's method.
 
     Parameters
     ----------
     runner : Runner
         Whose gait, and where it starts.
-    along : str, optional
-        A parameter or input by which the next apex is differentiated, too.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the next apex is differentiated, too; or a direction of several.
 
     Returns
     -------
@@ -227,7 +235,7 @@ def settled_orbit(runner: Runner, *, along: str | None = None) -> Orbit:
     return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
 
 
-def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: str | None) -> Orbit:
+def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Orbit:
     """By Newton's method, after so many strides."""
     check_has_gaits(runner.values[FRICTION])
     change, map = direction(along), map_of(runner)
@@ -236,36 +244,39 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: str
     ran = settling and map.settle(solver, runner.model, runner.inputs, settling, section)
     found = map.find(solver, runner.model, runner.inputs, section, change)
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise RunError(_why_not(runner, found, ran < settling, ran))
+        raise RunError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0
     fixed_point = map.fixed_point(found)
     map.stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
-    return _orbit(runner, found, np.array(list(fixed_point)), log, along)
+    orbit = orbit_of(runner, np.array(list(fixed_point)), found.stride, log, along)
+    return replace(orbit, error=found.error, iterations=found.iterations)
 
 
-def _why_not(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str:
-    where = f"no gait at friction {runner.values[FRICTION]:g}"
-    if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
-        why = map_of(runner).why_not(found.stride)
-        return f"{where}: " + (
-            f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
-        )
-    return (
-        f"{where}: Newton's method stopped after {found.iterations} iterations "
-        f"with the next apex {found.error:.2g} of its scales away"
-    )
-
-
-def _orbit(
-    runner: Runner, found: FoundOrbit, apex: NDArray[np.float64], log: EventLog, along: str | None
+def orbit_of(
+    runner: Runner, apex: NDArray[np.float64], stride: Return, log: EventLog, along: Along | None
 ) -> Orbit:
-    stride = found.stride
+    """A stride as the library gives it, whether it leads back to its apex or not.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose stride.
+    apex : ndarray of float, shape (n,)
+        Where it begins.
+    stride : Return
+        Closed, with its derivatives.
+    log : EventLog
+        What the solver has noted of it.
+    along : str or mapping of str to float, optional
+        By what it is differentiated, too.
+
+    Returns
+    -------
+    Orbit
+        As of a gait.
+    """
     jacobian, by_parameter = derivatives(runner, stride)
     quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
-    events = tuple(
-        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
-        for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]
-    )
     return Orbit(
         runner=runner,
         apex=apex,
@@ -275,7 +286,7 @@ def _orbit(
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,
-        error=found.error,
-        iterations=found.iterations,
-        events=events,
+        error=0.0,
+        iterations=0,
+        events=noted(log),
     )

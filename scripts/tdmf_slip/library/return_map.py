@@ -1,6 +1,7 @@
 """One stride from apex to apex, by the return map or the reduced one, with its exact derivatives."""
 
 from collections.abc import Mapping
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +16,12 @@ from .runner import Runner
 from .section import Apex, checked_apex
 from .structs import Return, Struct
 
+Along: TypeAlias = str | Mapping[str, float]
+"""A direction of parameters and inputs: the name of one, or how much of each, in its unit."""
+
 
 def stride_from(
-    runner: Runner | Mapping[str, Given], apex: Apex, along: str
+    runner: Runner | Mapping[str, Given], apex: Apex, along: Along
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """One stride from an apex: the next apex, and how it changes.
 
@@ -27,8 +31,8 @@ def stride_from(
         Who makes the stride, or start values by name.
     apex : sequence of float, shape (n,)
         In the order of the runner's `coordinates`.
-    along : str
-        A parameter or input by which the next apex is differentiated, too.
+    along : str or mapping of str to float
+        A parameter or input by which the next apex is differentiated, too; or a direction of several.
 
     Returns
     -------
@@ -89,29 +93,33 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     return jacobian, by_parameter
 
 
-def direction(along: str | None) -> Struct:
-    """The unit direction of a parameter or input as the library's `tdmf_change *`; NULL for none.
+def direction(along: Along | None) -> Struct:
+    """The direction of a parameter or input, or of several, as the library's `tdmf_change *`; NULL for none.
 
     Parameters
     ----------
-    along : str, optional
-        Its name.
+    along : str or mapping of str to float, optional
+        Its name; or how much of each.
 
     Returns
     -------
     Struct
-        Zero but for that parameter or input, which is 1.
+        Zero but for what is named.
 
     Raises
     ------
     InputError
         There is no such parameter or input.
     """
-    change: Struct = ffi.NULL if along is None else ffi.new("tdmf_change *")
-    if along is not None:
-        check_varied(along, "along")
+    if along is None:
+        nothing: Struct = ffi.NULL
+        return nothing
+    change: Struct = ffi.new("tdmf_change *")
+    shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
+    for name, share in shares:
+        check_varied(name, "along")
         for members, part in ((PARAMETERS, "parameters"), (INPUTS, "inputs")):
             for member in members:
-                if member.name == along:
-                    member.write(getattr(change, part), 1.0)
+                if member.name == name:
+                    member.write(getattr(change, part), share)
     return change

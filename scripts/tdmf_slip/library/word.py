@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from .binding import c
+from .structs import EventLog
 
 LETTERS: Mapping[int, str] = {
     c.TDMF_CONTACT_STICK: "0",
@@ -28,6 +29,25 @@ class Event:
     """Contact mode that it began."""
     state: tuple[float, ...]
     """Before the event, in the library's order."""
+
+
+def noted(log: EventLog) -> tuple[Event, ...]:
+    """What a solver has noted of a stride.
+
+    Parameters
+    ----------
+    log : EventLog
+        The solver's.
+
+    Returns
+    -------
+    tuple of Event
+        In their order.
+    """
+    return tuple(
+        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
+        for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]
+    )
 
 
 @dataclass(frozen=True)

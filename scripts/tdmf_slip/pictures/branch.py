@@ -1,4 +1,4 @@
-"""Gaits along a parameter: size of the eigenvalues, speed and cost of transport, with what is special."""
+"""Gaits along a parameter: size of the eigenvalues, speed and cost of transport."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -27,7 +27,6 @@ def figure_of(
     values: Sequence[float],
     orbits: Sequence[Orbit],
     borders: Sequence[Border],
-    marked: Mapping[str, Sequence[float]],
     unit: Unit,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed.
@@ -42,8 +41,6 @@ def figure_of(
         The gaits.
     borders : sequence of Border
         Where the word changes.
-    marked : mapping of str to sequence of float
-        By kind: other values to mark.
     unit : Unit
         For units.
 
@@ -63,16 +60,12 @@ def figure_of(
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
-            for where in marked.values():
-                for value in where:
-                    axes.axvline(value, color=style.MODE_COLOURS["slip_negative"], linewidth=1.0)
         if min(values) > 0 and max(values) > DECADES * min(values):
             panels[-1].set_xscale("log")
             panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
             panels[-1].minorticks_off()
         panels[-1].set_xlabel(_with_unit(name, unit.variables[name].unit))
-        _name_marks(panels[1], marked)
         figure.draw_without_rendering()  # lays out the axes
         _words(panels[0], values, orbits)
     return figure
@@ -112,24 +105,6 @@ def _words(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None
             middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
             top = ("data", "axes fraction")
             axes.annotate(word, (middle, 1.02), xycoords=top, ha="center", fontsize=9)
-
-
-def _name_marks(axes: Axes, marked: Mapping[str, Sequence[float]]) -> None:
-    """Each mark by its kind, along its line."""
-    top = ("data", "axes fraction")
-    for kind, where in marked.items():
-        for value in where:
-            axes.annotate(
-                kind,
-                (value, 0.97),
-                (-3, 0),
-                top,
-                "offset points",
-                rotation=90,
-                ha="right",
-                va="top",
-                fontsize=8,
-            )
 
 
 def _with_unit(name: str, unit: str) -> str:

@@ -5,13 +5,13 @@ from functools import singledispatch
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from ..analysis.continuation import Branch
+from ..analysis.branch import Branch
 from ..analysis.sweep import Sweep
 from ..errors import InputError
 from ..library.orbit import Orbit
 from ..unit.run import Run
 from ..unit.unit import FRICTION, load
-from . import branch, overview, velocity_and_ratio
+from . import branch, branch_diagram, overview, velocity_and_ratio
 from .stride import Stride
 
 
@@ -57,13 +57,9 @@ def _gait(result: Orbit) -> Figure:
 def _sweep(result: Sweep) -> Figure:
     orbits = result.orbits
     values = [orbit.friction for orbit in orbits]
-    return branch.figure_of(FRICTION, values, orbits, result.borders, {}, load())
+    return branch.figure_of(FRICTION, values, orbits, result.borders, load())
 
 
 @_figure_of.register
 def _branch(result: Branch) -> Figure:
-    marked: dict[str, list[float]] = {}
-    for special in result.specials:
-        if special.kind != "word border":
-            marked.setdefault(special.kind, []).append(special.value)
-    return branch.figure_of(result.name, result.values, result.orbits, result.borders, marked, load())
+    return branch_diagram.figure_of(result)

@@ -1,0 +1,119 @@
+"""From a period doubling to the gaits of twice the period: found beside it, and followed as a branch."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from ..errors import InputError, RunError
+from .bifurcations import PERIOD_DOUBLING, Special, happenings
+from .borders import Border
+from .branch import Branch
+from .family import Family, Point
+from .steps import Limits, follow
+
+DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
+"""Over the scales: how far from a period doubling the first gait of twice the period is sought."""
+DIFFERENT = 1e-3
+"""Of the departure: how far the two apexes of a gait of twice the period have to be from each other."""
+
+
+def told_branch(family: Family, points: Sequence[Point], began: str, ended: str) -> Branch:
+    """Points as a branch, with all that happens between them.
+
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    points : sequence of Point
+        In the branch's order.
+    began, ended : str
+        Why it has no more points on either side.
+
+    Returns
+    -------
+    Branch
+        Without branches that it gives rise to.
+    """
+    borders: list[Border] = []
+    specials: list[Special] = []
+    for index, (before, after) in enumerate(pairwise(points)):
+        its_borders, its_specials = happenings(family, before, after)
+        borders += its_borders
+        specials += [replace(special, index=index) for special in its_specials]
+    return Branch(
+        family.name,
+        tuple(point.value for point in points),
+        tuple(point.orbit for point in points),
+        tuple(borders),
+        tuple(specials),
+        began,
+        ended,
+        family.strides,
+    )
+
+
+def doubled_branches(
+    branch: Branch, family: Family, limits: Limits, step_finished: Callable[[], None] = lambda: None
+) -> Iterator[Branch]:
+    """The branches of twice the period from the period doublings of a branch, each once.
+
+    Parameters
+    ----------
+    branch : Branch
+        On which the period doubles.
+    family : Family
+        Of gaits of twice the period.
+    limits : Limits
+        Where to stop.
+    step_finished : callable, optional
+        Called after each gait.
+
+    Yields
+    ------
+    Branch
+        Beginning beside a period doubling.
+    """
+    met: list[float] = []
+    for special in branch.specials:
+        if special.kind != PERIOD_DOUBLING or any(abs(special.value - v) <= 1e-8 * abs(v) for v in met):
+            continue
+        first = departure(family, special)
+        if first is None:
+            continue
+        points, ended = follow(family, first, limits, step_finished)
+        found = told_branch(family, points, f"period doubling at {family.name} = {special.value:.10g}", ended)
+        met += [other.value for other in found.specials]
+        yield found
+
+
+def departure(family: Family, doubling: Special) -> Point | None:
+    """The first gait of twice the period beside a period doubling, in the direction away from it.
+
+    Parameters
+    ----------
+    family : Family
+        Of gaits of twice the period.
+    doubling : Special
+        On a branch of the same runner and parameter.
+
+    Returns
+    -------
+    Point or None
+        None where none is found.
+    """
+    orbit, scales = doubling.orbit, family.scales
+    eigenvalues, vectors = np.linalg.eig(orbit.jacobian)
+    vector = vectors[:, np.argmin(np.abs(eigenvalues + 1.0))].real / scales[:-1]
+    way = np.append(vector / np.linalg.norm(vector), 0.0)
+    begin = np.append(orbit.apex, doubling.value) / scales
+    for distance in DEPARTURES:
+        try:
+            found = family.on_plane(begin + distance * way, way)
+        except (InputError, RunError):
+            continue
+        apart = np.linalg.norm((found.orbit.following[0] - found.orbit.apex) / scales[:-1])
+        if apart > DIFFERENT * distance:
+            return found
+    return None

@@ -1,0 +1,265 @@
+"""Branches of gaits along a parameter: followed from a gait both ways, with all that happens on them."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..checks import checked, checked_whole, is_number
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, check_orbit, settled_orbit
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .branch import Branch
+from .continuation import gaits_over
+from .family import Family, Point
+from .search import find_orbit
+from .steps import SHORTEST_STEP, Limits, follow
+from .switching import doubled_branches, told_branch
+
+LARGEST_STEP = 1e9
+MOST_POINTS = 1_000_000
+"""Of a branch."""
+BEGINNING = "beginning of the range"
+STARTS = 24
+"""Values of the range at which a gait to begin with is looked for."""
+
+
+def continue_branch(
+    runner: Runner | Mapping[str, Given] | None,
+    name: str,
+    begin: float,
+    end: float,
+    *,
+    largest_step: float = 0.2,
+    most_points: int = 1000,
+    switch: bool = True,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Branch:
+    """The branch of gaits over a range of a parameter, through folds, with every special point judged.
+
+    The branch begins at the first end of the range with the gait that `find_orbit` gives. Where there is
+    none, it begins at the first value that has one, and is followed both ways.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float, optional
+        Whose gaits: a runner, or start values by the unit's names, over the unit's own.
+    name : str
+        Parameter or input that is varied.
+    begin, end : float
+        The range, in the parameter's unit.
+    largest_step : float, default 0.2
+        Along the branch, over the coordinates' scales and the parameter's value.
+    most_points : int, default 1000
+        Stop after so many gaits, in each direction.
+    switch : bool, default True
+        Follow the gaits of two strides from each period doubling, too.
+    show_progress : bool, default False
+        A count of gaits on stderr.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Branch
+        The gaits in their order, with borders and bifurcations, and the branches of two strides.
+
+    Raises
+    ------
+    InputError
+        No such parameter, a value that is not allowed, or a range without length.
+    RunError
+        There is no gait in the range.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> branch = tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.2)
+    >>> branch.ended, [special.kind for special in branch.specials]
+    ('end of the range', ['word border', 'word border'])
+    """
+    unit = load(unit)
+    runner = Runner.of(runner, unit)
+    family = Family(runner, name)
+    variable = unit.find(name, "name")
+    begin, end = (float(variable.value_of(v, w)) for v, w in ((begin, "begin"), (end, "end")))
+    if begin == end:
+        raise InputError(f"end = {end:g} of {name}: allowed: a number other than begin")
+    with progress.bar("branch", None, "gaits", show_progress) as bar:
+
+        def tell() -> None:
+            bar.update()
+
+        first = first_gait(family.runner, name, begin, end, unit)
+        branch = trace(
+            runner,
+            name,
+            first,
+            end,
+            begin=begin,
+            largest_step=largest_step,
+            most_points=most_points,
+            step_finished=tell,
+        )
+        if not switch:
+            return branch
+        limits = _limits(begin, end, largest_step, most_points)
+        doubled = Family(first.runner, name, 2)
+        return replace(branch, branches=tuple(doubled_branches(branch, doubled, limits, tell)))
+
+
+def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) -> Orbit:
+    """A gait in a range of a parameter: at its first end, or as near to it as one is found.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+    name : str
+        Of the parameter.
+    begin, end : float
+        The range.
+    unit : Unit
+        For the search along the friction.
+
+    Returns
+    -------
+    Orbit
+        At a value within the range.
+
+    Raises
+    ------
+    RunError
+        None is found; the message tells of the first end.
+    """
+    why: RunError | None = None
+    home = runner.values[name]
+    inside = [home] if min(begin, end) <= home <= max(begin, end) else []
+    for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
+        at = runner.but(name, float(value))
+        try:
+            found = find_orbit(at, unit=unit) if number <= len(inside) else settled_orbit(at)
+        except RunError as problem:
+            why = why or problem
+            continue
+        return _nearer(found, name, begin) if number == 1 and inside else found
+    assert why is not None
+    raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
+
+
+def _nearer(found: Orbit, name: str, begin: float) -> Orbit:
+    """The gait of the same branch at the first end of the range, if the parameter alone leads there."""
+    try:
+        return next(gaits_over(found.runner, name, [begin], found))
+    except RunError:
+        return found
+
+
+def _limits(begin: float, end: float, largest_step: float, most_points: int) -> Limits:
+    return Limits(min(begin, end), max(begin, end), begin, largest_step, most_points)
+
+
+def trace(
+    runner: Runner | Mapping[str, Given],
+    name: str,
+    first: Orbit,
+    end: float,
+    *,
+    begin: float | None = None,
+    largest_step: float = 0.2,
+    most_points: int = 1000,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Branch:
+    """Follow the branch of a gait, through folds, until the parameter leaves the range.
+
+    Pseudo-arclength continuation: each gait is sought on the plane across the branch's tangent. Lengths along
+    the branch are measured over the coordinates' scales, and over the first value of the parameter.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Whose gaits.
+    name : str
+        Parameter or input that is varied.
+    first : Orbit
+        A gait to begin at.
+    end : float
+        Value of the parameter at which to stop.
+    begin : float, optional
+        The other end of the range: by default the value at the first gait; else the branch is followed in
+        both directions.
+    largest_step : float, default 0.2
+        Along the branch.
+    most_points : int, default 1000
+        Stop after so many gaits, in each direction.
+    step_finished : callable, optional
+        Called after each gait.
+
+    Returns
+    -------
+    Branch
+        The gaits in their order, with borders and bifurcations.
+
+    Raises
+    ------
+    InputError
+        No such parameter, no range, or what is given is none.
+    RunError
+        The first gait cannot be found again.
+    """
+    runner = Family(runner, name).runner
+    check_orbit(first, "first")
+    checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
+    checked_whole("most_points", most_points, 1, MOST_POINTS)
+    start = first.runner.values[name]
+    begin = start if begin is None else begin
+    for what, value in (("begin", begin), ("end", end)):
+        if not is_number(value):
+            raise InputError(f"{what} {value!r} of {name}: allowed: a number")
+    if not abs(end - begin) > 0.0 or not min(begin, end) <= start <= max(begin, end):
+        raise InputError(
+            f"end {end:g} of {name}: allowed: a number other than {begin:g}, and the first gait's "
+            f"{start:g} between the two"
+        )
+    family = Family(runner.but(name, start), name, first.strides)
+    towards_end = np.append(np.zeros(len(first.apex)), end - begin)
+    point = family.point(family.orbit(start, first.apex), towards_end)
+    return whole_branch(family, point, _limits(begin, end, largest_step, most_points), step_finished)
+
+
+def whole_branch(
+    family: Family, first: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+) -> Branch:
+    """The branch through a point, in its direction, and back from it unless it is at the range's beginning.
+
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    first : Point
+        On it.
+    limits : Limits
+        Where to stop.
+    step_finished : callable, optional
+        Called after each gait.
+
+    Returns
+    -------
+    Branch
+        With all that happens on it.
+    """
+    points, ended = follow(family, first, limits, step_finished)
+    began = ended if ended.startswith("closed") else BEGINNING
+    if began == BEGINNING and first.value != limits.begins_at:
+        back, began = follow(family, _reversed(first), limits, step_finished)
+        began = BEGINNING if began.startswith("back at") else began
+        points = [*map(_reversed, back[:0:-1]), *points]
+    return told_branch(family, points, began, ended)
+
+
+def _reversed(point: Point) -> Point:
+    return replace(point, direction=-point.direction)

@@ -1,0 +1,154 @@
+"""The command `continue`: a branch of gaits along a parameter, with all that happens on it."""
+
+from pathlib import Path
+
+import click
+
+from ..analysis.bifurcations import Special
+from ..analysis.branch import Branch
+from ..analysis.steps import SHORTEST_STEP
+from ..analysis.tracing import LARGEST_STEP, MOST_POINTS, continue_branch
+from ..errors import InputError
+from ..files.whole import check_place
+from ..library.members import check_varied
+from ..terminal.text import table
+from ..unit.unit import Unit, load
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    MODEL_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    refuse_given,
+    values_given,
+)
+from .output import json_text
+from .ranges import ends_of
+from .runner import runner_of
+
+
+@click.command("continue", cls=Command)
+@click.option(
+    "--over",
+    "ranges",
+    required=True,
+    multiple=True,
+    metavar="NAME=A:B",
+    help="Parameter or input that is varied, as in ground.friction=0.6:0.2 or "
+    "hip.touchdown_angle='40 deg:60 deg'.",
+)
+@FRICTION_OPTION
+@click.option(
+    "--step",
+    type=Number(SHORTEST_STEP, LARGEST_STEP),
+    default=0.2,
+    show_default=True,
+    help="Longest step along the branch, over the scales of the apex and the parameter.",
+)
+@click.option(
+    "--points",
+    type=Number(1, MOST_POINTS, whole=True),
+    default=1000,
+    show_default=True,
+    help="Stop after so many gaits, in each direction.",
+)
+@click.option("--no-switch", is_flag=True, help="Do not follow gaits of two strides from period doublings.")
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the branch: .png, .svg or .pdf."
+)
+@click.option(
+    "--quantity",
+    default="com_speed",
+    show_default=True,
+    metavar="NAME",
+    help="What is drawn: a coordinate of the apex, a quantity of the stride, or lambda_max.",
+)
+@click.option(
+    "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the gaits as NetCDF (.nc)."
+)
+@SET_OPTION
+@PARAMETERS_OPTION
+@MODEL_OPTION
+@JSON_OPTION
+def continue_command(
+    ranges: tuple[str, ...],
+    friction: float | None,
+    step: float,
+    points: int,
+    no_switch: bool,
+    plot: Path | None,
+    quantity: str,
+    output: Path | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    model: str,
+    as_json_object: bool,
+) -> None:
+    """A branch of gaits along a parameter, past folds, with every special point found and judged.
+
+    Folds, period doublings, Neimark-Sacker points and borders between words are located; a point that cannot
+    be judged is told as such. From period doublings the gaits of two strides are followed, too. Where there
+    is no gait at A, the branch begins where there is one and is followed both ways.
+    """
+    unit = load()
+    given = values_given(friction, settings)
+    spans = dict(_span(unit, text) for text in ranges)
+    for name in spans:
+        refuse_given(given, name, "--over")
+    if len(spans) != 1 or len(ranges) != 1:
+        raise InputError(f"--over: given {len(ranges)} times; allowed: once")
+    if output is not None:
+        check_place(output, (".nc",), "--output")
+    if plot is not None:
+        from ..pictures import branch_diagram, overview  # matplotlib is slow to load
+
+        check_place(plot, overview.FORMATS, "--plot")
+    runner = runner_of(unit, parameters, given, model)
+    ((name, (begin, end)),) = spans.items()
+    branch = continue_branch(
+        runner,
+        name,
+        begin,
+        end,
+        largest_step=step,
+        most_points=points,
+        switch=not no_switch,
+        show_progress=True,
+        unit=unit,
+    )
+    if output is not None:
+        from ..files.netcdf import write_dataset
+
+        write_dataset(output, branch.to_xarray(unit))
+    if plot is not None:
+        branch_diagram.draw(plot, branch, quantity)
+    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, unit))
+
+
+def _span(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
+    name, equals, span = (part.strip() for part in over.partition("="))
+    if not equals:
+        raise InputError(f"--over {over}: allowed: NAME=A:B")
+    check_varied(name, "--over")
+    return name, ends_of(span, unit.variables[name], f"--over {name} =")
+
+
+def _branch_text(branch: Branch, unit: Unit) -> str:
+    """Special points as a table, and where the branch begins and ends; then the branches of more strides."""
+    variable = unit.variables[branch.name]
+    header = ("special point", f"{branch.name} ({variable.unit or '1'})", "word", "unstable beyond")
+    rows = [_row(branch, special) for special in branch.specials]
+    stable = sum(orbit.stable for orbit in branch.orbits)
+    strides = f"{branch.strides} stride{'s' if branch.strides > 1 else ''}"
+    ends = f"from {branch.values[0]:.8g} ({branch.began}) to {branch.values[-1]:.8g} ({branch.ended})"
+    lines = [f"{len(branch.orbits)} gaits of {strides}, {stable} of them stable, {ends}"]
+    return "\n".join([*lines, table(header, rows), *(_branch_text(other, unit) for other in branch.branches)])
+
+
+def _row(branch: Branch, special: Special) -> tuple[str, str, str, str]:
+    words = " to ".join(special.words) if special.words else special.orbit.word
+    after = branch.orbits[special.index + 1]
+    kind = f"{special.kind} ({special.why})" if special.why else special.kind
+    return kind, f"{special.value:.10g}", words, str(after.unstable)

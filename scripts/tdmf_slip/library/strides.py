@@ -1,0 +1,189 @@
+"""Strides in a row from an apex with their exact Jacobian, and gaits that repeat themselves after several.
+
+With the map P^n of n strides and its Jacobian J, a step of Newton's method solves (I - J) dz = P^n(z) - z.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from ..unit.unit import FRICTION
+from .binding import ffi
+from .maps import map_of
+from .members import check_has_gaits
+from .orbit import Orbit, orbit_near, orbit_of
+from .return_map import Along, direction
+from .runner import Runner
+from .section import Apex, checked_apex
+from .structs import EventLog
+from .word import Event
+
+NEWTON_ITERATIONS = 40
+SHORTENINGS = 12
+CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
+"""Largest difference of the apex and the last one, over the coordinates' scales."""
+LONGEST_STRIDE = 1e4
+"""In sqrt(m/k): a stride that takes longer counts as none."""
+BETWEEN_WORDS = " "
+
+
+def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Orbit:
+    """Strides in a row from an apex, whether they lead back to it or not.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who makes them.
+    apex : sequence of float, shape (n,)
+        In the order of the runner's `coordinates`.
+    strides : int, default 1
+        How many.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the last apex is differentiated, too; or a direction of several.
+
+    Returns
+    -------
+    Orbit
+        As of a gait; `error` says how far the last apex is from the first.
+
+    Raises
+    ------
+    InputError
+        Not an apex, `along` is unknown, or the friction is 0.
+    RunError
+        A stride does not close, or has no derivatives.
+    """
+    check_has_gaits(runner.values[FRICTION])
+    made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
+    while len(made) < strides:
+        made.append(_stride(runner, made[-1][0], along))
+    return _joined([orbit for _, orbit in made], made[-1][0])
+
+
+def repeated_orbit_near(
+    runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None
+) -> Orbit:
+    """The gait near a guess that repeats itself after some strides, by Newton's method.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+    guess : sequence of float, shape (n,)
+        An apex near the gait's, in the order of the runner's `coordinates`.
+    strides : int, default 1
+        After how many. A gait that repeats itself after a part of them is one of these as well.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the last apex is differentiated, too; or a direction of several.
+
+    Returns
+    -------
+    Orbit
+        The gait to rounding, unless it is very sensitive.
+
+    Raises
+    ------
+    InputError
+        The guess is no apex, `along` is unknown, or the friction is 0.
+    RunError
+        The runner falls, no gait is near, or it has no derivatives.
+    """
+    if strides == 1:
+        return orbit_near(runner, guess, along=along)
+    orbit = strides_from(runner, guess, strides, along=along)
+    for iterations in range(NEWTON_ITERATIONS):
+        if orbit.error <= CONVERGED:
+            break
+        improved = _improved(orbit, strides, along)
+        if improved is None:
+            break
+        orbit = replace(improved, iterations=iterations + 1)
+    if orbit.error > GOOD_ENOUGH:
+        raise RunError(
+            f"no gait of {strides} strides at friction {orbit.friction:g}: Newton's method stopped after "
+            f"{orbit.iterations} iterations with the last apex {orbit.error:.2g} of its scales away"
+        )
+    return orbit
+
+
+def _improved(orbit: Orbit, strides: int, along: Along | None) -> Orbit | None:
+    """A step of Newton's method, or the part of it that makes the error smaller; None where none does."""
+    try:
+        step = np.linalg.solve(np.eye(len(orbit.apex)) - orbit.jacobian, orbit.left_over)
+    except np.linalg.LinAlgError:
+        return None
+    for shortening in range(SHORTENINGS):
+        try:
+            tried = strides_from(orbit.runner, orbit.apex + 0.5**shortening * step, strides, along=along)
+        except RunError:
+            continue
+        if tried.error < orbit.error:
+            return tried
+    return None
+
+
+def _stride(
+    runner: Runner, apex: NDArray[np.float64], along: Along | None
+) -> tuple[NDArray[np.float64], Orbit]:
+    """The next apex, and the stride as an orbit that need not close."""
+    log: EventLog = ffi.new("tdmf_event_log *")
+    longest = LONGEST_STRIDE * (runner.values["body.mass"] / runner.values["leg.stiffness"]) ** 0.5
+    change, map = direction(along), map_of(runner)
+    stride = map.stride(
+        runner.solver(log), runner.model, runner.inputs, list(apex), longest, True, change, along is not None
+    )
+    why_not = map.why_not(stride)
+    if why_not is not None:
+        raise RunError(why_not)
+    next_apex = np.array(list(stride.apex)[: len(apex)])
+    return next_apex, orbit_of(runner, apex, stride, log, along)
+
+
+def _joined(orbits: Sequence[Orbit], last_apex: NDArray[np.float64]) -> Orbit:
+    """Strides in a row as one orbit."""
+    first = orbits[0]
+    jacobian, by_parameter = first.jacobian, first.by_parameter
+    for orbit in orbits[1:]:
+        jacobian = orbit.jacobian @ jacobian
+        if by_parameter is not None and orbit.by_parameter is not None:
+            by_parameter = orbit.jacobian @ by_parameter + orbit.by_parameter
+    left_over = last_apex - first.apex
+    return replace(
+        first,
+        word=BETWEEN_WORDS.join(orbit.word for orbit in orbits),
+        liftoff_angle=orbits[-1].liftoff_angle,
+        stride=_together(first.runner, [orbit.stride for orbit in orbits]),
+        jacobian=jacobian,
+        by_parameter=by_parameter,
+        error=float(np.max(np.abs(left_over) / first.runner.scales)),
+        events=_events(orbits),
+        following=tuple(orbit.apex for orbit in orbits[1:]),
+        left_over=left_over,
+    )
+
+
+def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[str, float]:
+    """Quantities of strides in a row: sums, but for the largest force and what is a ratio."""
+    if len(strides) == 1:
+        return dict(strides[0])
+    found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
+    weight = (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+    return found | {
+        "speed": found["length"] / found["period"],
+        "duty_factor": found["stance_time"] / found["period"],
+        "cost_of_transport": found["work"] / (weight * found["length"]) if found["length"] else 0.0,
+        "peak_force": max(stride["peak_force"] for stride in strides),
+    }
+
+
+def _events(orbits: Sequence[Orbit]) -> tuple[Event, ...]:
+    """Of all strides, timed from the first apex."""
+    begins = np.cumsum([0.0, *(orbit.period for orbit in orbits[:-1])])
+    return tuple(
+        replace(event, time=event.time + float(begin))
+        for begin, orbit in zip(begins, orbits, strict=True)
+        for event in orbit.events
+    )

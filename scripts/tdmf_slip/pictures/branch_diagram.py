@@ -1,0 +1,213 @@
+"""A branch as a diagram: a quantity of its gaits over the parameter.
+
+Stable gaits are solid, unstable ones dashed, special points marked, and words written where they hold.
+"""
+
+from itertools import groupby, pairwise
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+
+from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOUBLING, WORD_BORDER
+from ..analysis.branch import Branch
+from ..checks import near_matches
+from ..errors import InputError
+from ..library.orbit import Orbit
+from ..library.section import COORDINATES
+from ..unit.unit import load
+from . import style
+
+DRAWN = "com_speed"
+"""The quantity that is drawn unless another is asked for."""
+LARGEST_SHOWN = 4.0
+"""Of eigenvalues."""
+COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
+"""Of lines, by how often the period was doubled."""
+MARKS: dict[str, dict[str, Any]] = {
+    WORD_BORDER: {"marker": "|", "color": style.FAINT, "markersize": 9, "markeredgewidth": 1.4},
+    FOLD: {"marker": "o", "color": style.MODE_COLOURS["slip_negative"], "markersize": 6.5},
+    PERIOD_DOUBLING: {"marker": "D", "color": style.MODE_COLOURS["slip_positive"], "markersize": 5.5},
+    NEIMARK_SACKER: {"marker": "s", "color": style.MODE_COLOURS["stick"], "markersize": 6},
+    NOT_JUDGED: {"marker": "x", "color": "#c0392b", "markersize": 7, "markeredgewidth": 1.8},
+}
+"""Of special points, by kind."""
+SHORT_RUN = 0.03
+"""Of the axes: a word that holds over less is not written."""
+
+
+def values_of(orbit: Orbit, quantity: str) -> list[float]:
+    """A quantity of a gait: for each of its apexes, or one for all of its strides.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    quantity : str
+        Coordinate of the apex, quantity of a stride, or `lambda_max`.
+
+    Returns
+    -------
+    list of float
+        One or more.
+
+    Raises
+    ------
+    InputError
+        There is no such quantity.
+    """
+    coordinates = orbit.runner.coordinates
+    if quantity in coordinates:
+        return [float(apex[coordinates.index(quantity)]) for apex in (orbit.apex, *orbit.following)]
+    numbers = {**orbit.stride, "lambda_max": orbit.lambda_max, "liftoff_angle": orbit.liftoff_angle}
+    if quantity not in numbers:
+        known = (*coordinates, *numbers)
+        raise InputError(
+            f"quantity {quantity!r} is not allowed; allowed: {', '.join(known)}"
+            f"{near_matches(quantity, known)}"
+        )
+    return [numbers[quantity]]
+
+
+def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
+    """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter.
+
+    Parameters
+    ----------
+    branch : Branch
+        What is drawn, with the branches of more strides that it gives rise to.
+    quantity : str, default "com_speed"
+        See `values_of`.
+
+    Returns
+    -------
+    Figure
+        Of matplotlib; the title says why the branch ends.
+
+    Raises
+    ------
+    InputError
+        There is no such quantity.
+    """
+    values_of(branch.orbits[0], quantity)
+    unit = load()
+    with style.styled():
+        figure, panels = plt.subplots(
+            2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
+        )
+        kind = "apex" if quantity in COORDINATES else "stride"
+        variable = unit.variables.get(f"{kind}.{quantity}")
+        label = f"{kind}.{quantity}" if variable else quantity
+        panels[0].set_ylabel(_label(label, variable.unit if variable else ""))
+        panels[1].set_ylabel("largest eigenvalue, size")
+        panels[1].set_xlabel(_label(branch.name, unit.variables[branch.name].unit))
+        panels[0].set_title(f"{branch.name} from {branch.values[0]:g}: {branch.ended}", wrap=True)
+        for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
+            _draw(axes, branch, drawn, 0)
+        panels[1].axhline(1.0, **style.LIMIT_LINE)
+        _bound(panels[1])
+        _write_words(panels[0], branch, quantity)
+        _legend(panels[0])
+    return figure
+
+
+def draw(path: Path, branch: Branch, quantity: str) -> None:
+    """Draw a branch into a file.
+
+    Parameters
+    ----------
+    path : Path
+        Of the picture.
+    branch : Branch
+        What is drawn.
+    quantity : str
+        See `values_of`.
+    """
+    style.save(figure_of(branch, quantity), path)
+
+
+def _bound(axes: Axes) -> None:
+    """Eigenvalues may be large beside an event that is just touched: what matters is around 1."""
+    axes.set_ylim(0.0, min(axes.get_ylim()[1], LARGEST_SHOWN))
+
+
+def _label(name: str, unit: str) -> str:
+    return name if unit in ("", "1") else f"{name} ({unit})"
+
+
+def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
+    """The lines of a branch and of those from it, and their special points."""
+    colour = COLOURS[min(depth, len(COLOURS) - 1)]
+    for stable, run in groupby(_pieces(branch, quantity), key=lambda piece: piece[0]):
+        pieces = list(run)
+        x = [pieces[0][1][0], *(end[0] for _, _, end in pieces)]
+        y = np.array([pieces[0][1][1], *(end[1] for _, _, end in pieces)])
+        kind = "stable" if stable else "unstable"
+        label = f"{kind}, {branch.strides} stride{'s' if branch.strides > 1 else ''}"
+        for number, line in enumerate(y.T):
+            look: dict[str, Any] = {
+                "color": colour,
+                "linestyle": "-" if stable else (0, (4, 2)),
+                "linewidth": 1.6,
+            }
+            axes.plot(x, line, label=label if number == 0 else "_", zorder=2 + depth, **look)
+    for special in branch.specials:
+        for value in values_of(special.orbit, quantity):
+            label = special.kind
+            axes.plot([special.value], [value], linestyle="", label=label, zorder=6, **MARKS[special.kind])
+    for other in branch.branches:
+        _draw(axes, other, quantity, depth + 1)
+
+
+def _pieces(
+    branch: Branch, quantity: str
+) -> list[tuple[bool, tuple[float, list[float]], tuple[float, list[float]]]]:
+    """Straight pieces between neighbouring gaits, special ones too: whether stable, begin and end."""
+    found = []
+    by_index = {index: list(of) for index, of in groupby(branch.specials, key=lambda s: s.index)}
+    gaits = list(zip(branch.values, branch.orbits, strict=True))
+    for index, ((low, before), (high, after)) in enumerate(pairwise(gaits)):
+        met = [special for special in by_index.get(index, []) if special.kind != NOT_JUDGED]
+        places = [(low, before), *((s.value, s.orbit) for s in met), (high, after)]
+        changes = [number for number, s in enumerate(met, 1) if s.kind != WORD_BORDER]
+        change = changes[0] if changes else len(places) - 1
+        for number, (begin, end) in enumerate(pairwise(places)):
+            stable = before.stable if number < change else after.stable
+            if not changes:
+                stable = before.stable and after.stable
+            ends = [(value, values_of(orbit, quantity)) for value, orbit in (begin, end)]
+            found.append((stable, ends[0], ends[1]))
+    return found
+
+
+def _write_words(axes: Axes, branch: Branch, quantity: str) -> None:
+    """Each word beside the middle of where it holds, unless that is too short to be seen."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    gaits = zip(branch.values, branch.orbits, strict=True)
+    for word, run in groupby(gaits, key=lambda gait: gait[1].word):
+        places = np.array([(value, values_of(orbit, quantity)[0]) for value, orbit in run])
+        extent = np.ptp(places, axis=0) / (right - left, high - low)
+        if np.hypot(*extent) < SHORT_RUN:
+            continue
+        middle = places[len(places) // 2]
+        axes.annotate(
+            style.word(word),
+            middle,
+            xytext=(0, 8),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8.5,
+            zorder=7,
+            path_effects=[withStroke(linewidth=3.0, foreground="white")],
+        )
+
+
+def _legend(axes: Axes) -> None:
+    """Each kind of line and mark once."""
+    handles, labels = axes.get_legend_handles_labels()
+    once = dict(zip(labels, handles, strict=True))
+    axes.legend(once.values(), once.keys(), fontsize=8.5)

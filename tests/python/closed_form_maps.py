@@ -1,0 +1,132 @@
+"""Maps whose bifurcations are known in closed form, as families of fixed points to be followed."""
+
+import numpy as np
+from tdmf_slip import InputError, RunError
+from tdmf_slip.analysis.family import Family
+from tdmf_slip.library.orbit import Orbit
+
+
+class MapFamily(Family):
+    """Fixed points of the n-th iterate of x' = step(x, p), with derivatives by x and p.
+
+    `step` gives the next place, the Jacobian, the change by the parameter, and the word.
+    """
+
+    def __init__(self, step, dimension, strides=1, low=-np.inf):
+        self.step, self.strides, self.low = step, strides, low
+        self.name = self.along = "p"
+        self.scales = np.ones(dimension + 1)
+
+    def strides_at(self, value, apex):
+        if value < self.low:
+            raise InputError(f"p = {value:g} is not allowed")
+        place, jacobian, change = np.array(apex, dtype=float), np.eye(len(apex)), np.zeros(len(apex))
+        places, words = [], []
+        for _ in range(self.strides):
+            places.append(place)
+            place, by_place, by_parameter, word = self.step(place, value)
+            jacobian, change = by_place @ jacobian, by_place @ change + by_parameter
+            words.append(word)
+        left_over = place - places[0]
+        return Orbit(
+            runner=None,
+            apex=places[0],
+            word=" ".join(words),
+            liftoff_angle=0.0,
+            stride={"p": value},
+            jacobian=jacobian,
+            along="p",
+            by_parameter=change,
+            error=float(np.max(np.abs(left_over))),
+            iterations=0,
+            events=(),
+            following=tuple(places[1:]),
+            left_over=left_over,
+        )
+
+    def value_of(self, orbit):
+        return orbit.stride["p"]
+
+    def orbit(self, value, guess):
+        found = self.strides_at(value, guess)
+        for _ in range(50):
+            if found.error < 1e-13:
+                break
+            change = np.linalg.solve(np.eye(len(found.apex)) - found.jacobian, found.left_over)
+            found = self.strides_at(value, found.apex + change)
+        if not found.error < 1e-11:
+            raise RunError("no fixed point")
+        return found
+
+    def beginning(self, value, guess, towards=1.0):
+        """A first point, in the direction in which the parameter grows or falls."""
+        orbit = self.orbit(value, np.atleast_1d(np.array(guess, dtype=float)))
+        return self.point(orbit, np.append(np.zeros(len(orbit.apex)), towards))
+
+
+def logistic(x, p):
+    return p * x * (1 - x), np.array([p * (1 - 2 * x)]), x * (1 - x), "x"
+
+
+def henon(place, a, b=0.3):
+    x, y = place
+    return (
+        np.array([1 - a * x**2 + y, b * x]),
+        np.array([[-2 * a * x, 1.0], [b, 0.0]]),
+        np.array([-(x**2), 0.0]),
+        "x",
+    )
+
+
+def delayed_logistic(place, p):
+    x, y = place
+    return (
+        np.array([p * x * (1 - y), x]),
+        np.array([[p * (1 - y), -p * x], [1.0, 0.0]]),
+        np.array([x * (1 - y), 0.0]),
+        "x",
+    )
+
+
+def ring(x, p):
+    """Fixed points on the circle x^2 + p^2 = 1."""
+    return x + 0.3 * (x**2 + p**2 - 1), np.array([1 + 0.6 * x]), np.array([0.6 * p]), "x"
+
+
+def saddle(place, p):
+    """Eigenvalues p and 1/2: their product passes 1 at 2."""
+    x, y = place
+    return np.array([p * x, y / 2]), np.array([[p, 0.0], [0.0, 0.5]]), np.array([x, 0.0]), "x"
+
+
+def tent(left, right):
+    """Border collision in one dimension: slopes on both sides of x = 0, where the fixed point is at p = 0."""
+
+    def step(x, p):
+        slope, word = (left, "-") if x[0] < 0.0 else (right, "+")
+        return slope * x + p, np.array([[slope]]), np.ones(1), word
+
+    return step
+
+
+def collision(left, right):
+    """The normal form in two dimensions: trace and determinant on both sides of x = 0."""
+
+    def step(place, p):
+        (trace, determinant), word = (left, "-") if place[0] < 0.0 else (right, "+")
+        matrix = np.array([[trace, 1.0], [-determinant, 0.0]])
+        return matrix @ place + np.array([p, 0.0]), matrix, np.array([1.0, 0.0]), word
+
+    return step
+
+
+def torn(x, p):
+    """Beyond x = 1 the map jumps."""
+    return p + 0.5 * x + (3.0 if x[0] > 1.0 else 0.0), np.array([[0.5]]), np.ones(1), "+" if x[0] > 1 else "-"
+
+
+def falling(x, p):
+    """Beyond x = 1 there is no next place."""
+    if x[0] > 1.0:
+        raise RunError("the runner fell")
+    return p + 0.5 * x, np.array([[0.5]]), np.ones(1), "-"

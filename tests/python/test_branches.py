@@ -1,0 +1,205 @@
+"""Branches of this runner's gaits: as a command, doubled, drawn, and against plain strides."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, Runner, continue_branch, read_parameters
+from tdmf_slip.analysis.continuation import gaits_over
+from tdmf_slip.library.binding import c, ffi
+from tdmf_slip.pictures.branch_diagram import figure_of, values_of
+from tdmf_slip.unit.unit import FRICTION
+
+FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+STRIDES = 10_000
+
+
+@pytest.fixture(scope="module")
+def runner(unit):
+    return Runner.of({}, unit)
+
+
+@pytest.fixture(scope="module")
+def over_torque(runner, unit):
+    return continue_branch(runner, TORQUE, 0.55, 0.6, unit=unit)
+
+
+@pytest.fixture(scope="module")
+def over_angle(runner, unit):
+    """From 40 degrees upwards, around two folds."""
+    return continue_branch(runner, ANGLE, np.radians(40.0), np.radians(53.0), largest_step=1.0, unit=unit)
+
+
+def settled(runner, apex, strides=STRIDES):
+    """The apex after so many plain strides, and how many of them there were."""
+    section = ffi.new("double[6]", list(apex))
+    ran = c.tdmf_settle(runner.solver(), runner.model, runner.inputs, strides, section)
+    return np.array(list(section)), ran
+
+
+def apart(runner, one, other):
+    return float(np.max(np.abs(one - other) / runner.scales))
+
+
+def one(branch, kind):
+    (found,) = [special for special in branch.specials if special.kind == kind]
+    return found
+
+
+def test_the_default_runner_over_the_touchdown_angle(over_angle):
+    """Two real eigenvalues that meet outside the unit circle after the second fold are nothing."""
+    told = [(s.kind, np.degrees(s.value)) for s in over_angle.specials if s.kind != "word border"]
+    assert [kind for kind, _ in told] == ["fold", "fold", "Neimark-Sacker"]
+    assert [value for _, value in told] == pytest.approx([52.437, 41.2245, 42.9303], abs=1e-3)
+    pair = one(over_angle, "Neimark-Sacker").orbit.eigenvalues[:2]
+    assert np.abs(pair) == pytest.approx([1.0, 1.0], abs=1e-9) and abs(pair[0].imag) > 0.1
+    assert over_angle.ended == "end of the range" and over_angle.values[-1] == np.radians(53.0)
+    unstable = [orbit.unstable for orbit in over_angle.orbits]
+    assert [n for n, m in zip(unstable, [None, *unstable], strict=False) if n != m] == [0, 1, 2, 0]
+
+
+def test_the_fast_human_over_the_friction(command):
+    """A fold beside borders: the branch comes back, and does not reach 0.2."""
+    status, out, _ = command(
+        "continue", "--over", "ground.friction=0.6:0.2", "--parameters", str(FAST_HUMAN), "--json"
+    )
+    told = json.loads(out)
+    assert status == 0 and told["ended"] == "back at ground.friction = 0.6"
+    (fold,) = [special for special in told["specials"] if special["kind"] == "fold"]
+    assert fold["value"] == pytest.approx(0.3836020818, abs=1e-9)
+    assert {s["kind"] for s in told["specials"]} == {"fold", "word border"}
+    assert min(point["value"] for point in told["points"]) >= fold["value"]
+    assert sum(not point["stable"] for point in told["points"]) >= 9
+    borders = [(s["from"], s["to"]) for s in told["specials"] if s["kind"] == "word border"]
+    assert [before for before, _ in borders[1:]] == [after for _, after in borders[:-1]]
+    assert told["points"][0]["word"] == borders[0][0] and told["points"][-1]["word"] == borders[-1][1]
+
+
+def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
+    """Beyond the period doubling a runner settles on a gait that repeats itself after two strides."""
+    doubling = one(over_torque, "period doubling")
+    (doubled,) = over_torque.branches
+    assert doubled.strides == 2 and all(orbit.stable for orbit in doubled.orbits)
+    assert min(doubled.values) > doubling.value and doubled.values[-1] == 0.6
+    compared = 0
+    for orbit in doubled.orbits[len(doubled.orbits) // 3 :: 4]:
+        apex, ran = settled(orbit.runner, orbit.apex + 1e-3 * orbit.runner.scales)
+        assert ran == STRIDES
+        both = [apart(orbit.runner, apex, place) for place in (orbit.apex, *orbit.following)]
+        assert min(both) < 1e-9 < 1e-3 < max(both)
+        next_apex, _ = settled(orbit.runner, apex, 1)
+        assert apart(orbit.runner, next_apex, apex) == pytest.approx(max(both), rel=1e-6)
+        compared += 1
+    assert compared >= 3
+
+
+def test_a_doubled_gait_is_told_like_any_other(over_torque):
+    (doubled,) = over_torque.branches
+    told = doubled.as_json()
+    assert told["strides"] == 2 and told["began"].startswith("period doubling at hip.stance_torque = 0.573")
+    point = told["points"][-1]
+    assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
+    assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
+    orbit = doubled.orbits[-1]
+    strides = [orbit.apex, orbit.following[0]]
+    assert values_of(orbit, "com_speed") == [apex[1] for apex in strides]
+    assert orbit.stride["speed"] == pytest.approx(orbit.stride["length"] / orbit.stride["period"], rel=1e-14)
+
+
+def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_torque):
+    doubling = one(over_torque, "period doubling")
+    for value, alternates in ((doubling.value * 0.998, False), (doubling.value * 1.002, True)):
+        here = doubling.orbit.runner.but(TORQUE, value)
+        apex, ran = settled(here, doubling.orbit.apex)
+        following, _ = settled(here, apex, 1)
+        assert ran == STRIDES and (apart(here, apex, following) > 1e-3) == alternates
+
+
+def test_a_fold_is_where_plain_strides_lose_the_gait(over_angle):
+    fold = next(special for special in over_angle.specials if special.kind == "fold")
+    before = next(orbit for orbit in over_angle.orbits[fold.index :: -1] if orbit.lambda_max < 0.97)
+    orbit = next(gaits_over(before.runner, ANGLE, [fold.value - 1e-3], before))
+    apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
+    assert ran == STRIDES and apart(orbit.runner, apex, orbit.apex) < 1e-9
+    beyond = fold.orbit.runner.but(ANGLE, fold.value + 1e-3)
+    apex, ran = settled(beyond, fold.orbit.apex)
+    assert ran < STRIDES or apart(beyond, apex, fold.orbit.apex) > 0.1
+
+
+def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_angle):
+    point = one(over_angle, "Neimark-Sacker")
+    gaits = dict(zip(over_angle.values, over_angle.orbits, strict=True))
+    for value, settles in ((point.value - 2e-3, False), (point.value + 2e-3, True)):
+        near = min((v for v in list(gaits)[point.index - 5 : point.index + 6]), key=lambda v: abs(v - value))
+        orbit = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
+        apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
+        assert (ran == STRIDES and apart(orbit.runner, apex, orbit.apex) < 1e-6) == settles
+
+
+def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
+    """The fast human falls at 0.35: the branch begins above its fold."""
+    human = Runner.of(read_parameters(FAST_HUMAN), unit)
+    branch = continue_branch(human, FRICTION, 0.35, 0.5, unit=unit)
+    assert branch.began == branch.ended == "end of the range"
+    assert branch.values[0] == branch.values[-1] == 0.5
+    assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]
+    assert branch.orbits[0].stable != branch.orbits[-1].stable
+
+
+def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
+    status, out, _ = command(
+        *("continue", "--over", "hip.stance_torque=0.57:0.58", "--plot", "a.png", "--output", "a.nc")
+    )
+    assert status == 0 and "period doubling" in out and "2 strides" in out
+    assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
+    import xarray
+
+    data = xarray.load_dataset(tmp_path / "a.nc")
+    assert data.attrs["ended"] == "end of the range" and data[TORQUE].attrs["units"] == "N.m"
+    assert data["special_kind"].values.tolist() == ["period doubling"]
+    assert set(data["unstable"].values.tolist()) == {0, 1}
+
+
+def test_the_reduced_map_is_followed_as_well(command):
+    """It has two coordinates, and nearly the full model's borders."""
+    told = {}
+    for model in ("full", "reduced"):
+        options = ("--over", "ground.friction=1.2:0.4", "--model", model, "--json")
+        status, out, _ = command("continue", *options)
+        told[model] = json.loads(out)
+        assert status == 0 and told[model]["ended"] == "end of the range"
+    full, reduced = ([s["value"] for s in told[m]["specials"]] for m in ("full", "reduced"))
+    assert len(full) == 3 and reduced[0] == pytest.approx(full[0], rel=0.02)
+    assert {len(point["apex"]) for point in told["reduced"]["points"]} == {2}
+
+
+def test_lines_are_solid_where_gaits_are_stable(over_torque):
+    axes = over_torque.plot().axes[0]
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    assert {"stable, 1 stride", "unstable, 1 stride", "stable, 2 strides", "period doubling"} <= set(lines)
+    assert lines["stable, 1 stride"].get_linestyle() == "-"
+    assert lines["unstable, 1 stride"].get_linestyle() == "--"
+    change = one(over_torque, "period doubling").value
+    assert (
+        max(lines["stable, 1 stride"].get_xdata()) == change == min(lines["unstable, 1 stride"].get_xdata())
+    )
+    assert {text.get_text() for text in axes.texts} == {"+−"}
+    with pytest.raises(InputError, match=r"quantity 'sped' is not allowed.*speed"):
+        figure_of(over_torque, "sped")
+
+
+@pytest.mark.parametrize(
+    ("over", "said"),
+    [
+        ("leg.damping", "--over leg.damping: allowed: NAME=A:B"),
+        ("leg.damping=0.1", "allowed: A:B"),
+        ("leg.damping=0.1:0.1", "two ends that differ"),
+        ("leg.damp=0.1:0.2", "leg.damping"),
+        ("leg.damping=-1:0.2", "leg.damping = -1"),
+    ],
+)
+def test_a_wrong_range_is_told(command, over, said):
+    status, out, complaint = command("continue", "--over", over)
+    assert (status, out) == (2, "") and said in complaint

@@ -1,0 +1,168 @@
+"""Branches of maps whose special points are known in closed form, by the functions that serve gaits."""
+
+import numpy as np
+import pytest
+from closed_form_maps import (
+    MapFamily,
+    collision,
+    delayed_logistic,
+    falling,
+    henon,
+    logistic,
+    ring,
+    saddle,
+    tent,
+    torn,
+)
+from tdmf_slip.analysis.steps import Limits
+from tdmf_slip.analysis.switching import doubled_branches
+from tdmf_slip.analysis.tracing import whole_branch
+
+
+def followed(family, first, low, high, largest_step=0.1, most_points=400):
+    limits = Limits(low, high, first.value, largest_step, most_points)
+    return whole_branch(family, first, limits), limits
+
+
+def told(branch):
+    return [(special.kind, pytest.approx(special.value, abs=1e-9)) for special in branch.specials]
+
+
+def test_the_logistic_map_doubles_its_period_at_3():
+    family = MapFamily(logistic, 1)
+    branch, limits = followed(family, family.beginning(1.5, 1 / 3), 1.5, 3.8)
+    assert told(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
+    assert branch.values[-1] == 3.8
+    for value, orbit in zip(branch.values, branch.orbits, strict=True):
+        assert orbit.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
+    (doubled,) = doubled_branches(branch, MapFamily(logistic, 1, strides=2), limits)
+    assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
+    assert [kind for kind, _ in told(doubled)] == ["period doubling"]
+    assert doubled.specials[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
+    for r, orbit in zip(doubled.values, doubled.orbits, strict=True):
+        root = np.sqrt((r - 3) * (r + 1))
+        both = sorted([orbit.apex[0], orbit.following[0][0]])
+        assert both == pytest.approx([(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs=1e-11)
+        assert orbit.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
+
+
+def test_the_henon_map_folds_and_doubles_its_period():
+    """At 3 (1-b)^2/4 and at the fold -(1-b)^2/4, beyond which x goes to infinity where a goes to 0."""
+    family = MapFamily(henon, 2)
+    branch, _ = followed(family, family.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
+    assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
+    assert branch.ended == "number of points: 400" and -0.1 < branch.values[-1] < 0.0
+    assert (branch.orbits[0].unstable, branch.orbits[-1].unstable) == (1, 1)
+    assert any(orbit.stable for orbit in branch.orbits)
+
+
+def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
+    family = MapFamily(delayed_logistic, 2)
+    branch, _ = followed(family, family.beginning(1.5, [1 / 3, 1 / 3]), 1.5, 2.5)
+    assert told(branch) == [("Neimark-Sacker", 2.0)]
+    values = branch.specials[0].orbit.eigenvalues
+    assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
+
+
+def test_a_neutral_saddle_is_nothing():
+    family = MapFamily(saddle, 2)
+    branch, _ = followed(family, family.beginning(1.5, [0.0, 0.0]), 1.5, 2.5)
+    assert told(branch) == [] and branch.ended == "end of the range"
+
+
+def test_where_two_branches_cross_is_not_judged():
+    """The logistic map's other fixed point passes 0 at r = 1."""
+    family = MapFamily(logistic, 1)
+    branch, _ = followed(family, family.beginning(0.5, 0.0), 0.5, 1.7)
+    (crossing,) = branch.specials
+    assert crossing.kind == "not judged" and crossing.why
+    assert min(crossing.between) - 1e-6 <= 1.0 <= max(crossing.between) + 1e-6
+    assert np.ptp(crossing.between) < 1e-5
+
+
+def test_a_branch_that_closes_ends_where_it_began():
+    family = MapFamily(ring, 1)
+    branch, _ = followed(family, family.beginning(0.0, 0.9), -2.0, 2.0)
+    assert told(branch) == [("fold", 1.0), ("fold", -1.0)]
+    assert branch.ended == branch.began == "closed: back at the gait at p = 0"
+    np.testing.assert_allclose(
+        np.array([o.apex[0] for o in branch.orbits]) ** 2, 1 - np.array(branch.values) ** 2
+    )
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "kinds"),
+    [
+        (0.5, -0.5, ["word border"]),
+        (0.5, 0.8, ["word border"]),
+        (0.5, -1.5, ["word border", "period doubling"]),
+        (-1.5, -1.2, ["word border"]),
+        (0.5, 1.5, ["word border", "fold"]),
+        (0.2, 1.1, ["word border", "fold"]),
+        (-3.0, 6.0, ["word border", "fold", "period doubling"]),  # turns by 140 degrees
+        (-8.0, 9.0, ["word border", "fold", "period doubling"]),
+    ],
+)
+def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kinds):
+    """Feigin: where det(I - J) changes its sign the branch turns; where det(I + J) does, it doubles."""
+    family = MapFamily(tent(left, right), 1)
+    branch, _ = followed(family, family.beginning(-1.0, -1.0 / (1.0 - left)), -1.0, 1.0)
+    assert told(branch) == [(kind, 0.0) for kind in kinds]
+    assert all(special.words == ("-", "+") for special in branch.specials)
+    assert branch.ended == ("back at p = -1" if "fold" in kinds else "end of the range")
+    for value, orbit in zip(branch.values, branch.orbits, strict=True):
+        slope = left if orbit.word == "-" else right
+        assert orbit.apex[0] == pytest.approx(value / (1.0 - slope), abs=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "kinds"),
+    [
+        ((0.5, 0.9), (0.5, 0.5), ["word border"]),
+        ((0.5, 0.9), (0.5, 1.1), ["word border", "not judged"]),  # a pair jumps out of the unit circle
+        ((0.5, 0.9), (-2.5, 0.9), ["word border", "period doubling"]),
+        ((0.5, 0.9), (2.5, 0.9), ["word border", "fold"]),
+        ((0.5, 1.2), (2.5, 0.9), ["word border", "fold"]),  # from two eigenvalues outside to one
+    ],
+)
+def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds):
+    family = MapFamily(collision(left, right), 2)
+    branch, _ = followed(family, family.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
+    assert told(branch) == [(kind, 0.0) for kind in kinds]
+    for special in branch.specials:
+        assert (special.kind == "not judged") == bool(special.why)
+
+
+def test_each_reason_to_stop_has_its_own_words():
+    def ended(step, begin, guess, towards, low, high, **settings):
+        family = MapFamily(step, 1, low=settings.pop("lowest", -np.inf))
+        return followed(family, family.beginning(begin, guess, towards), low, high, **settings)[0].ended
+
+    reasons = [
+        ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.0),
+        ended(tent(0.5, 1.5), -1.0, -2.0, 1.0, -1.0, 1.0),
+        ended(ring, 0.0, 0.9, 1.0, -2.0, 2.0),
+        ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.5, most_points=5),
+        ended(tent(0.5, 0.5), 1.0, 2.0, -1.0, -1.0, 1.0, lowest=0.5),
+        ended(falling, 0.0, 0.0, 1.0, 0.0, 1.0),
+        ended(torn, 0.0, 0.0, 1.0, 0.0, 1.0),
+    ]
+    begins = [
+        "end of the range",
+        "back at p = -1",
+        "closed: back at the gait at p = 0",
+        "number of points: 5",
+        "limit of what is allowed at p = 0.5",
+        "the gait is lost at p = 0.5: just beyond, the runner fell",
+        "the gait is lost at p = 0.5: at the border from - to +",
+    ]
+    for reason, begin in zip(reasons, begins, strict=True):
+        assert reason.startswith(begin), reason
+
+
+def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():
+    family = MapFamily(henon, 2)
+    first = family.beginning(0.2, [0.9, 0.3], -1.0)
+    branch = whole_branch(family, first, Limits(-1.0, 0.6, 0.6, 0.1, 400))
+    assert (branch.values[0], branch.began) == (0.6, "beginning of the range")
+    assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
