@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from tdmf_slip import Runner, find_orbit, run_ensemble
 from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
-from tdmf_slip.analysis.continuation import trace
+from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.paper.figures import leading
 
 RATE = "hip.retraction_rate"

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ...analysis.bifurcations import FOLD, PERIOD_DOUBLING
-from ...analysis.continuation import Branch
+from ...analysis.branch import Branch
 from ...library.orbit import Orbit
 from ...pictures import style
 

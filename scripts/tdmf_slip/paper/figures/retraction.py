@@ -5,8 +5,9 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
-from ...analysis.continuation import Branch, trace
+from ...analysis.branch import Branch
 from ...analysis.search import find_orbit
+from ...analysis.tracing import trace
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
