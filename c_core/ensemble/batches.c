@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. */
-enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = BATCH_COUNT * RUNNERS_OF_A_KIND };
+enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = BATCH_USUAL * RUNNERS_OF_A_KIND };
 
 enum { EMPTY = -1 };
 
@@ -115,9 +115,11 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     ground_series *ground = &integration->series.ground;
     switch (kind) {
     case BATCH_PLACE:
-        return step_flying(&batch->members.flying, batch->live, false, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, false, false, order, tolerance, flight);
+    case BATCH_PLACE_AND_RISE:
+        return step_flying(&batch->members.flying, batch->live, true, false, order, tolerance, flight);
     case BATCH_RETRACT:
-        return step_flying(&batch->members.flying, batch->live, true, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, true, true, order, tolerance, flight);
     case BATCH_STICK:
         return step_standing(&batch->members.standing, batch->live, sticks, order, tolerance, ground);
     case BATCH_STICK_AND_COAST:

@@ -44,7 +44,7 @@ static inline lane_outcome move_on(member_progress *now, real time_left, const m
     return outcome;
 }
 
-static inline lane_outcome step_flying(flying_member *m, choice live, bool retracts, int order,
+static inline lane_outcome step_flying(flying_member *m, choice live, bool rises, bool retracts, int order,
                                        double tolerance, flight_series *f) {
     const flight_constants *c = &m->constants;
     const real gone = m->now.elapsed;
@@ -56,7 +56,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, bool retra
     const real trusted = expand_flight_step(c, &m->at, order, tolerance, f, &longest);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, f->length, order,
                                           tolerance, live);
-    watch_flight(&search, c, f, change, &com, retracts, tolerance);
+    watch_flight(&search, c, f, change, &com, rises, retracts, tolerance);
     const real end = search.size * smaller(search.time, real_of(1.0));
     const choice too_stiff = lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);

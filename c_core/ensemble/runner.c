@@ -91,7 +91,9 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return mode->phase == TDMF_PHASE_RETRACT ? BATCH_RETRACT : BATCH_PLACE;
+        return mode->phase == TDMF_PHASE_RETRACT ? BATCH_RETRACT
+               : mode->rises                     ? BATCH_PLACE_AND_RISE
+                                                 : BATCH_PLACE;
     case TDMF_CONTACT_STICK:
         return coasts(runner) ? BATCH_STICK_AND_COAST : BATCH_STICK;
     case TDMF_CONTACT_GRAZE:
@@ -179,7 +181,10 @@ static void note_apex(tdmf_runner *runner) {
     memcpy(end->apex, apex, sizeof apex);
     end->time = record->apex.time;
     end->distance += record->stride.length;
-    end->work = state[TDMF_HIP_WORK];
+    end->hip_work = state[TDMF_HIP_WORK];
+    end->leg_work = state[TDMF_LEG_WORK];
+    end->work = end->hip_work + end->leg_work;
+    end->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
     end->damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     end->friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
     end->impact_loss = record->impact_loss;

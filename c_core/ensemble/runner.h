@@ -16,7 +16,9 @@ typedef enum {
     BATCH_SLIP,
     BATCH_SLIP_AND_COAST,
     BATCH_GRAZE,
-    BATCH_COUNT
+    BATCH_PLACE_AND_RISE, /* to another apex */
+    BATCH_COUNT,
+    BATCH_USUAL = BATCH_PLACE_AND_RISE /* the kinds that runners are mostly in */
 } batch_kind;
 
 typedef struct {

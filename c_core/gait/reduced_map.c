@@ -56,7 +56,8 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
     const tdmf_reduced_change result = {.apex = {d_apex.y, d_apex.vx},
                                         .period = d_time,
                                         .length = d_apex.x,
-                                        .work = variation->state[TDMF_HIP_WORK]};
+                                        .work = variation->state[TDMF_HIP_WORK] +
+                                                variation->state[TDMF_LEG_WORK]};
     return result;
 }
 

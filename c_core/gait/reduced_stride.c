@@ -2,6 +2,7 @@
 #include "reduced_stride.h"
 
 #include "events.h"
+#include "greatest_compression.h"
 #include "prescribed_flight.h"
 #include "tdmf_slip/automaton.h"
 
@@ -87,6 +88,8 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
 tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,
                                       tdmf_motion *motion) {
     const tdmf_point lift_off = tdmf_center_of_mass(model, motion->state);
+    tdmf_run standing = run_of(model, inputs, motion);
+    tdmf_end_thrust(&standing);
     const double time = tdmf_time_to_apex(model, inputs, lift_off);
     if (!(lift_off.vy > 0.0)) {
         return TDMF_REDUCED_NO_APEX;
@@ -97,6 +100,7 @@ tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs
     move_time(motion, time);
     motion->mode.contact = TDMF_CONTACT_FLIGHT; /* also where the full model would graze */
     tdmf_run run = run_of(model, inputs, motion);
+    run.mode->rises = true;
     tdmf_apex_event.reset(&run);
     return TDMF_REDUCED_CLOSED;
 }

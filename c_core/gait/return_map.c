@@ -59,7 +59,7 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion 
                  d_state[TDMF_LEG_ANGLE_RATE] + derivatives[TDMF_LEG_ANGLE_RATE] * shift},
         .period = shift,
         .length = d_com.x + com.vx * shift - start_com_x,
-        .work = d_state[TDMF_HIP_WORK] + derivatives[TDMF_HIP_WORK] * shift,
+        .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
     };
     return result;
 }
@@ -141,6 +141,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     memcpy(result.apex, next, sizeof next);
     result.stride = motion.record.stride;
     result.liftoff_angle = motion.mode.liftoff_angle;
+    result.external_work = motion.state[TDMF_ENERGY_EXTERNAL_WORK];
     result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
     result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
     result.impact_loss = motion.record.impact_loss;

@@ -102,11 +102,14 @@ static inline void watch_clamp(event_search *search, const flight_constants *c, 
 }
 
 static inline void watch_flight(event_search *search, const flight_constants *c, const flight_series *f,
-                                real length_change, const ballistic *com, bool retracts, double tolerance) {
+                                real length_change, const ballistic *com, bool rises, bool retracts,
+                                double tolerance) {
     watch_length(search, &c->mode, f->length, search->order, length_change);
     watch_heights(search, c, f, tolerance, f->length[0] + length_change, com);
-    if (retracts) {
+    if (rises) {
         watch_apex_in_flight(search, c, com);
+    }
+    if (retracts) {
         watch_clamp(search, c, f);
     }
     search_pending(search);

@@ -22,6 +22,17 @@ static inline void watch_mid_stance(event_search *search, const ground_constants
     }
 }
 
+/* The leg's length stops falling. */
+static inline void watch_greatest_compression(event_search *search, const ground_constants *c,
+                                              const ground_series *g) {
+    const choice awaits = c->awaits_thrust > 0.0;
+    const guard_series shortening = {g->length_rate, real_of(-1.0), -g->length_rate[0], search->order - 1};
+    if (any(awaits)) {
+        watch(search, TDMF_GUARD_GREATEST_COMPRESSION, awaits, &shortening,
+              search->beyond_margin * c->mode.speed_scale);
+    }
+}
+
 /* One edge of the friction cone: mu f_y + sign f_x. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
                               double sign, choice near) {
@@ -87,6 +98,7 @@ static inline void watch_ground(event_search *search, const ground_constants *c,
     } else {
         watch_forces(search, c, g, !is.slips);
         watch_mid_stance(search, c, g);
+        watch_greatest_compression(search, c, g);
     }
     if (is.slips) {
         watch_slip(search, c, g);

@@ -20,6 +20,7 @@ typedef struct {
     real cone_normal, cone_normal_rate, cone_tangential; /* weights of the forces in the cone's edges */
     real slip_sign;                                      /* of u */
     real drives;                                         /* above 0 until mid-stance */
+    real awaits_thrust;                                  /* above 0 until the leg's greatest compression */
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
     hip_law servo, stance;

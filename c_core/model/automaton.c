@@ -2,6 +2,7 @@
 #include "tdmf_slip/automaton.h"
 
 #include "events.h"
+#include "greatest_compression.h"
 
 #include <string.h>
 
@@ -13,6 +14,9 @@ tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *i
     memcpy(state_before, state, sizeof state_before);
 
     tdmf_run run = {model, inputs, time, state, mode, record, direction};
+    if (!mode->fallen) {
+        tdmf_account_for_rest_length(&run);
+    }
     tdmf_observe_along(model, inputs, state, direction, mode, record);
     const bool resolved = tdmf_take_transitions(&run);
     tdmf_observe_along(model, inputs, state, direction, mode, record);

@@ -26,11 +26,16 @@ static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_S
     return direction;
 }
 
+/* What the rest length grows by at the greatest compression. */
+static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return model->parameters.leg.thrust + inputs->control.thrust;
+}
+
 /* Of the spring: l0, the extension and, from the greatest compression to the end of the stance, the thrust.
  * Linear in model and inputs, so that it serves their changes too. */
 static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
                                       const tdmf_mode *mode) {
-    const double thrust = mode->thrusts ? model->parameters.leg.thrust + inputs->control.thrust : 0.0;
+    const double thrust = mode->thrusts ? tdmf_leg_thrust(model, inputs) : 0.0;
     return model->parameters.leg.free_length + inputs->leg.extension + thrust;
 }
 

@@ -35,6 +35,10 @@ static inline double tdmf_margin_factor(int false_crossings) {
  * and the run would go round in it for ever. */
 #define TDMF_NARROWEST_GRAZE 1e-10
 
+/* A force of contact that is further below zero than this, in units of k l0, has not vanished but jumped: no
+ * solver locates a lift-off so coarsely. */
+#define TDMF_UNLOADED_FORCE 1e-7
+
 /* sin(theta) with its zero kept out of the denominator; the band between the laws closes before it. */
 #define TDMF_SMALLEST_SINE 1e-12
 

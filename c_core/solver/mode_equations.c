@@ -79,6 +79,8 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->start.work = state[TDMF_HIP_WORK];
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     equations->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
+    equations->awaits_thrust =
+        tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations, state, direction);
     } else {

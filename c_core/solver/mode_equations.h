@@ -28,6 +28,7 @@ typedef struct {
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
     double rest_length;                  /* of the leg */
+    bool awaits_thrust;                  /* contact: its greatest compression is an event to come */
     double com_x, com_y, com_vx, com_vy; /* flight, at the start */
     double place_time, place_rate;       /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */

@@ -94,7 +94,8 @@ tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equation
                                              const double state[TDMF_STATE_COUNT], const tdmf_change *change,
                                              const tdmf_variation *variation) {
     tdmf_mode_variation varied_mode = {.liftoff_angle = variation->liftoff_angle,
-                                       .place_time = variation->state[TDMF_HIP_PLACE_TIME]};
+                                       .place_time = variation->state[TDMF_HIP_PLACE_TIME],
+                                       .leg_work = variation->state[TDMF_LEG_WORK]};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
         const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
@@ -162,6 +163,7 @@ tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
     tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
+    variation.state[TDMF_LEG_WORK] = varied_mode->leg_work;
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
         const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
         flight_variation_of_state(equations->model, state, &d, varied_mode, variation.state);

@@ -9,7 +9,7 @@
 typedef struct {
     tdmf_mode_coordinates at;
     double com_x, com_y, com_vx, com_vy; /* in flight */
-    double liftoff_angle, place_time;
+    double liftoff_angle, place_time, leg_work;
 } tdmf_mode_variation;
 
 /* The variation in a mode just opened on `state`. */

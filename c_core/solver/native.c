@@ -4,6 +4,7 @@
 
 #include "event_log.h"
 #include "events.h"
+#include "greatest_compression.h"
 #include "input_rates.h"
 #include "margins.h"
 #include "mode_variation.h"
@@ -42,6 +43,7 @@ typedef struct {
     int false_crossings; /* since the mode changed or a step was whole */
     /* First variations, if any: as of the last event, and where the equations are. */
     int count;
+    bool varies_thrust;
     const tdmf_change *changes;
     tdmf_variation *variations;
     tdmf_mode_variation varied_mode[TDMF_VARIATION_LIMIT];
@@ -78,6 +80,8 @@ static void open_mode(integration *integration) {
     const tdmf_motion *motion = integration->motion;
     tdmf_open_mode(&integration->equations, integration->model, &integration->inputs, &integration->rates,
                    &motion->mode, motion->state, integration->direction);
+    integration->equations.awaits_thrust |=
+        integration->varies_thrust && tdmf_is_loaded(&motion->mode) && !motion->mode.thrusts;
     integration->equations_are_ahead = false;
     for (int i = 0; i < integration->count; ++i) {
         integration->varied_mode[i] = tdmf_open_mode_variation(
@@ -109,6 +113,14 @@ static void observe_ground_force(integration *integration, double end) {
                                             integration->step.order - 1, from));
         }
         mode->ground_force_rising = !mode->ground_force_rising;
+    }
+}
+
+/* Notes the greatest compression where it is no event: a thrust that is set later acts at once. */
+static void observe_leg(integration *integration, double end) {
+    tdmf_mode *mode = &integration->motion->mode;
+    if (tdmf_is_loaded(mode) && !mode->thrusts && !integration->equations.awaits_thrust) {
+        mode->thrusts = tdmf_leg_lengthens(&integration->step, end);
     }
 }
 
@@ -171,16 +183,29 @@ static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const 
     tdmf_log_event(log, &event);
 }
 
+/* A stance that is looked at alone has no graze after it. */
+static void end_thrust(integration *integration) {
+    tdmf_motion *motion = integration->motion;
+    tdmf_run run = {integration->model, &integration->inputs, motion->time,          motion->state,
+                    &motion->mode,      &motion->record,      integration->direction};
+    tdmf_end_thrust(&run);
+}
+
 static bool take_transitions(integration *integration) {
     tdmf_motion *motion = integration->motion;
     const tdmf_resolution taken =
         tdmf_resolve_along(integration->model, &integration->inputs, motion->time, motion->state,
                            integration->direction, &motion->mode, &motion->record);
+    if (stance_is_over(integration)) {
+        end_thrust(integration);
+    }
     if (taken.unresolved) {
         integration->events_left = 0;
     }
-    integration->false_crossings = taken.mode_changed ? 0 : integration->false_crossings + 1;
-    return taken.state_changed || taken.mode_changed;
+    /* A thrust of 0 changes no mode, but whoever varies it asks for its event. */
+    const bool thrusts = integration->equations.awaits_thrust && motion->mode.thrusts;
+    integration->false_crossings = taken.mode_changed || thrusts ? 0 : integration->false_crossings + 1;
+    return taken.state_changed || taken.mode_changed || thrusts;
 }
 
 /* Takes what is due now, on the motion and on its variations. Nothing may be: series know a guard up to the
@@ -296,6 +321,7 @@ static tdmf_outcome advance_once(integration *integration) {
     }
     note_step(integration, end.time);
     observe_ground_force(integration, end.time);
+    observe_leg(integration, end.time);
     integration->equations.positive_work +=
         tdmf_positive_work(step, end.time, reached.work - integration->equations.start.work);
     for (int i = 0; i < integration->count; ++i) {
@@ -328,6 +354,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->events_left = solver->event_limit;
     integration->false_crossings = 0;
     integration->count = 0;
+    integration->varies_thrust = false;
     integration->events_in_span = 0;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
@@ -397,6 +424,10 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, const td
     integration->count = count;
     integration->changes = changes;
     integration->variations = variations;
+    for (int i = 0; i < count; ++i) {
+        integration->varies_thrust |=
+            changes[i].parameters.leg.thrust != 0.0 || changes[i].inputs.control.thrust != 0.0;
+    }
     open_mode(integration);
     return true;
 }

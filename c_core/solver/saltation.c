@@ -4,10 +4,11 @@
  *     dt = -(g_x d_x + g_p d_p)/(g_x f-),      d_x+ = R_x (d_x + f- dt) + R_p d_p - f+ dt.
  *
  * Transitions that follow in zero time are decided by inequalities and shift with the first one; of all of
- * them, only the first moves the state. */
+ * them, only the first moves the runner. */
 #include "saltation.h"
 
 #include "contact_change.h"
+#include "leg_work.h"
 
 #include <math.h>
 
@@ -50,11 +51,22 @@ static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
     }
 }
 
+/* No event moves the leg, but many in a row may change its rest length. */
+static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *before,
+                            const tdmf_side *after, const tdmf_direction *d,
+                            const double d_state[TDMF_STATE_COUNT]) {
+    return tdmf_vary_leg_work_of_jump(
+        model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
+        tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
+        tdmf_rest_length(&d->model, &d->inputs, &before->mode),
+        tdmf_rest_length(&d->model, &d->inputs, &after->mode));
+}
+
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                               const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
                               const tdmf_variation *variation) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
-    const bool impact = event->vary_reset != NULL;
+    const bool impact = guard == TDMF_GUARD_TOUCHDOWN;
     if (event->vary_guard == NULL || is_on_edge(inputs, impact, before, after)) {
         return no_variation();
     }
@@ -62,9 +74,10 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     const double dt = time_shift(event, model, inputs, before, &d);
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
-    if (impact) {
+    if (event->vary_reset != NULL) {
         event->vary_reset(model, inputs, before->state, after->state, &d, varied.state);
     }
+    varied.state[TDMF_LEG_WORK] += vary_leg_work(model, inputs, before, after, &d, varied.state);
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }

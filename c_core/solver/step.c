@@ -97,7 +97,7 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
     const ballistic com = {step->equations->com_y, step->equations->com_vy};
     watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com,
-                 mode->phase == TDMF_PHASE_RETRACT, step->tolerance);
+                 mode->rises, mode->phase == TDMF_PHASE_RETRACT, step->tolerance);
 }
 
 /* By the weights of the largest friction in the step. */

@@ -48,6 +48,7 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .slip_sign = tdmf_slip_sign(mode),
         /* A leg that has wound past a half turn passes upright no more. */
         .drives = mode->phase == TDMF_PHASE_DRIVE && equations->turn == 0.0 ? 1.0 : 0.0,
+        .awaits_thrust = equations->awaits_thrust ? 1.0 : 0.0,
         .servo = signed_law(1.0, &equations->servo),
         .stance = signed_law(1.0, &equations->stance_law),
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,

@@ -79,6 +79,28 @@ double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double t
     return turn.is_root ? turn.time * step->size : INFINITY;
 }
 
+/* Most steps are seen not to by their partial sums, or to by their end. */
+bool tdmf_leg_lengthens(const tdmf_step *step, double end) {
+    const double *rate = step->series.ground.length_rate;
+    const int order = step->order - 1;
+    double sum = rate[0], most = sum;
+    for (int k = 1; k <= order; ++k) {
+        sum += rate[k] * step->search.power[k];
+        most = larger(most, sum);
+    }
+    if (most < 0.0) {
+        return false;
+    }
+    if (series_at(rate, order, end) >= 0.0) {
+        return true;
+    }
+    factor shortening = factor_of(step, rate, order, 0.0);
+    for (int k = 0; k <= order; ++k) {
+        shortening.c[k] = -shortening.c[k];
+    }
+    return first_root(shortening.c, order, 0.0, 0.0, end / step->size, choice_of(true)).is_root;
+}
+
 /* ---- the hip's power ---------------------------------------------------------------------------------- */
 
 /* The factors of the power that may change their sign in the step. */

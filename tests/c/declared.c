@@ -53,7 +53,7 @@ static double value_of(random_source *source, const tdmf_range *range, double un
 }
 
 tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parameters, double decades) {
-    tdmf_inputs inputs;
+    tdmf_inputs inputs = tdmf_default_inputs();
     inputs.ground.friction =
         value_of(source, &tdmf_input_ranges[0], unit_of(parameters, &of_input[0]), decades);
     /* Its start is 0: a share of the stance torque. */

@@ -13,7 +13,8 @@ typedef enum {
     LIFT_OFF_INTO_GRAZE,
     GRAZE_END,
     CLAMP_RELEASE,
-    APEX
+    APEX,
+    THRUST_BEGINS
 } reference_event_kind;
 
 typedef struct {

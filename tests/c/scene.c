@@ -7,6 +7,12 @@
 
 static const double high_friction = 1000.0;
 
+/* What follows from the rest of a mode off the ground, and from a leg that is accounted for. */
+static void complete_mode(runner *runner) {
+    runner->mode.rises = runner->mode.phase == TDMF_PHASE_RETRACT;
+    runner->mode.rest_length = runner->model.parameters.leg.free_length;
+}
+
 runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double vertical_force) {
     runner runner = runner_default(high_friction);
     memset(runner.state, 0, sizeof runner.state);
@@ -14,6 +20,7 @@ runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double verti
     runner.mode.contact = contact;
     runner.mode.phase = contact == TDMF_CONTACT_GRAZE ? TDMF_PHASE_RETRACT : TDMF_PHASE_COAST;
     runner.mode.liftoff_angle = leg_angle;
+    complete_mode(&runner);
     scene_set_vertical_force(&runner, vertical_force);
     return runner;
 }
@@ -25,6 +32,7 @@ runner scene_in_flight(tdmf_hip_phase phase, double com_vy) {
     runner.state[TDMF_LEG_LENGTH] = 1.0;
     runner.mode.contact = TDMF_CONTACT_FLIGHT;
     runner.mode.phase = phase;
+    complete_mode(&runner);
     scene_set_com_vy(&runner, com_vy);
     return runner;
 }
@@ -33,6 +41,7 @@ runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_f
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, leg_angle, vertical_force);
     runner.mode.contact = TDMF_CONTACT_FLIGHT;
     runner.mode.phase = phase;
+    complete_mode(&runner);
     runner.state[TDMF_FOOT_Y] = -1e-9;
     tdmf_set_foot_velocity(0.05, -0.1, runner.state);
     return runner;
@@ -130,7 +139,8 @@ const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS] = {TDMF_GUARD_TOUCHDOW
                                                              TDMF_GUARD_SLIP_VELOCITY_ZERO,
                                                              TDMF_GUARD_MID_STANCE,
                                                              TDMF_GUARD_GRAZE_TO_CONTACT,
-                                                             TDMF_GUARD_GRAZE_TO_FLIGHT};
+                                                             TDMF_GUARD_GRAZE_TO_FLIGHT,
+                                                             TDMF_GUARD_GREATEST_COMPRESSION};
 
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
@@ -228,6 +238,7 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
         runner.state[TDMF_HIP_PLACE_TIME] =
             first ? 0.0 : random_uniform(source, 0.0, 10.0) * runner.model.scales.time;
     }
+    complete_mode(&runner);
     constrain(&runner);
     return runner;
 }

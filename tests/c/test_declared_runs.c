@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PIECES = 8, STEPS_OF_A_PIECE = 2000, OUTCOMES = TDMF_REFUSED + 1 };
 
@@ -40,7 +41,8 @@ typedef struct {
 static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
     return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state).total -
-           run->start_energy - state[TDMF_HIP_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
+           run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
+           state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
            state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
 }
 
@@ -48,6 +50,7 @@ static double largest_energy(const run *run) {
     const double *state = run->motion.state;
     const tdmf_energy energy = tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state);
     return energy.kinetic + fabs(energy.potential) + energy.elastic + fabs(state[TDMF_HIP_WORK]) +
+           fabs(state[TDMF_LEG_WORK]) + fabs(state[TDMF_ENERGY_EXTERNAL_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
            run->motion.record.impact_loss;
 }
@@ -158,7 +161,7 @@ static bool begin(random_source *source, run *run) {
     run->solver.step_limit = STEPS_OF_A_PIECE;
     run->solver.event_limit = STEPS_OF_A_PIECE;
     run->inputs = runner.inputs;
-    run->motion.time = 0.0;
+    memset(&run->motion, 0, sizeof run->motion);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         run->motion.state[i] = runner.state[i];
     }

@@ -38,6 +38,10 @@ static void assert_is_gait(const tdmf_motion *motion, const further_gait *furthe
     assert_relatively_close(stride->work, gait->work, tolerance);
     assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, tolerance);
     assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
+    assert_close(stride->leg_work, further->leg_work, tolerance);
+    assert_relatively_close(stride->hip_work, gait->work - further->leg_work, tolerance);
+    assert_close(motion->state[TDMF_ENERGY_EXTERNAL_WORK], further->external_work, tolerance);
+    assert_close(stride->rise, 0.0, tolerance);
     assert_relatively_close(motion->state[TDMF_ENERGY_DAMPER_LOSS], further->damper_loss, tolerance);
     assert_relatively_close(motion->state[TDMF_ENERGY_FRICTION_LOSS], further->friction_loss, tolerance);
     assert_relatively_close(motion->record.impact_loss, further->impact_loss, tolerance);
@@ -64,6 +68,9 @@ static reference_event_kind kind_of(const tdmf_event *event) {
         return GRAZE_END;
     case TDMF_GUARD_CLAMP:
         return CLAMP_RELEASE;
+    case TDMF_GUARD_GREATEST_COMPRESSION:
+        assert_true(event->after.thrusts);
+        return THRUST_BEGINS;
     default:
         assert_int_equal(event->guard, TDMF_GUARD_APEX);
         return APEX;
@@ -97,7 +104,7 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         assert_is_gait(&motion, &further_gaits[i], 1e-9);
         events += assert_events(&log, further_gaits[i].gait.events);
     }
-    assert_int_equal(events, 6 * 10 + 2 * 8 + 7);
+    assert_int_equal(events, 6 * 10 + 3 * 11 + 9 + 2 * 8 + 7);
 }
 
 /* ---- by lanes ------------------------------------------------------------------------------------------ */
@@ -113,7 +120,7 @@ static void assert_lanes_come_back(tdmf_instructions instructions) {
         const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
         assert_null(tdmf_model_create(&models[i], &parameters).variable);
         cases[i] = its_case;
-        cases[i].inputs.ground.friction = further_gaits[i].gait.friction;
+        cases[i].inputs = inputs_of_further_gait(&further_gaits[i]);
         case_of[i] = i;
         memcpy(starts[i], &further_gaits[i].gait.apex, sizeof starts[i]);
     }
@@ -135,6 +142,9 @@ static void assert_lanes_come_back(tdmf_instructions instructions) {
         assert_relatively_close(ends[i].time, further->gait.period, 1e-9);
         assert_relatively_close(ends[i].distance, further->gait.length, 1e-9);
         assert_relatively_close(ends[i].work, further->gait.work, 1e-9);
+        assert_relatively_close(ends[i].hip_work, further->gait.work - further->leg_work, 1e-9);
+        assert_close(ends[i].leg_work, further->leg_work, 1e-9);
+        assert_close(ends[i].external_work, further->external_work, 1e-9);
         assert_relatively_close(ends[i].damper_loss, further->damper_loss, 1e-9);
         assert_relatively_close(ends[i].friction_loss, further->friction_loss, 1e-9);
         assert_relatively_close(ends[i].impact_loss, further->impact_loss, 1e-9);
@@ -181,11 +191,10 @@ static void cvode_comes_back_to_the_apex(void **state) {
 static tdmf_return stride_of(const further_gait *further, const tdmf_parameters *parameters,
                              const tdmf_change *change) {
     tdmf_model model;
-    tdmf_inputs inputs = tdmf_default_inputs();
+    const tdmf_inputs inputs = inputs_of_further_gait(further);
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
     solver.relative_tolerance = 1e-13;
-    inputs.ground.friction = further->gait.friction;
     memcpy(section, &further->gait.apex, sizeof section);
     assert_null(tdmf_model_create(&model, parameters).variable);
     const tdmf_return stride =
@@ -208,29 +217,32 @@ static void the_jacobian_is_that_of_the_reference(void **state) {
     }
 }
 
-static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members[4]) {
+static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members[5]) {
     members[0] = &p->hip.retraction_rate;
     members[1] = &p->ground.static_friction_ratio;
     members[2] = &p->hip.kd;
     members[3] = &p->hip.touchdown_angle;
+    members[4] = &p->leg.thrust;
     return members;
 }
 
-/* By central differences; at the least static friction by one that looks ahead, of second order as well. */
+/* By central differences; at the least static friction and thrust by one that looks ahead, of second order as
+ * well. */
 static void by_parameters_the_gaits_are_differentiated(void **state) {
     const double step = 1e-5;
     int compared = 0, one_sided = 0;
     (void)state;
     for (int i = 0; i < FURTHER_GAITS; ++i) {
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < 5; ++k) {
             const tdmf_parameters at = parameters_of_further_gait(&further_gaits[i]);
             tdmf_parameters moved[3] = {at, at, at};
-            double *members[4];
+            double *members[5];
             tdmf_change change;
             tdmf_return strides[3];
             memset(&change, 0, sizeof change);
             *parameters_of_the_laws(&change.parameters, members)[k] = 1.0;
-            const bool ahead = k == 1 && at.ground.static_friction_ratio == 1.0;
+            const bool ahead =
+                (k == 1 && at.ground.static_friction_ratio == 1.0) || (k == 4 && at.leg.thrust == 0.0);
             for (int j = 0; j < 3; ++j) {
                 *parameters_of_the_laws(&moved[j], members)[k] += (ahead ? j : j - 1) * step;
                 strides[j] = stride_of(&further_gaits[i], &moved[j], NULL);
@@ -250,8 +262,8 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
             one_sided += ahead;
         }
     }
-    assert_int_equal(compared, FURTHER_GAITS * 4 * TDMF_SECTION_COUNT);
-    assert_int_equal(one_sided, 4);
+    assert_int_equal(compared, FURTHER_GAITS * 5 * TDMF_SECTION_COUNT);
+    assert_int_equal(one_sided, 8 + 9);
 }
 
 int main(void) {

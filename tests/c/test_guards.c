@@ -189,13 +189,13 @@ static const char *watched_guards(const tdmf_mode *mode) {
     const bool drive = mode->phase == TDMF_PHASE_DRIVE;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return retract ? "xxx........xx.." : "x..........xx..";
+        return retract ? "xxx........xx.." : "xx.........xx..";
     case TDMF_CONTACT_STICK:
-        return drive ? "...xxx.xx..xx.." : "...xxx..x..xx..";
+        return drive ? "...xxx.xx..xxx." : "...xxx..x..xxx.";
     case TDMF_CONTACT_GRAZE:
         return retract ? ".x.......xxxx.." : ".........xxxx..";
     default:
-        return drive ? "...x..xxx..xx.." : "...x..x.x..xx..";
+        return drive ? "...x..xxx..xxx." : "...x..x.x..xxx.";
     }
 }
 

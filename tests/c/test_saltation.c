@@ -43,6 +43,8 @@ static double watched(const runner *at, tdmf_guard guard) {
         return at->state[TDMF_FOOT_VX];
     case TDMF_GUARD_MID_STANCE:
         return at->state[TDMF_LEG_ANGLE];
+    case TDMF_GUARD_GREATEST_COMPRESSION:
+        return -at->state[TDMF_LEG_LENGTH_RATE];
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
         return tdmf_sticking_force(&at->model, &at->inputs, &at->mode,
                                    flight_law(at) + at->inputs.hip.external_torque, at->state)
@@ -229,9 +231,11 @@ static void a_state_goes_on_at_the_rates_that_follow(void **state) {
         const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
             const double change = k < VARIED ? event.before.derivatives[k] - event.after.derivatives[k] : 0.0;
+            const double expected = k == TDMF_HIP_PLACE_TIME
+                                        ? -event.after.derivatives[k] * shift /* begun anew */
+                                        : event.variation.state[k] + change * shift;
             if (k != TDMF_HIP_WORK) {
-                assert_close(after.state[k], event.variation.state[k] + change * shift,
-                             1e-12 * (1.0 + fabs(shift)));
+                assert_close(after.state[k], expected, 1e-12 * (1.0 + fabs(shift)));
             }
         }
     }

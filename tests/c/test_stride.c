@@ -278,6 +278,7 @@ static void stride_that_covers_no_ground_has_no_cost(void **unused) {
     (void)unused;
     runner runner = begin_stride();
     runner.mode.phase = TDMF_PHASE_RETRACT;
+    runner.mode.rises = true;
     reach_apex(&runner, 0.0);
     assert_closed(&runner, "", 0);
     assert_true(runner.record.stride.speed == 0.0 && runner.record.stride.duty_factor == 0.0);

@@ -77,6 +77,7 @@ static double scale_of(const runner *runner, tdmf_guard guard) {
         return scales->length;
     case TDMF_GUARD_APEX:
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+    case TDMF_GUARD_GREATEST_COMPRESSION:
         return scales->speed;
     case TDMF_GUARD_CLAMP:
         return runner->mode.clamp_closed ? -scales->energy : scales->energy;

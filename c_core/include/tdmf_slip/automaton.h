@@ -43,7 +43,7 @@ typedef enum {
 /* What the transitions taken have changed. */
 typedef struct {
     bool state_changed; /* some element of the state jumped */
-    bool mode_changed;  /* contact, phase, clamp or fall: the right-hand side is another */
+    bool mode_changed;  /* contact, phase, clamp, thrust or fall: the right-hand side is another */
     bool unresolved;    /* the chain of events did not come to rest within its bound; see tdmf_resolve */
 } tdmf_resolution;
 

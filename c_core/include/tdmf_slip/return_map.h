@@ -41,6 +41,7 @@ typedef struct {
     double apex[TDMF_SECTION_COUNT]; /* the next */
     tdmf_stride stride;              /* its quantities */
     double liftoff_angle;            /* theta_LO of the stride, rad */
+    double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss;       /* J in the stride */
     tdmf_stride_change by_section[TDMF_SECTION_COUNT];    /* by each coordinate of the start */
     tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES]; /* along each change that was given */

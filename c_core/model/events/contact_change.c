@@ -4,6 +4,7 @@
 #include "dynamics.h"
 #include "friction.h"
 #include "graze.h"
+#include "greatest_compression.h"
 #include "hip_torque.h"
 #include "kinematics.h"
 #include "record.h"
@@ -15,19 +16,26 @@ void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
 
 /* ---- off the ground ----------------------------------------------------------------------------------- */
 
+static double rise_rate(const tdmf_run *run) {
+    return tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
+}
+
 /* Once begun, place lasts until the foot is loaded; else the centre of mass decides. */
 static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
     if (run->mode->phase == TDMF_PHASE_PLACE) {
         return TDMF_PHASE_PLACE;
     }
-    const tdmf_point center = tdmf_center_of_mass_along(run->model, run->state, run->direction);
-    return center.vy >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+    return rise_rate(run) >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
 }
 
 /* Enters flight or graze, theta_LO unchanged. */
 static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phase phase) {
     tdmf_enter_contact_mode(run, entered);
+    if (entered == TDMF_CONTACT_FLIGHT) {
+        tdmf_end_thrust(run);
+    }
     run->mode->phase = phase;
+    run->mode->rises = phase == TDMF_PHASE_RETRACT || rise_rate(run) > 0.0;
     run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT &&
                               tdmf_servo_torque(run->model, run->inputs, run->mode, run->state) < 0.0;
 }
@@ -69,6 +77,7 @@ static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run) {
 }
 
 void tdmf_load_foot(tdmf_run *run) {
+    tdmf_thrust_if_due(run);
     run->mode->phase = run->mode->mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
     run->mode->clamp_closed = false;
     run->state[TDMF_HIP_PLACE_TIME] = 0.0;
@@ -111,6 +120,7 @@ static bool begins_with_drive(const tdmf_run *run) {
 }
 
 void tdmf_come_to_ground(tdmf_run *run) {
+    tdmf_thrust_if_due(run);
     run->mode->mid_stance_pending = begins_with_drive(run);
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
@@ -120,7 +130,9 @@ void tdmf_come_to_ground(tdmf_run *run) {
 void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
-    enter(run, tdmf_contact_after_lift_off(&at), &off_ground);
+    const double force = tdmf_force_in_stance(&at).fy;
+    const bool jumped = force < -TDMF_UNLOADED_FORCE * run->model->scales.force;
+    enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }
 
 /* ---- variations --------------------------------------------------------------------------------------- */

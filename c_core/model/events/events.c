@@ -5,7 +5,8 @@
 enum {
     DRIVE = 1 << TDMF_PHASE_DRIVE,
     RETRACT = 1 << TDMF_PHASE_RETRACT,
-    ALWAYS = DRIVE | RETRACT | 1 << TDMF_PHASE_COAST | 1 << TDMF_PHASE_PLACE
+    PLACE = 1 << TDMF_PHASE_PLACE,
+    ALWAYS = DRIVE | RETRACT | PLACE | 1 << TDMF_PHASE_COAST
 };
 
 typedef struct {
@@ -15,7 +16,7 @@ typedef struct {
 
 static const watched in_flight[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                     {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
-                                    {TDMF_GUARD_APEX, RETRACT},
+                                    {TDMF_GUARD_APEX, RETRACT | PLACE},
                                     {TDMF_GUARD_TOUCHDOWN, ALWAYS},
                                     {TDMF_GUARD_CLAMP, RETRACT}};
 
@@ -25,15 +26,22 @@ static const watched in_graze[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                    {TDMF_GUARD_GRAZE_TO_CONTACT, ALWAYS},
                                    {TDMF_GUARD_GRAZE_TO_FLIGHT, ALWAYS}};
 
-static const watched in_stick[] = {
-    {TDMF_GUARD_BODY_DOWN, ALWAYS},           {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
-    {TDMF_GUARD_MID_STANCE, DRIVE},           {TDMF_GUARD_LIFT_OFF, ALWAYS},
-    {TDMF_GUARD_SLIP_ONSET_POSITIVE, ALWAYS}, {TDMF_GUARD_SLIP_ONSET_NEGATIVE, ALWAYS},
-    {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+static const watched in_stick[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
+                                   {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+                                   {TDMF_GUARD_GREATEST_COMPRESSION, ALWAYS},
+                                   {TDMF_GUARD_MID_STANCE, DRIVE},
+                                   {TDMF_GUARD_LIFT_OFF, ALWAYS},
+                                   {TDMF_GUARD_SLIP_ONSET_POSITIVE, ALWAYS},
+                                   {TDMF_GUARD_SLIP_ONSET_NEGATIVE, ALWAYS},
+                                   {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
 
-static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},          {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
-                                  {TDMF_GUARD_MID_STANCE, DRIVE},          {TDMF_GUARD_LIFT_OFF, ALWAYS},
-                                  {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS}, {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
+                                  {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
+                                  {TDMF_GUARD_GREATEST_COMPRESSION, ALWAYS},
+                                  {TDMF_GUARD_MID_STANCE, DRIVE},
+                                  {TDMF_GUARD_LIFT_OFF, ALWAYS},
+                                  {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS},
+                                  {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
 
 typedef struct {
     const watched *first, *end;
@@ -63,6 +71,7 @@ static const tdmf_event_kind *const kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_GRAZE_TO_FLIGHT] = &tdmf_graze_to_flight,
     [TDMF_GUARD_BODY_DOWN] = &tdmf_body_down,
     [TDMF_GUARD_LEG_TOO_SHORT] = &tdmf_leg_too_short,
+    [TDMF_GUARD_GREATEST_COMPRESSION] = &tdmf_greatest_compression,
 };
 
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {

@@ -47,7 +47,7 @@ typedef struct {
 
 extern const tdmf_event_kind tdmf_touchdown, tdmf_apex_event, tdmf_clamp, tdmf_mid_stance, tdmf_lift_off,
     tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak, tdmf_graze_to_contact,
-    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short;
+    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short, tdmf_greatest_compression;
 
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
@@ -66,11 +66,11 @@ static inline double tdmf_armed_against_turning(double value, double scale, bool
     return (negative ? -value : value) / scale + TDMF_DEAD_BAND;
 }
 
-/* The right-hand side is the same: contact, phase, clamp and fall. */
+/* The right-hand side is the same: contact, phase, clamp, thrust and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {
     return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
            a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
-           a->fallen == b->fallen;
+           a->rest_length == b->rest_length && a->fallen == b->fallen;
 }
 
 #endif

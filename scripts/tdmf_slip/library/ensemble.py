@@ -121,7 +121,8 @@ def run_ensemble(
     ends : structured ndarray, shape (runners,)
         With the fields of the library's `tdmf_ensemble_end`: `fate` (a number into `FATES`), `gait` (-1 for
         none), `strides`, `word_code`, and of the strides closed the last `apex` (all six coordinates), `time`
-        (s), `distance` (m), `work`, `damper_loss`, `friction_loss` and `impact_loss` (J).
+        (s), `distance` (m), `work` (of hip and leg), `hip_work`, `leg_work`, `external_work`, `damper_loss`,
+        `friction_loss` and `impact_loss` (J).
     work : Work
         What was done.
 
