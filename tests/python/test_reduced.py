@@ -9,6 +9,7 @@ import pytest
 from tdmf_slip import InputError, RunError, Runner, basin, find_orbit, run_ensemble, sweep
 from tdmf_slip.analysis import borders, volume
 from tdmf_slip.analysis.search import runner_by
+from tdmf_slip.analysis.stability import stability
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.return_map import stride_from
@@ -154,3 +155,29 @@ def test_a_runner_keeps_its_map():
     assert runner.but("ground.friction", 0.6).reduced
     assert runner.coordinates == COORDINATES[:2] == tuple(REDUCED)
     assert len(runner.scales) == 2
+
+
+def test_stability_over_a_plane_is_that_of_each_gait():
+    over = {"leg.damping": [0.1, 0.2, 0.3], "hip.touchdown_angle": np.radians([38.0, 40.0, 42.0])}
+    found = stability(reduced(), over)
+    for row, damping in enumerate(found.rows):
+        for column, angle in enumerate(found.columns):
+            gait = find_orbit(
+                {"leg.damping": damping, "hip.touchdown_angle": angle}, GAITS[2]["apex"], model="reduced"
+            )
+            assert found.lambda_max[row, column] == pytest.approx(gait.lambda_max, abs=1e-9)
+            assert found.word[row, column] == gait.word
+    assert (found.names, found.found, found.stable_share) == (("leg.damping", "hip.touchdown_angle"), 9, 1.0)
+
+
+def test_a_plane_without_gaits_somewhere_is_empty_there():
+    """A leg that points up touches no ground."""
+    found = stability(reduced(), {"ground.friction": [0.5, 0.6], "hip.touchdown_angle": [0.7, 1.5]})
+    assert np.isfinite(found.lambda_max).tolist() == [[True, False], [True, False]]
+    assert found.word[0, 1] == "" and found.stable_share == 0.5
+
+
+@pytest.mark.parametrize("over", [{}, {"leg.damping": [0.1]}, {"leg.damping": [0.1], "foot.x": [0.0]}])
+def test_a_plane_has_two_parameters(over):
+    with pytest.raises(InputError, match="over"):
+        stability(reduced(), over)

@@ -40,7 +40,7 @@ OTHERS = {
     "undecided": ("#8e44ad", "undecided"),
     "no_start": ("#5b6770", "no start: the foot is not above the ground"),
     "unsolved": ("#000000", "unsolved: no solver could follow"),
-    "no_stride": ("#e0a526", "the reduced map ends: no next apex"),
+    "no_stride": ("#e0a526", "no stride: there is no next apex, or it is too low for the leg"),
 }
 """Colours of the others."""
 PALEST = 0.85
@@ -51,34 +51,60 @@ SMALLEST, RIM = 3.2, 1.0
 
 def draw(path: Path, data: xarray.Dataset) -> None:
     """Draw the map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
+        handles = paint(axes, data)
+        axes.set_title(_title(data, data["fate"].values == SETTLED))
+        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+        figure.draw_without_rendering()  # now the size of a start is known
+        for name, where in _others(data).items():
+            _mark_small(figure, axes, data, where, OTHERS[name][0])
+        style.save(figure, path)
+
+
+def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
+    """Paint the map into axes of a figure.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    data : xarray.Dataset
+        As `basin` gives it.
+
+    Returns
+    -------
+    list of Artist
+        For a legend: the gait, and the fates that are not told by strides.
+    """
     vertical, horizontal = map(str, data["fate"].dims)
     edges = _edges(data[horizontal].values), _edges(data[vertical].values)
     fate, strides = data["fate"].values, data["strides"].values
-    with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
-        axes.set_xlim(min(edges[0]), max(edges[0]))
-        axes.set_ylim(min(edges[1]), max(edges[1]))
-        axes.set_title(_title(data, fate == SETTLED))
-        style.label(axes, _label(data, horizontal), _label(data, vertical))
-        for name, (colours, label) in COUNTED.items():
-            shown = np.ma.masked_where(fate != FATES.index(name), strides)
-            if shown.count():
-                most = max(1, shown.max())
-                mesh = axes.pcolormesh(*edges, shown, cmap=_without_palest(colours), vmin=0, vmax=most)
-                figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
-        cross = _cross(axes, data, horizontal, vertical)
-        handles: list[Artist] = [cross]
-        chosen = {name: fate == number for number, name in enumerate(FATES) if name in OTHERS}
-        chosen = {name: where for name, where in chosen.items() if where.any()}
-        for name in chosen:
-            colour, label = OTHERS[name]
-            handles.append(Patch(color=colour, label=label))
-        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-        figure.draw_without_rendering()  # now the size of a start is known
-        for name, where in chosen.items():
-            axes.pcolormesh(*edges, np.ma.masked_where(~where, where), cmap=ListedColormap([OTHERS[name][0]]))
-            _mark_small(figure, axes, data, where, OTHERS[name][0])
-        style.save(figure, path)
+    axes.set_xlim(min(edges[0]), max(edges[0]))
+    axes.set_ylim(min(edges[1]), max(edges[1]))
+    style.label(axes, _label(data, horizontal), _label(data, vertical))
+    for name, (colours, label) in COUNTED.items():
+        shown = np.ma.masked_where(fate != FATES.index(name), strides)
+        if shown.count():
+            most = max(1, shown.max())
+            mesh = axes.pcolormesh(
+                *edges, shown, cmap=_without_palest(colours), vmin=0, vmax=most, rasterized=True
+            )
+            axes.figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
+    handles: list[Artist] = [_cross(axes, data, horizontal, vertical)]
+    for name, where in _others(data).items():
+        colour, label = OTHERS[name]
+        axes.pcolormesh(
+            *edges, np.ma.masked_where(~where, where), cmap=ListedColormap([colour]), rasterized=True
+        )
+        handles.append(Patch(color=colour, label=label))
+    return handles
+
+
+def _others(data: xarray.Dataset) -> dict[str, NDArray[np.bool_]]:
+    """Where fates are that are not told by strides."""
+    where = {name: data["fate"].values == number for number, name in enumerate(FATES) if name in OTHERS}
+    return {name: starts for name, starts in where.items() if starts.any()}
 
 
 def _edges(values: NDArray[np.float64]) -> NDArray[np.float64]:

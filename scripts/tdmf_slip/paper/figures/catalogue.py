@@ -1,14 +1,16 @@
 """All figures of the paper, remade, and what it could not show: PNG and SVG, with the data beside as CSV."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
+import xarray
 
 from ...analysis.attraction import Attraction, measure_all
 from ...analysis.search import find_orbit
+from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
 from ...library.runner import Runner
@@ -28,6 +30,7 @@ from . import (
     figure_7,
     figure_8,
     figure_9,
+    reduced,
     retraction,
 )
 from .columns import Columns, write_columns
@@ -121,6 +124,18 @@ def _figures(unit: Unit) -> dict[str, Figure]:
 
     retracting = cache(lambda: retraction.branches(runner))
 
+    @cache
+    def gaits_of_both() -> dict[str, Sweep]:
+        return {"full": gaits(), "reduced": sweep(replace(runner, reduced=True), SWEPT)}
+
+    @cache
+    def regions() -> dict[str, xarray.Dataset]:
+        return reduced.regions(runner)
+
+    @cache
+    def planes() -> tuple[StabilityMap, StabilityMap]:
+        return reduced.planes(runner)
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -142,6 +157,16 @@ def _figures(unit: Unit) -> dict[str, Figure]:
         "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
         "retraction": Figure(
             lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
+        ),
+        "reduced_region": Figure(
+            lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())
+        ),
+        "reduced_eigenvalues": Figure(
+            lambda path: reduced.draw_eigenvalues(path, gaits_of_both()),
+            lambda: reduced.eigenvalue_table(gaits_of_both()),
+        ),
+        "reduced_stability": Figure(
+            lambda path: reduced.draw_planes(path, planes()), lambda: reduced.plane_table(planes())
         ),
     }
 

@@ -1,0 +1,141 @@
+"""How stable gaits are over the plane of two parameters, found from neighbour to neighbour."""
+
+from collections import deque
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.members import check_varied
+from ..library.orbit import Orbit, orbit_near
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given, Values
+from .search import find_orbit
+from .sweep import MOST_GAITS
+
+
+@dataclass(frozen=True)
+class StabilityMap:
+    """The largest eigenvalue of gaits over a plane of two parameters."""
+
+    names: tuple[str, str]
+    """Of the two."""
+    rows: NDArray[np.float64]
+    """Values of the first, in its unit."""
+    columns: NDArray[np.float64]
+    """Values of the second, in its unit."""
+    lambda_max: NDArray[np.float64]
+    """Size of the largest eigenvalue, shape (rows, columns); not a number where no gait was found."""
+    word: NDArray[np.object_]
+    """The gait words, shape (rows, columns); empty where no gait was found."""
+
+    @property
+    def found(self) -> int:
+        """How many gaits were found."""
+        return int(np.count_nonzero(np.isfinite(self.lambda_max)))
+
+    @property
+    def stable_share(self) -> float:
+        """Of all points of the plane, those with a stable gait."""
+        return float(np.mean(self.lambda_max < 1.0))
+
+
+def stability(
+    runner: Runner | Mapping[str, Given],
+    over: Mapping[str, Values],
+    *,
+    unit: Unit | None = None,
+    show_progress: bool = False,
+) -> StabilityMap:
+    """The gait at each point of a plane, each from a neighbour's, from where the runner's own is nearest.
+
+    A point has no gait where Newton's method finds none from any of its four neighbours. Where there are
+    several gaits, it is the one that the neighbours lead to.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        The other parameters, and the map: the reduced one takes some tenths of a millisecond for a gait.
+    over : mapping of str to sequence of float
+        Two parameters or inputs and their values in order, in their units.
+    unit : Unit, optional
+        Whose ranges hold.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    StabilityMap
+        Largest eigenvalues and words.
+
+    Raises
+    ------
+    InputError
+        Not two parameters, a value is refused, or there are too many.
+    RunError
+        There is no gait where the search begins.
+    """
+    unit, runner = load(unit), Runner.of(runner)
+    names, values = _checked(over, unit)
+    shape = len(values[0]), len(values[1])
+    lambda_max = np.full(shape, np.nan)
+    word = np.full(shape, "", dtype=object)
+    with progress.bar("stability", lambda_max.size, "points", show_progress) as bar:
+        for place, orbit in _spread(runner, names, values, bar):
+            lambda_max[place], word[place] = orbit.lambda_max, orbit.word
+    return StabilityMap(names, *values, lambda_max, word)
+
+
+def _checked(
+    over: Mapping[str, Values], unit: Unit
+) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    if not isinstance(over, Mapping) or len(over) != 2:
+        raise InputError("over: allowed: two parameters or inputs with their values")
+    for name in over:
+        check_varied(name, "over")
+    first, second = over
+    rows, columns = (unit.find(name, "over").values_of(over[name], f"values of {name}") for name in over)
+    if len(rows) * len(columns) > MOST_GAITS:
+        raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MOST_GAITS:,} at the most")
+    return (first, second), (rows, columns)
+
+
+def _spread(
+    runner: Runner,
+    names: tuple[str, str],
+    values: tuple[NDArray[np.float64], NDArray[np.float64]],
+    bar: progress.Bar,
+) -> Iterator[tuple[tuple[int, int], Orbit]]:
+    """Gaits with their places, from the first on to neighbours, and from these on to theirs."""
+
+    def at(place: tuple[int, int]) -> Runner:
+        return runner.but(names[0], values[0][place[0]]).but(names[1], values[1][place[1]])
+
+    row, column = (
+        int(np.argmin(np.abs(along - runner.values[name]))) for along, name in zip(values, names, strict=True)
+    )
+    first = find_orbit(at((row, column)))
+    bar.update()
+    yield (row, column), first
+    found = {(row, column)}
+    seen = {(row, column)}
+    edge = deque([((row, column), first)])
+    while edge:
+        (row, column), orbit = edge.popleft()
+        for place in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
+            if place in found or not (0 <= place[0] < len(values[0]) and 0 <= place[1] < len(values[1])):
+                continue
+            if place not in seen:
+                seen.add(place)
+                bar.update()
+            try:
+                neighbour = orbit_near(at(place), orbit.apex)
+            except RunError:
+                continue
+            found.add(place)
+            edge.append((place, neighbour))
+            yield place, neighbour

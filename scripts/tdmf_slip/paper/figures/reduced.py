@@ -1,0 +1,174 @@
+"""The paper's conjecture, looked at: its model cut down to a map of the plane, beside the full model."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import xarray
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import TwoSlopeNorm
+from numpy.typing import NDArray
+
+from ...analysis.basin import basin
+from ...analysis.stability import StabilityMap, stability
+from ...analysis.sweep import Sweep
+from ...library.runner import Runner
+from ...library.section import REDUCED
+from ...pictures import basin_map, style
+from ...unit.unit import FRICTION
+from . import figure_9
+from .columns import Columns
+
+PLANE = (np.linspace(0.6, 4.0, 137), np.linspace(-1.0, 2.5, 141))
+"""Heights and speeds, over l0 and l0 sqrt(k/m): where regions of attraction are compared."""
+ANGLES = np.radians(np.linspace(20.0, 70.0, 81))
+DAMPINGS = np.linspace(0.0, 0.6, 61)
+"""Over sqrt(m k)."""
+RETRACTED_ANGLE = np.radians(45.0)
+RETRACTIONS = np.linspace(-0.02, 0.02, 81)
+"""Over sqrt(k/m)."""
+FRICTIONS = np.geomspace(0.05, 5.0, 61)
+COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
+
+
+def regions(runner: Runner) -> dict[str, xarray.Dataset]:
+    """What the gaits of both models attract: of the full one over a slice, of the reduced one all of it."""
+    return {
+        name: basin(replace(runner, reduced=name == "reduced"), (REDUCED[0], REDUCED[1]), PLANE)
+        for name in ("full", "reduced")
+    }
+
+
+def region_table(maps: dict[str, xarray.Dataset]) -> Columns:
+    """Fates and strides of all starts."""
+    height, speed = (grid.ravel() for grid in np.meshgrid(*PLANE, indexing="ij"))
+    columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
+    for name, data in maps.items():
+        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides")}
+    return columns
+
+
+def draw_regions(path: Path, maps: dict[str, xarray.Dataset]) -> None:
+    """Draw the full model's slice and the reduced map's plane, one beside the other."""
+    titles = {
+        "full": "(a) full model, a slice: the leg as at the gait's apex",
+        "reduced": "(b) reduced map, the whole plane",
+    }
+    with style.styled():
+        figure, panels = plt.subplots(1, 2, figsize=(11.0, 5.2), sharey=True, layout="constrained")
+        handles: dict[object, Artist] = {}
+        for panel, (name, data) in zip(panels, maps.items(), strict=True):
+            handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
+            panel.set_title(f"{titles[name]}: {data.attrs['settled_share']:.1%} settle")
+        panels[1].set_ylabel("")
+        figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=len(handles))
+        style.save(figure, path)
+
+
+def eigenvalue_table(sweeps: dict[str, Sweep]) -> Columns:
+    """The two largest eigenvalues of both models by friction."""
+    columns: dict[str, Any] = {"friction": [orbit.friction for orbit in sweeps["full"].orbits]}
+    for name, sweep in sweeps.items():
+        columns[f"word_{name}"] = [orbit.word for orbit in sweep.orbits]
+        for number in (0, 1):
+            columns[f"eigenvalue_{number + 1}_{name}"] = [
+                float(orbit.eigenvalues[number].real) for orbit in sweep.orbits
+            ]
+    return columns
+
+
+def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
+    """Draw the two largest eigenvalues of both models over the friction, and how far apart they are."""
+    data = eigenvalue_table(sweeps)
+    friction = np.asarray(data["friction"])
+    with style.styled():
+        figure, axes = plt.subplots(
+            3, 1, figsize=(7.6, 8.0), sharex=True, layout="constrained", height_ratios=(3, 3, 2)
+        )
+        for panel, number in zip(axes, (1, 2), strict=False):
+            for name, dashes in (("full", "-"), ("reduced", (0, (4, 2)))):
+                panel.plot(
+                    friction,
+                    data[f"eigenvalue_{number}_{name}"],
+                    color=COLOURS[name],
+                    linestyle=dashes,
+                    label="full model, six coordinates" if name == "full" else "reduced map, two",
+                )
+        axes[0].set_title("(a) largest eigenvalue: about speed", pad=18)
+        axes[1].set_title("(b) second: about height")
+        axes[0].legend(loc="lower left")
+        for number, colour in ((1, style.CURVE), (2, style.SECOND_CURVE)):
+            apart = np.abs(
+                np.asarray(data[f"eigenvalue_{number}_reduced"])
+                - np.asarray(data[f"eigenvalue_{number}_full"])
+            )
+            axes[2].semilogy(friction, apart, color=colour, label=("largest", "second")[number - 1])
+        axes[2].set_title("(c) difference of the two models")
+        axes[2].legend(loc="center right")
+        for panel in axes:
+            figure_9.mark_borders(panel, sweeps["full"])
+        figure_9.name_words(axes[0], sweeps["full"], height=0.02)
+        figure_9.friction_axis(axes[-1], data["friction"])
+        style.save(figure, path)
+
+
+def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
+    """Stability of the reduced map over touchdown angle and damping, and over retraction and friction."""
+    small = replace(runner, reduced=True)
+    return (
+        stability(small, {"leg.damping": DAMPINGS, "hip.touchdown_angle": ANGLES}),
+        stability(
+            small.but("hip.touchdown_angle", RETRACTED_ANGLE),
+            {FRICTION: FRICTIONS, "hip.retraction_rate": RETRACTIONS},
+        ),
+    )
+
+
+def plane_table(maps: tuple[StabilityMap, StabilityMap]) -> Columns:
+    """Both planes, one after the other: parameters by name and value, eigenvalue and word."""
+    columns: dict[str, list[Any]] = {}
+    for one in maps:
+        places = np.meshgrid(one.rows, one.columns, indexing="ij")
+        for which, name, values in zip(("first", "second"), one.names, places, strict=True):
+            columns.setdefault(f"{which}_parameter", []).extend([name] * values.size)
+            columns.setdefault(f"{which}_value", []).extend(values.ravel())
+        columns.setdefault("lambda_max", []).extend(one.lambda_max.ravel())
+        columns.setdefault("word", []).extend(one.word.ravel())
+    return columns
+
+
+def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
+    """Draw the largest eigenvalue over both planes, with the border of stability."""
+    first, second = maps
+    with style.styled():
+        figure, (left, right) = plt.subplots(1, 2, figsize=(11.0, 4.9), layout="constrained")
+        mesh = _draw_plane(left, first, np.degrees(first.columns), first.rows)
+        left.set_title(f"(a) friction 0.6: {first.stable_share:.0%} of the plane has a stable gait")
+        style.label(left, "touchdown angle  θ₀ (°)", "damping  c  / √(mk)")
+        _draw_plane(right, second, second.columns, second.rows)
+        right.set_yscale("log")
+        right.set_title(f"(b) touchdown angle 45°: {second.stable_share:.0%} has a stable gait")
+        style.label(right, "retraction rate  ω  / √(k/m)", "friction  μ")
+        right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
+        right.minorticks_off()
+        right.set_xticks([-0.02, -0.01, 0.0, 0.01, 0.02])
+        figure.colorbar(mesh, ax=(left, right), label="size of the largest eigenvalue", pad=0.01)
+        style.save(figure, path)
+
+
+def _draw_plane(
+    axes: Axes, one: StabilityMap, across: NDArray[np.float64], up: NDArray[np.float64]
+) -> QuadMesh:
+    """Blue is stable, red unstable, and where there is no gait the ground is grey."""
+    axes.set_facecolor(style.GROUND)
+    shown = np.ma.masked_invalid(one.lambda_max)
+    scale = TwoSlopeNorm(1.0, 0.5, 1.5)
+    mesh = axes.pcolormesh(across, up, shown, cmap="RdBu_r", norm=scale, shading="nearest", rasterized=True)
+    if np.nanmin(one.lambda_max) < 1.0 < np.nanmax(one.lambda_max):
+        axes.contour(across, up, shown, [1.0], colors=style.INK, linewidths=1.2)
+    axes.spines[["top", "right"]].set_visible(True)
+    return mesh
