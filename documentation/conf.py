@@ -1,5 +1,6 @@
 """How Sphinx builds the site; ./scripts/site calls it."""
 
+import os
 import sys
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import tdmf_slip
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "extensions"))
+os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"  # the guides' tdmf-slip
 
 project = "TDMF-SLIP"
 author = "The TDMF-SLIP authors"
@@ -25,7 +27,8 @@ extensions = [
     "python_reference",
     "variable_reference",
 ]
-exclude_patterns = ["extensions", "live", "data"]
+exclude_patterns = ["data", "extensions", "live", "templates"]
+templates_path = ["templates"]
 default_role = "literal"
 suppress_warnings = ["ref.python"]  # of two attributes with one name
 
@@ -49,6 +52,16 @@ html_theme = "furo"
 html_title = "TDMF-SLIP"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_sidebars = {
+    "**": [
+        "sidebar/brand.html",
+        "sidebar/search.html",
+        "live_link.html",
+        "sidebar/scroll-start.html",
+        "sidebar/navigation.html",
+        "sidebar/scroll-end.html",
+    ]
+}
 html_logo = "../fmu_src/model.png"
 html_favicon = "../fmu_src/model.png"
 html_math_renderer = "mathml"

@@ -134,18 +134,20 @@ build_distribution() {
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
 }
 
-# The site, in dist/site, with warnings as errors.
+# The site, in dist/site, with warnings as errors, and the live page in it.
 build_site() {
     need_debian_packages graphviz
     install_locked site
     say "Building the site into dist/site"
     rm -rf dist/site build/site
-    mkdir -p build
+    mkdir -p build/site dist
     .venv/bin/python -m sphinx --builder html --fail-on-warning --keep-going --quiet --jobs 2 \
-        --doctree-dir build/site documentation dist/site >build/site.log 2>&1 || {
-        cat build/site.log >&2
+        --doctree-dir build/site/read documentation build/site/html >build/site/log 2>&1 || {
+        cat build/site/log >&2
         fail "the site could not be built"
     }
+    mv build/site/html dist/site
+    documentation/live/build dist/site
 }
 
 # Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are

@@ -13,7 +13,9 @@ from pathlib import Path
 from pycparser import c_ast, c_generator, c_parser
 
 FOLDER = Path(__file__).parents[2] / "c_core/include/tdmf_slip"
-TYPES = "typedef int bool; typedef unsigned long size_t; typedef long int64_t;"
+TYPES = "".join(
+    f"typedef int {name};" for name in ("bool", "size_t", "int32_t", "int64_t", "uint32_t", "uint64_t")
+)
 """Of the standard headers, which the parser does not read."""
 COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
 FOR_CPLUSPLUS = re.compile(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif')

@@ -9,6 +9,7 @@ int main(void) {
     tdmf_model model;
 
     inputs.ground.friction = 0.43;
+    parameters.leg.damping = 0.2;
     tdmf_default_state(motion.state);
     if (tdmf_model_create(&model, &parameters).variable != NULL ||
         tdmf_start(&model, &inputs, motion.time, motion.state, &motion.mode, &motion.record).variable != NULL)

@@ -3,7 +3,11 @@
 import ctypes
 import importlib.resources
 import json
+import pathlib
 import signal
+import subprocess
+import sysconfig
+import venv
 
 import fmpy
 import numpy as np
@@ -146,3 +150,57 @@ def command(capsys, tmp_path, monkeypatch):
         return status, said.out, said.err
 
     return run
+
+
+# ---- what is installed elsewhere ----
+
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def succeed(*command, **options):
+    """What a command prints; it has to succeed."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="session")
+def installed_library(tmp_path_factory):
+    """Folder into which `cmake --install` has put the library."""
+    build = tmp_path_factory.mktemp("library")
+    prefix = build / "prefix"
+    succeed("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
+    succeed("cmake", "--build", build)
+    succeed("cmake", "--install", build, "--component", "library", "--prefix", prefix)
+    return prefix
+
+
+class Environment:
+    """A virtual environment that sees the packages of this one, but for tdmf_slip's own installation."""
+
+    def __init__(self, folder):
+        venv.create(folder, with_pip=False, symlinks=True)
+        (packages,) = folder.glob("lib/*/site-packages")
+        (packages / "others.pth").write_text(sysconfig.get_paths()["purelib"] + "\n", encoding="utf-8")
+        self.folder = folder
+        self.programs = folder / "bin"
+
+    def install(self, package, path=None):
+        """With nothing on the PATH but the environment itself, unless `path` says otherwise."""
+        variables = {"PATH": path or str(self.programs), "HOME": str(self.folder)}
+        options = ("--no-deps", "--no-build-isolation", "--ignore-installed", "--disable-pip-version-check")
+        pip = (self.programs / "python", "-m", "pip", "install")
+        succeed(*pip, *options, "--no-index", package, env=variables)
+        return variables
+
+    def python(self, *arguments):
+        """What the environment's Python prints, run far from the sources."""
+        variables = {"PATH": str(self.programs), "HOME": str(self.folder)}
+        return succeed(self.programs / "python", *arguments, env=variables, cwd=self.folder)
+
+
+@pytest.fixture
+def environment(tmp_path):
+    """An environment for packages of one's own."""
+    return Environment(tmp_path / "environment")

@@ -6,9 +6,7 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sysconfig
 import tarfile
-import venv
 import zipfile
 
 import pytest
@@ -31,30 +29,10 @@ def run(*command, **options):
     return done.stdout
 
 
-@pytest.fixture
-def environment(tmp_path):
-    """A virtual environment that sees the packages of this one, but for tdmf_slip's own installation."""
-    folder = tmp_path / "environment"
-    venv.create(folder, with_pip=False, symlinks=True)
-    (packages,) = folder.glob("lib/*/site-packages")
-    others = sysconfig.get_paths()["purelib"]
-    (packages / "others.pth").write_text(others + "\n", encoding="utf-8")
-    return folder
-
-
-def install(environment, package, *options, path=None):
-    """With nothing on the PATH but the environment itself, unless `path` says otherwise."""
-    variables = {"PATH": path or str(environment / "bin"), "HOME": str(environment)}
-    pip = [environment / "bin/python", "-m", "pip", "install", "--no-deps", "--no-build-isolation"]
-    options = [*options, "--ignore-installed", "--disable-pip-version-check", "--no-index"]
-    run(*pip, *options, package, env=variables)
-    return variables
-
-
 def assert_runs(environment, variables):
-    (package,) = environment.glob("lib/*/site-packages/tdmf_slip")
+    (package,) = environment.folder.glob("lib/*/site-packages/tdmf_slip")
     assert all((package / unit).is_file() for unit in UNITS)
-    command = environment / "bin/tdmf-slip"
+    command = environment.programs / "tdmf-slip"
     run_by_unit = json.loads(run(command, "simulate", "--strides", "2", "--json", env=variables))
     gait_by_library = json.loads(run(command, "gait", "--friction", "0.6", "--json", env=variables))
     for stride, tolerance in ((run_by_unit["stride"], 1e-6), (gait_by_library, 1e-9)):
@@ -63,7 +41,7 @@ def assert_runs(environment, variables):
 
 
 def test_the_wheel_installs_and_runs_without_a_compiler(environment):
-    variables = install(environment, WHEELS[0])
+    variables = environment.install(WHEELS[0])
     for compiler in ("cc", "gcc", "clang", "cmake", "ninja"):
         assert shutil.which(compiler, path=variables["PATH"]) is None
     assert_runs(environment, variables)
@@ -71,7 +49,7 @@ def test_the_wheel_installs_and_runs_without_a_compiler(environment):
 
 def test_the_source_distribution_installs_and_runs(environment):
     """By the compiler of the machine; CVODE comes along where SUNDIALS is found."""
-    assert_runs(environment, install(environment, SOURCES[0], path=os.environ["PATH"]))
+    assert_runs(environment, environment.install(SOURCES[0], path=os.environ["PATH"]))
 
 
 def elf_files(wheel):

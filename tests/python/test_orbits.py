@@ -300,7 +300,7 @@ def test_what_cannot_be_found_is_said(runner):
 
 @pytest.mark.parametrize("ends", [(1.0, 1000.0), (0.1, 10.0)])
 def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
-    """Of the values in the README only digits beyond those printed may differ."""
+    """Only digits beyond those written here may differ."""
     known = [0.265851556, 0.499106647, 0.499109883, 1.144140497, 8.454847622]
     borders = [border.value for border in sweep(runner, ends).borders]
     expected = [value for value in known if ends[0] < value < ends[1]]

@@ -105,6 +105,20 @@ def test_every_public_name_has_its_place(pages):
 # ---- a public name that nothing tells of ----
 
 
+def test_nothing_public_is_untold():
+    """What the build asks for, without a build."""
+    import c_headers
+    import python_reference
+
+    python_reference.check(ROOT / "scripts" / "tdmf_slip")
+    untold = {
+        name: header.undocumented for name, header in c_headers.headers().items() if header.undocumented
+    }
+    assert untold == {} and all(header.comment for header in c_headers.headers().values())
+    pages = "".join(path.read_text() for path in (SOURCES / "reference" / "c").glob("*.md"))
+    assert [name for name in c_headers.headers() if f"{{c-header}} {name}" not in pages] == []
+
+
 def test_a_python_name_without_a_docstring_is_refused(tmp_path):
     from python_reference import check
     from sphinx.errors import ExtensionError

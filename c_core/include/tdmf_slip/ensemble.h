@@ -68,15 +68,15 @@ typedef enum {
 
 /* What became of a runner. */
 typedef struct {
-    int fate;                        /* a tdmf_fate */
-    int gait;                        /* which, counted from 0; -1 for none */
-    int strides;                     /* how many closed */
-    int word_code;                   /* of the last stride, see tdmf_stride */
-    double apex[TDMF_SECTION_COUNT]; /* the last; the start while no stride has closed */
-    double time, distance;           /* s and m, that the strides took */
-    double work;                     /* J, of all strides, as all that follows: of hip and leg */
-    double hip_work, leg_work, external_work;
-    double damper_loss, friction_loss, impact_loss;
+    int fate;                                 /* a tdmf_fate */
+    int gait;                                 /* which, counted from 0; -1 for none */
+    int strides;                              /* how many closed */
+    int word_code;                            /* of the last stride, see tdmf_stride */
+    double apex[TDMF_SECTION_COUNT];          /* the last; the start while no stride has closed */
+    double time, distance;                    /* s and m, that the strides took */
+    double work;                              /* J, of all strides, as all that follows: of hip and leg */
+    double hip_work, leg_work, external_work; /* J, work of each */
+    double damper_loss, friction_loss, impact_loss; /* J, what each took */
 } tdmf_ensemble_end;
 
 /* Work done in a run, for whoever wants to know. */

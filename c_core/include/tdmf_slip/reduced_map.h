@@ -49,7 +49,7 @@ enum { TDMF_REDUCED_CHANGES = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
 /* A stride; where it has not closed, all but the outcomes is zero. The derivatives are there if they were
  * asked for. The energy of the centre of mass changes by the work less the four losses. */
 typedef struct {
-    tdmf_reduced_outcome outcome;
+    tdmf_reduced_outcome outcome;    /* whether it closed, and else why not */
     tdmf_outcome solver;             /* how the solver's call for the stance ended; else TDMF_ARRIVED */
     double apex[TDMF_REDUCED_COUNT]; /* the next */
     tdmf_stride stride;              /* its quantities; the work is that of the stance */

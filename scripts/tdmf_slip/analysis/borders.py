@@ -81,8 +81,11 @@ class Crossing:
     """A border, and the points of the branch on both sides of it."""
 
     border: Border
+    """What is crossed."""
     short: Point
+    """The gait on this side."""
     beyond: Point
+    """The gait on the other."""
 
 
 def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:

@@ -26,7 +26,9 @@ class Branch(Drawable):
     values: tuple[float, ...]
     """Of the parameter, at each gait."""
     orbits: tuple[Orbit, ...]
+    """The gaits."""
     borders: tuple[Border, ...]
+    """Where the word changes, in the branch's order."""
     specials: tuple[Special, ...]
     """Bifurcations, word borders, and what could not be judged, in the branch's order."""
     began: str

@@ -34,12 +34,15 @@ class Limits:
     """Where to stop."""
 
     low: float
+    """Of the parameter."""
     high: float
     """Values of the parameter between which the branch is followed."""
     begins_at: float
     """The end that is told as the beginning of the range."""
     largest_step: float
+    """Along the branch."""
     most_points: int
+    """Then it stops."""
 
 
 def follow(

@@ -37,6 +37,7 @@ class Variable:
     description: str
     """Its meaning."""
     causality: str
+    """As FMI has it: `parameter`, `input`, `output` and so on."""
     variability: str
     """`fixed`, `tunable`, `discrete` or `continuous`."""
     """As FMI has it: `parameter`, `input`, `output` and so on."""

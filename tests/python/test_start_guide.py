@@ -1,0 +1,77 @@
+"""The ways of the start guide, as printed: each finds the gait of a runner given at random.
+
+The Python way runs where only the wheel is installed, the C way against the installed library. All that is
+changed in the printed code are the values of the runner.
+"""
+
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+
+import pytest
+import tdmf_slip
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GUIDES = ROOT / "documentation" / "guides"
+PRINTED = (GUIDES / "start.md").read_text(encoding="utf-8")
+WHEELS = sorted((ROOT / "dist").glob("*manylinux*_x86_64.whl"))
+VALUES = {"ground.friction": (0.4, 1.2, "0.43"), "leg.damping": (0.18, 0.22, "0.2")}
+"""By what is changed in the printed code: from, to, and the value that is printed."""
+
+
+def run(*command, **options):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def runner():
+    """Values that a user might put for those printed; a failure tells them."""
+    draw = random.SystemRandom()
+    return {name: round(draw.uniform(low, high), 4) for name, (low, high, _) in VALUES.items()}
+
+
+@pytest.fixture(scope="module")
+def gait(runner):
+    """By Newton's method, in this process."""
+    return tdmf_slip.find_orbit(runner)
+
+
+def with_values(code, form, runner):
+    for name, value in runner.items():
+        printed = form.format(name, VALUES[name][2])
+        assert code.count(printed) == 1, printed
+        code = code.replace(printed, form.format(name, value))
+    return code
+
+
+@pytest.mark.skipif(
+    not WHEELS, reason="NOT TESTED: the start guide's Python; ./scripts/release makes the wheel"
+)
+def test_the_python_way_with_only_the_wheel(environment, runner, gait):
+    (code,) = re.findall(r"```\{code-cell\} python\n:tags: \[way-python\]\n(.*?)```", PRINTED, re.DOTALL)
+    environment.install(WHEELS[0])
+    said = environment.python("-c", with_values(code, '"{}": {}', runner))
+    word, period, speed, stable = said.split()
+    assert word == gait.word and stable == str(gait.stable), runner
+    assert float(period) == pytest.approx(gait.period, rel=1e-9), runner
+    assert float(speed) == pytest.approx(gait.stride["speed"], rel=1e-9), runner
+
+
+@pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
+def test_the_c_way_against_the_installed_library(installed_library, tmp_path, runner, gait):
+    (place,) = re.findall(r"```\{literalinclude\} (\S+\.c)\n", PRINTED)
+    code = with_values((GUIDES / place).read_text(encoding="utf-8"), "{} = {};", runner)
+    (tmp_path / "strides.c").write_text(code, encoding="utf-8")
+    (folder,) = {path.parent for path in installed_library.rglob("tdmf_slip.pc")}
+    variables = os.environ | {"PKG_CONFIG_PATH": str(folder)}
+    flags = run("pkg-config", "--cflags", "--libs", "tdmf_slip", env=variables).split()
+    run("cc", "-std=c99", tmp_path / "strides.c", *flags, "-o", tmp_path / "strides")
+    found = re.fullmatch(r"(\S+), speed (\S+), cost of transport (\S+)\n", run(tmp_path / "strides", env={}))
+    assert found and found[1] == gait.word, runner
+    assert float(found[2]) == pytest.approx(gait.stride["speed"], abs=6e-7), runner
+    assert float(found[3]) == pytest.approx(gait.stride["cost_of_transport"], abs=6e-7), runner
