@@ -62,15 +62,19 @@ double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs
 /* ---- the leg ------------------------------------------------------------------------------------------ */
 
 static double placed_length(const tdmf_model *model, const tdmf_inputs *inputs) {
-    (void)inputs;
-    return model->parameters.leg.free_length;
+    return model->parameters.leg.free_length + inputs->leg.extension;
 }
 
+static double placed_angle(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle;
+}
+
+/* Linear in what it is made of, so that it serves changes too. */
 static void write_leg(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                       double state[TDMF_STATE_COUNT]) {
     const tdmf_parameters *p = &model->parameters;
     state[TDMF_LEG_LENGTH] = placed_length(model, inputs);
-    state[TDMF_LEG_ANGLE] = p->hip.touchdown_angle - p->hip.retraction_rate * time;
+    state[TDMF_LEG_ANGLE] = placed_angle(model, inputs) - p->hip.retraction_rate * time;
     state[TDMF_LEG_LENGTH_RATE] = 0.0;
     state[TDMF_LEG_ANGLE_RATE] = -p->hip.retraction_rate;
 }
@@ -101,7 +105,7 @@ void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inpu
                                 tdmf_point apex, tdmf_point d_apex, double time,
                                 const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
-    write_leg(&d->model, &d->inputs, time, d_state); /* linear in what changes */
+    write_leg(&d->model, &d->inputs, time, d_state);
     const tdmf_point d_com = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
     tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, d_com, d_state);
 }
@@ -155,7 +159,7 @@ tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, td
                    apex.vy,
                    a.y,
                    model->body_share * length,
-                   model->parameters.hip.touchdown_angle,
+                   placed_angle(model, inputs),
                    model->parameters.hip.retraction_rate};
     height body = foot;
     body.swing = foot.swing - length;

@@ -88,8 +88,8 @@ typedef struct {
     bundle bundle;
 } run;
 
-static double energy_of(const run *run, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_mechanical_energy(run->model, run->inputs, &run->motion.mode, state).total;
+static double energy_of(const run *run, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    return tdmf_mechanical_energy(run->model, run->inputs, mode, state).total;
 }
 
 static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard guard,
@@ -106,13 +106,13 @@ static tdmf_reduced_outcome descend(run *run, const double apex[TDMF_REDUCED_COU
     if (begun != TDMF_REDUCED_CLOSED) {
         return begun;
     }
-    const double energy_at_apex = energy_of(run, run->motion.state);
+    const double energy_at_apex = energy_of(run, &run->motion.mode, run->motion.state);
     run->from = tdmf_center_of_mass(run->model, run->motion.state);
     const tdmf_reduced_outcome landed =
         tdmf_reduced_touch_down(run->model, run->inputs, until, &run->motion, &run->before);
     if (landed == TDMF_REDUCED_CLOSED) {
         log_event(log, &run->motion, TDMF_GUARD_TOUCHDOWN, &run->before.mode, run->before.state);
-        run->leg_loss = energy_at_apex - energy_of(run, run->before.state);
+        run->leg_loss = energy_at_apex - energy_of(run, &run->before.mode, run->before.state);
         touch_down(&run->bundle, run->model, run->inputs, run->from, &run->motion, &run->before);
     }
     return landed;
@@ -147,7 +147,8 @@ static tdmf_reduced_outcome rise(run *run, tdmf_event_log *log) {
     const tdmf_mode lifted_off = run->motion.mode;
     memcpy(run->lift_off, run->motion.state, sizeof run->lift_off);
     const tdmf_reduced_outcome risen = tdmf_reduced_fly(run->model, run->inputs, &run->motion);
-    run->leg_loss += energy_of(run, run->lift_off) - energy_of(run, run->motion.state);
+    run->leg_loss += energy_of(run, &run->motion.mode, run->lift_off) -
+                     energy_of(run, &run->motion.mode, run->motion.state);
     if (risen == TDMF_REDUCED_CLOSED) {
         log_event(log, &run->motion, TDMF_GUARD_APEX, &lifted_off, run->motion.state);
     }

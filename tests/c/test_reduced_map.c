@@ -177,6 +177,8 @@ static void parameters_and_inputs_are_differentiated(void **state) {
         scene.parameters.ground.static_friction_ratio += 0.01;
         scene.parameters.leg.thrust = 0.01;
         scene.inputs.hip.external_torque = -0.003;
+        scene.inputs.leg.extension = 0.02;
+        scene.inputs.control.touchdown_angle = 0.01;
         for (int k = 0; k < COORDINATES; ++k) {
             assert_differentiated(&scene, k, 1e-5 * fmax(0.01, fabs(*coordinate(&scene, k))), 1e-7);
         }
@@ -199,6 +201,9 @@ static apex_scene random_scene(random_source *source) {
     scene.parameters.ground.static_friction_ratio = random_uniform(source, 1.0, 1.5);
     scene.inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
     scene.inputs.hip.external_torque = random_uniform(source, -0.02, 0.02);
+    scene.parameters.leg.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 0.05);
+    scene.inputs.leg.extension = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.05, 0.05);
+    scene.inputs.control.stance_torque = random_uniform(source, -0.05, 0.05);
     scene.apex[0] = random_uniform(source, 0.8, 3.0);
     scene.apex[1] = random_uniform(source, -0.5, 2.0);
     return scene;
@@ -253,6 +258,9 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         p->hip.kp *= energy;
         p->hip.kd *= energy * time;
         p->hip.retraction_rate /= time;
+        p->leg.thrust *= length;
+        scaled.inputs.leg.extension *= length;
+        scaled.inputs.control.stance_torque *= energy;
         scaled.inputs.hip.external_torque *= energy;
         scaled.apex[0] *= length;
         scaled.apex[1] *= speed;
@@ -275,6 +283,29 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         assert_close(a.by_section[1].apex[0], b.by_section[1].apex[0] * speed / length, 1e-7);
     }
     assert_true(compared > 100);
+}
+
+/* What an input adds to a setting does what the setting would do. */
+static void control_and_extension_are_settings(void **state) {
+    apex_scene scene = at_gait(&reduced_gaits[2]), set = scene;
+    (void)state;
+    scene.inputs.control.touchdown_angle = 0.05;
+    scene.inputs.control.stance_torque = 0.03;
+    scene.inputs.control.thrust = 0.02;
+    set.parameters.hip.touchdown_angle += 0.05;
+    set.parameters.hip.stance_torque += 0.03;
+    set.parameters.leg.thrust = 0.02;
+    const tdmf_reduced_return a = stride_from(&scene, tight, false, NULL, 0);
+    const tdmf_reduced_return b = stride_from(&set, tight, false, NULL, 0);
+    scene.inputs.leg.extension = 0.1;
+    set.parameters.leg.free_length += 0.1;
+    const tdmf_reduced_return c = stride_from(&scene, tight, false, NULL, 0);
+    const tdmf_reduced_return d = stride_from(&set, tight, false, NULL, 0);
+    for (int i = 0; i < TDMF_REDUCED_COUNT; ++i) {
+        assert_close(a.apex[i], b.apex[i], 1e-12);
+        assert_close(c.apex[i], d.apex[i], 1e-11);
+    }
+    assert_true(fabs(a.apex[0] - c.apex[0]) > 1e-3);
 }
 
 /* ---- what has no next apex ---------------------------------------------------------------------------- */
@@ -446,6 +477,7 @@ int main(void) {
         cmocka_unit_test(parameters_and_inputs_are_differentiated),
         cmocka_unit_test(the_energy_of_the_centre_of_mass_closes),
         cmocka_unit_test(a_scaled_runner_makes_the_scaled_stride),
+        cmocka_unit_test(control_and_extension_are_settings),
         cmocka_unit_test(a_stride_that_does_not_close_says_why),
         cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
