@@ -57,9 +57,9 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode);
 double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_TERMS]);
 
 /* Coordinates at a time within the step. */
-tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double elapsed);
+tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double time);
 
 /* Hip work since the step's start. */
-double tdmf_step_work(const tdmf_step *step, double elapsed);
+double tdmf_step_work(const tdmf_step *step, double time);
 
 #endif

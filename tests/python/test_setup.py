@@ -1,6 +1,7 @@
 """What the scripts install: Debian packages with leave only, Python packages by exact versions and hashes."""
 
 import importlib.metadata
+import json
 import os
 import pathlib
 import re
@@ -180,3 +181,26 @@ def test_at_a_terminal_sudo_is_used_after_asking_only(need, answer, does):
         ]
     else:
         assert calls() == [] and b"please install" in said
+
+
+# ---- what CONTRIBUTING says ----
+
+
+def test_contributing_names_scripts_and_presets_that_there_are():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    scripts = set(re.findall(r"^(?:\./)?scripts/(\w+)\b", text, re.MULTILINE))
+    assert len(scripts) >= 6
+    assert all(os.access(ROOT / "scripts" / name, os.X_OK) for name in scripts), scripts
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    there = {preset["name"] for preset in presets["configurePresets"]}
+    named = set(re.findall(r"--preset (\w+)", text)) | set(
+        re.findall(r"`(\w+)`", text.split("CMake presets:")[1][:150])
+    )
+    assert len(named) >= 5 and named <= there, named - there
+    assert {preset["configurePreset"] for preset in presets["testPresets"]} <= there
+
+
+def test_a_public_host_runs_the_same_script():
+    workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text(encoding="utf-8")
+    assert "run: ./scripts/test\n" in workflow
+    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
