@@ -203,3 +203,44 @@ def test_lines_are_solid_where_gaits_are_stable(over_torque):
 def test_a_wrong_range_is_told(command, over, said):
     status, out, complaint = command("continue", "--over", over)
     assert (status, out) == (2, "") and said in complaint
+
+
+def test_a_sweep_says_that_a_fold_ends_its_branch(command):
+    """The fast human down to 0.35, below the fold at 0.3836; over the friction by its own name, too."""
+    options = ("--parameters", str(FAST_HUMAN), "--json")
+    for span in (("--friction", "0.5:0.35:4"), ("--over", "ground.friction=0.5:0.35:4")):
+        status, out, said = command("sweep", *span, *options)
+        told = json.loads(out)
+        assert status == 1 and told["missing"] == [0.35]
+        (branch,) = told["branches"]
+        assert (branch["from"], branch["began"]) == (0.5, None) and branch["to"] == pytest.approx(0.4)
+        assert branch["ended"] == "the branch ends in a fold at ground.friction = 0.3836020818"
+        assert "0.3836020818" in said
+    status, out, _ = command("sweep", "--friction", "0.35:0.5:4", *options)
+    (branch,) = json.loads(out)["branches"]
+    assert (
+        branch["from"] == pytest.approx(0.4) and branch["ended"] is None and "0.3836020818" in branch["began"]
+    )
+
+
+def test_a_sweep_over_any_parameter_alone(command, tmp_path):
+    over = ("sweep", "--over", "leg.damping=0.15:0.25:3")
+    status, out, _ = command(*over, "--friction", "0.43", "--json", "--output", "sweep.nc")
+    told = json.loads(out)
+    assert status == 0 and told["over"] == "leg.damping" and told["missing"] == []
+    for gait, value in zip(told["gaits"], (0.15, 0.2, 0.25), strict=True):
+        assert gait["value"] == gait["start_values"]["leg.damping"] == pytest.approx(value, abs=1e-15)
+        assert gait["friction"] == 0.43
+    import xarray
+
+    data = xarray.load_dataset(tmp_path / "sweep.nc")
+    assert data["leg.damping"].attrs["units"] == "N.s/m" and data["branch"].values.tolist() == [0, 0, 0]
+    status, out, _ = command(*over, "--set", "ground.friction=0.43", "--json")
+    assert json.loads(out)["gaits"] == told["gaits"]
+    for wrong, said in (
+        (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction says"),
+        (("--over", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--over says"),
+        ((), "neither --friction nor --over"),
+    ):
+        status, out, complaint = command("sweep", *wrong)
+        assert (status, out) == (2, "") and said in complaint

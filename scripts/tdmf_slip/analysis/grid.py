@@ -21,7 +21,7 @@ from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given, Values
 from .search import model_of
-from .sweep import MOST_VALUES, check_frictions, sweep_row
+from .sweep import MOST_VALUES, check_values, sweep_row
 
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""
@@ -178,7 +178,7 @@ def grid(
         raise InputError(
             f"a grid of {len(across)} by {len(down)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
         )
-    check_frictions(runner, across)
+    check_values(runner, FRICTION, across)
     for value in down:
         row = runner.but(name, value)
         _ = row.model, row.inputs
@@ -187,6 +187,8 @@ def grid(
     }
     attributes |= model_of(runner)
     blank = as_dataset([None] * (len(down) * len(across)), coordinates, unit)
+    blank["branch"] = (name, FRICTION), np.full((len(down), len(across)), np.nan)
+    blank["branch"].attrs = {"long_name": "number of the branch in its row"}
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
     blank["problem"] = (name,), np.full(len(down), "", dtype=object)
     blank.attrs = attributes
@@ -200,10 +202,11 @@ def grid(
         run_blocks(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
     ):
         bar.update(len(down) - len(missing))
-        for number, (orbits, problem) in results:
+        for number, (orbits, branches, problem) in results:
             found = as_dataset(orbits, {FRICTION: coordinates[FRICTION]}, unit)
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
+            data["branch"][missing[number]] = branches
             data["problem"][missing[number]] = problem
             data["done"][missing[number]] = 1
             write_dataset(path, data)
@@ -255,6 +258,8 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
         ]
     except TdmfSlipError:
         return False
+    if not np.array_equal(row["branch"].notnull().values, found):
+        return False
     return same_values(row, as_dataset(orbits, {FRICTION: frictions}, unit), GAITS_AGREE)
 
 
@@ -268,8 +273,8 @@ class Row:
     """At which."""
 
 
-def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
-    """The gait at each friction, None where it was not found; and why not, or "".
+def gaits_of_row(row: Row) -> tuple[list[Orbit | None], list[float], str]:
+    """The gait at each friction, None where it was not found; of which branch it is; and why none, or "".
 
     Parameters
     ----------
@@ -278,11 +283,15 @@ def gaits_of_row(row: Row) -> tuple[list[Orbit | None], str]:
 
     Returns
     -------
-    pair of list of Orbit or None, and str
-        The gaits in the order of the frictions.
+    gaits : list of Orbit or None
+        In the order of the frictions.
+    branches : list of float
+        Their numbers in the row, another where one branch ends and the next begins; NaN without a gait.
+    problem : str
+        What ends a branch, or keeps gaits from being found.
     """
     try:
-        found = sweep_row(row.runner, row.frictions)
+        found = sweep_row(row.runner, FRICTION, row.frictions)
     except TdmfSlipError as problem:  # also start values that go with other rows only
-        return [None] * len(row.frictions), str(problem)
-    return list(found.gaits), found.problem or ""
+        return [None] * len(row.frictions), [np.nan] * len(row.frictions), str(problem)
+    return list(found.gaits), found.branches, found.problem or ""

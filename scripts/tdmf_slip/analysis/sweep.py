@@ -1,4 +1,4 @@
-"""Gaits over a range of friction, and the borders between gait words."""
+"""Gaits over a range of a parameter, and the borders between gait words."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,16 +9,16 @@ import numpy as np
 
 from ..drawable import Drawable
 from ..errors import InputError, RunError
-from ..library.members import check_has_gaits
+from ..library.members import check_has_gaits, check_varied
 from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given, Values
 from .borders import Border, crossings
-from .continuation import gaits_over
 from .family import Family
 from .search import find_orbit
+from .stretch import Stretch, followed
 
 if TYPE_CHECKING:
     import xarray
@@ -33,23 +33,27 @@ MOST_GAITS = 100_000
 class Sweep(Drawable):
     """Gaits at the values of a range, where they were found."""
 
-    frictions: tuple[float, ...]
+    name: str
+    """Of the parameter or input."""
+    values: tuple[float, ...]
     """The range."""
     gaits: tuple[Orbit | None, ...]
-    """At each friction; None where there is none, or it was not found."""
+    """At each value; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
     """Where the word changes along a branch, in the order of the range."""
+    stretches: tuple[Stretch, ...]
+    """Of the range, in its order, the gaits of each on one branch; and why it ends."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
 
     def __repr__(self) -> str:
         """In a line: how many gaits, from where to where, and their words."""
         words = ", ".join(dict.fromkeys(orbit.word for orbit in self.orbits))
-        ends = f"{self.frictions[0]:.6g} to {self.frictions[-1]:.6g}"
-        return f"<Sweep {len(self.orbits)} of {len(self.frictions)} gaits, {FRICTION} {ends}: {words}>"
+        ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
+        return f"<Sweep {len(self.orbits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
 
     def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
-        """Quantities of the gaits over the friction, with units.
+        """Quantities of the gaits over the parameter, with units.
 
         Parameters
         ----------
@@ -59,11 +63,21 @@ class Sweep(Drawable):
         Returns
         -------
         xarray.Dataset
-            As `grid.as_dataset` gives it.
+            As `grid.as_dataset` gives it, and `branch`, the number of the stretch.
         """
         from .grid import as_dataset  # xarray is slow to load
 
-        return as_dataset(self.gaits, {FRICTION: np.array(self.frictions)}, load(unit))
+        data = as_dataset(self.gaits, {self.name: np.array(self.values)}, load(unit))
+        data["branch"] = (self.name,), self.branches
+        return data
+
+    @property
+    def branches(self) -> list[float]:
+        """By value of the range, the number of its stretch; NaN where there is no gait."""
+        numbers = [np.nan] * len(self.values)
+        for number, stretch in enumerate(self.stretches):
+            numbers[stretch.begin : stretch.end] = [float(number)] * (stretch.end - stretch.begin)
+        return numbers
 
     @property
     def orbits(self) -> tuple[Orbit, ...]:
@@ -71,29 +85,56 @@ class Sweep(Drawable):
         return tuple(gait for gait in self.gaits if gait is not None)
 
     def as_json(self) -> dict[str, object]:
-        """The sweep as a plain object; `missing` are the frictions without a gait."""
-        found = zip(self.frictions, self.gaits, strict=True)
+        """The sweep as a plain object; `missing` are the values without a gait."""
+        found = zip(self.values, self.gaits, strict=True)
         return {
-            "gaits": [orbit.as_json() for orbit in self.orbits],
-            "transitions": [border.as_json() for border in self.borders],
-            "missing": [friction for friction, gait in found if gait is None],
+            "over": self.name,
+            "gaits": [orbit.as_json() | {"value": value} for value, orbit in found if orbit is not None],
+            "transitions": [border.as_json(short(self.name)) for border in self.borders],
+            "branches": [stretch.as_json(self.values) for stretch in self.stretches],
+            "missing": [v for v, gait in zip(self.values, self.gaits, strict=True) if gait is None],
             "problem": self.problem,
         }
 
 
-def sweep(runner: Runner | Mapping[str, Given], frictions: Values, *, show_progress: bool = False) -> Sweep:
-    """The gait at each friction, each from the one before, and every change of the gait word between.
+def short(name: str) -> str:
+    """How results name a parameter: the friction by that word alone.
 
-    Where the first frictions have no gait, the sweep begins at the first that has one, and follows its branch
-    back as far as it goes; where a branch cannot be followed on, the sweep goes on with the next gait that is
-    found. `problem` says what happened. Changes of the word from one branch to another are no borders.
+    Parameters
+    ----------
+    name : str
+        The unit's name of it.
+
+    Returns
+    -------
+    str
+        The same, but for the friction.
+    """
+    return "friction" if name == FRICTION else name
+
+
+def sweep(
+    runner: Runner | Mapping[str, Given],
+    values: Values,
+    *,
+    over: str = FRICTION,
+    show_progress: bool = False,
+) -> Sweep:
+    """The gait at each value of a parameter, each from the one before, and every change of the gait word.
+
+    Where the first values have no gait, the sweep begins at the first that has one, and follows its branch
+    back as far as it goes; where a branch cannot be followed on, because of a fold or as the gait is lost,
+    the sweep goes on with the next gait that is found, which is of another branch. `stretches` and `problem`
+    say what happened. Changes of the word from one branch to another are no borders.
 
     Parameters
     ----------
     runner : Runner or mapping of str to float
-        Parameters and start, or start values by name; its friction does not matter.
-    frictions : sequence of float
-        Values in order, above 0.
+        Parameters and start, or start values by name; the value of what is varied does not matter.
+    values : sequence of float
+        In order; of the friction, above 0.
+    over : str, default "ground.friction"
+        The parameter or input that is varied.
     show_progress : bool, default False
         A bar on stderr.
 
@@ -105,27 +146,30 @@ def sweep(runner: Runner | Mapping[str, Given], frictions: Values, *, show_progr
     Raises
     ------
     InputError
-        A value is refused.
+        A value is refused, or there is no such parameter.
     RunError
         There is no gait at any of them; the message tells of the first.
     """
     runner = Runner.of(runner)
-    values = load().find(FRICTION, "frictions").values_of(frictions, "frictions")
-    if len(values) > MOST_GAITS:
-        raise InputError(f"{len(values):,} frictions: allowed: {MOST_GAITS:,}, or a grid, which is on file")
-    check_frictions(runner, values)
-    return sweep_row(runner, values, show_progress)
+    check_varied(over, "over")
+    row = load().find(over, "values").values_of(values, "values")
+    if len(row) > MOST_GAITS:
+        raise InputError(f"{len(row):,} values: allowed: {MOST_GAITS:,}, or a grid, which is on file")
+    check_values(runner, over, row)
+    return sweep_row(runner, over, row, show_progress)
 
 
-def sweep_row(runner: Runner, frictions: Values, show_progress: bool = False) -> Sweep:
-    """`sweep` over frictions that are checked already.
+def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = False) -> Sweep:
+    """`sweep` over values that are checked already.
 
     Parameters
     ----------
     runner : Runner
         Whose gaits.
-    frictions : sequence of float
-        Values in order.
+    name : str
+        Of the parameter that is varied.
+    values : sequence of float
+        In order.
     show_progress : bool, default False
         A bar on stderr.
 
@@ -134,92 +178,89 @@ def sweep_row(runner: Runner, frictions: Values, show_progress: bool = False) ->
     Sweep
         As `sweep` gives it.
     """
-    gaits: list[Orbit | None] = [None] * len(frictions)
+    gaits: list[Orbit | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
+    stretches: list[Stretch] = []
     end = 0
-    with progress.bar("sweep", len(frictions), "gaits", show_progress) as bar:
-        while end < len(frictions):
-            begin, first, why = _begin(runner, frictions, end, bar)
+    with progress.bar("sweep", len(values), "gaits", show_progress) as bar:
+
+        def tell() -> None:
+            bar.update()
+
+        while end < len(values):
+            begin, first, why = _begin(runner, name, values, end, bar)
             if first is None:
                 problems += why
                 break
-            preceding, _ = _followed(runner, frictions[end:begin][::-1], first, bar)
-            following, lost = _followed(runner, frictions[begin:], first, bar)
+            preceding, began = followed(runner, name, values[end:begin][::-1], first, tell)
+            following, ended = followed(runner, name, values[begin:], first, tell)
             branch = [*preceding[::-1], *following]
-            problems += why if end < begin - len(preceding) else []
-            problems += lost
+            problems += [*why, *began] if end < begin - len(preceding) else []
+            problems += ended
             end = begin + len(following)
             gaits[end - len(branch) : end] = branch
-            found, unknown = _borders(runner, branch)
+            stretches.append(Stretch(end - len(branch), end, "; ".join(began), "; ".join(ended)))
+            found, unknown = _borders(runner, name, branch)
             borders += found
             problems += unknown
     if not any(gaits):
-        raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(frictions) > 1)]))
+        raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(values) > 1)]))
     return Sweep(
-        frictions=tuple(float(friction) for friction in frictions),
-        gaits=tuple(gaits),
-        borders=tuple(borders),
-        problem="; ".join(dict.fromkeys(problems)) or None,
+        name,
+        tuple(float(value) for value in values),
+        tuple(gaits),
+        tuple(borders),
+        tuple(stretches),
+        "; ".join(dict.fromkeys(problems)) or None,
     )
 
 
 def _begin(
-    runner: Runner, frictions: Values, start: int, bar: progress.Bar
+    runner: Runner, name: str, values: Values, start: int, bar: progress.Bar
 ) -> tuple[int, Orbit | None, list[str]]:
-    """Number of a friction with a gait, the first from `start` on; that gait; why the one at `start` is none.
+    """Number of a value with a gait, the first from `start` on; that gait; why the one at `start` is none.
 
     While there is none yet, the longer search is made at both ends of the range: a branch that comes from
     outside is met there.
     """
     why: list[str] = []
-    for number in range(start, len(frictions)):
-        search = find_orbit if start == 0 and number in (0, len(frictions) - 1) else settled_orbit
+    for number in range(start, len(values)):
+        search = find_orbit if start == 0 and number in (0, len(values) - 1) else settled_orbit
         try:
-            return number, search(runner.but(FRICTION, frictions[number])), why
+            return number, search(runner.but(name, values[number])), why
         except RunError as problem:
             why = why or [str(problem)]
             bar.update()
-    return len(frictions), None, why
+    return len(values), None, why
 
 
-def _followed(
-    runner: Runner, frictions: Values, first: Orbit, bar: progress.Bar
-) -> tuple[list[Orbit], list[str]]:
-    """Gaits from one on, as far as the branch could be followed, and what stopped it."""
-    found: list[Orbit] = []
-    try:
-        for orbit in gaits_over(runner, FRICTION, frictions, first):
-            found.append(orbit)
-            bar.update()
-    except RunError as problem:
-        return found, [str(problem)]
-    return found, []
-
-
-def _borders(runner: Runner, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
+def _borders(runner: Runner, name: str, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
     """All changes of the word, and why some are missing."""
     borders: list[Border] = []
     problems: list[str] = []
     for before, after in pairwise(orbits):
         try:
-            family = Family(runner, FRICTION)
+            family = Family(runner, name)
             borders += [found.border for found in crossings(family, *family.points(before, after))]
         except RunError as problem:
             problems.append(str(problem))
     return borders, problems
 
 
-def check_frictions(runner: Runner, frictions: Values) -> None:
-    """Refuse, before any work, frictions at which there is no gait to follow.
+def check_values(runner: Runner, name: str, values: Values) -> None:
+    """Refuse, before any work, values at which there is no gait to follow.
 
     Parameters
     ----------
     runner : Runner
         Whose gaits are to be found.
-    frictions : sequence of float
+    name : str
+        Of the parameter that is varied.
+    values : sequence of float
         At which.
     """
-    for friction in frictions:
-        _ = runner.but(FRICTION, friction).inputs
-        check_has_gaits(friction)
+    for value in values:
+        other = runner.but(name, value)
+        _ = other.model, other.inputs
+        check_has_gaits(other.values[FRICTION])

@@ -1,4 +1,4 @@
-"""The command `sweep`: gaits over a range of friction, alone or with a second parameter."""
+"""The command `sweep`: gaits over a range of a parameter, or over the friction and a second one."""
 
 from pathlib import Path
 
@@ -6,7 +6,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.sweep import Sweep, sweep
+from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_place
 from ..library.members import check_varied
@@ -38,13 +38,17 @@ SPACING_OPTION = click.option(
 
 
 @click.command("sweep", cls=Command)
-@click.option("--friction", "frictions", required=True, metavar="A:B:N", help="N values from A to B.")
+@click.option(
+    "--friction",
+    metavar="A:B:N",
+    help="N values from A to B; with --over also a single one, MU, for all gaits.",
+)
 @click.option(
     "--over",
     metavar="NAME=A:B:N",
-    help="A second parameter or input, as in leg.damping=0.1:0.3:20 or "
-    "hip.touchdown_angle='35 deg:45 deg:11'; makes a grid of gaits, written to --output row by row; resumed "
-    "where the file has rows already.",
+    help="A parameter or input that is varied, as in leg.damping=0.1:0.3:20 or "
+    "hip.touchdown_angle='35 deg:45 deg:11'. With a range of friction a grid of gaits, written to "
+    "--output row by row; resumed where the file has rows already.",
 )
 @SPACING_OPTION
 @click.option(
@@ -60,7 +64,7 @@ SPACING_OPTION = click.option(
 @MODEL_OPTION
 @JSON_OPTION
 def sweep_command(
-    frictions: str,
+    friction: str | None,
     over: str | None,
     spacing: str,
     output: Path | None,
@@ -71,38 +75,70 @@ def sweep_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """Gaits over a range of friction, and the borders between gait words.
+    """Gaits over a range of friction or of another parameter, and the borders between gait words.
 
-    A range that begins where there is no gait is swept from the first friction that has one. Where gaits are
-    missing, those that were found are printed and written, and the exit status is 1. The rows of a grid are
-    computed side by side.
+    A range that begins where there is no gait is swept from the first value that has one, both ways. Where a
+    fold ends a branch the sweep goes on with another, and says so. Where gaits are missing, those that were
+    found are printed and written, and the exit status is 1. The rows of a grid are computed side by side.
     """
     if output is not None:
         check_place(output, (".nc",), "--output")
     unit = load()
     given = values_given(None, settings)
-    refuse_given(given, FRICTION, "--friction")
-    values = values_of(frictions, spacing, unit.variables[FRICTION], "--friction")
-    runner = runner_of(unit, parameters, given, model)
-    if over is None and (scheduler is not None or workers is not None):
-        raise InputError(
-            "--scheduler, --workers: without --over each gait is found from the one before; "
-            "allowed: with --over"
-        )
+    if over is None and friction is None:
+        raise InputError("neither --friction nor --over: allowed: one of the two, or both")
+    if friction is not None:
+        refuse_given(given, FRICTION, "--friction")
+        if over is not None and ":" not in friction:
+            given, friction = {**given, FRICTION: ("--friction", friction)}, None
     if over is not None:
         refuse_given(given, over.partition("=")[0], "--over")
-        _grid(runner, values, over, spacing, output, scheduler, workers, as_json_object)
+    runner = runner_of(unit, parameters, given, model)
+    if friction is None or over is None:
+        if scheduler is not None or workers is not None:
+            raise InputError(
+                "--scheduler, --workers: without --over each gait is found from the one before, nor are they "
+                "of use for a single friction; allowed: with --over and --friction A:B:N"
+            )
+        span = over if friction is None else f"{FRICTION}={friction}"
+        _row(
+            runner,
+            *_span(unit, str(span), spacing, "--over" if over else "--friction"),
+            output,
+            as_json_object,
+        )
         return
+    frictions = _span(unit, f"{FRICTION}={friction}", spacing, "--friction")[1]
+    _grid(runner, frictions, over, spacing, output, scheduler, workers, as_json_object)
+
+
+def _span(unit: Unit, over: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
+    """The parameter of a range NAME=A:B:N, and its values."""
+    name, equals, span = (part.strip() for part in over.partition("="))
+    if not equals:
+        raise InputError(f"--over {over}: allowed: NAME=A:B:N")
+    check_varied(name, "--over")
+    where = option if option == "--friction" else f"--over {name} ="
+    return name, values_of(span, spacing, unit.variables[name], where)
+
+
+def _row(
+    runner: Runner,
+    name: str,
+    values: NDArray[np.float64],
+    output: Path | None,
+    as_json_object: bool,
+) -> None:
+    unit = load()
     if output is not None:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
-    found = sweep(runner, values, show_progress=True)
+    found = sweep(runner, values, over=name, show_progress=True)
     if output is not None:
-        from ..analysis.grid import as_dataset
         from ..files.netcdf import write_dataset
 
-        write_dataset(output, as_dataset(found.gaits, {FRICTION: values}, unit))
+        write_dataset(output, found.to_xarray(unit))
     print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")
@@ -120,14 +156,10 @@ def _grid(
 ) -> None:
     from ..analysis.grid import grid  # xarray is slow to load
 
-    name, equals, span = (part.strip() for part in over.partition("="))
-    if not equals:
-        raise InputError(f"--over {over}: allowed: NAME=A:B:N")
     if output is None:
         raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
     unit = load()
-    check_varied(name, "--over")
-    rows = values_of(span, spacing, unit.variables[name], f"--over {name} =")
+    name, rows = _span(unit, over, spacing, "--over")
     data = grid(
         runner,
         frictions,
@@ -149,10 +181,15 @@ def _grid(
         raise RunError(f"{problems[0]}; {gaits} of {data['period'].size} gaits were found")
 
 
+def _headed(name: str, unit: Unit) -> str:
+    measure = unit.variables[name].unit
+    return short(name) if measure in ("", "1") else f"{name} ({measure})"
+
+
 def _sweep_text(found: Sweep, unit: Unit) -> str:
     rows = [
         (
-            f"{orbit.friction:.6g}",
+            f"{value:.6g}",
             orbit.word,
             f"{orbit.stride['period']:.8g}",
             f"{orbit.stride['speed']:.8g}",
@@ -160,9 +197,10 @@ def _sweep_text(found: Sweep, unit: Unit) -> str:
             f"{orbit.lambda_max:.8f}",
             "yes" if orbit.stable else "no",
         )
-        for orbit in found.orbits
+        for value, orbit in zip(found.values, found.gaits, strict=True)
+        if orbit is not None
     ]
     with_units = [f"{name} ({unit.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
-    header = ("friction", "word", *with_units, "cost of transport", "lambda_max", "stable")
+    header = (_headed(found.name, unit), "word", *with_units, "cost of transport", "lambda_max", "stable")
     borders = [f"{border.before} to {border.after} at {border.value:.10g}" for border in found.borders]
     return "\n".join([table(header, rows), *borders])

@@ -10,7 +10,7 @@ from ..analysis.sweep import Sweep
 from ..errors import InputError
 from ..library.orbit import Orbit
 from ..unit.run import Run
-from ..unit.unit import FRICTION, load
+from ..unit.unit import load
 from . import branch, branch_diagram, overview, velocity_and_ratio
 from .stride import Stride
 
@@ -56,8 +56,8 @@ def _gait(result: Orbit) -> Figure:
 @_figure_of.register
 def _sweep(result: Sweep) -> Figure:
     orbits = result.orbits
-    values = [orbit.friction for orbit in orbits]
-    return branch.figure_of(FRICTION, values, orbits, result.borders, load())
+    values = [orbit.runner.values[result.name] for orbit in orbits]
+    return branch.figure_of(result.name, values, orbits, result.borders, load())
 
 
 @_figure_of.register

@@ -1,0 +1,112 @@
+"""Gaits at values of a parameter in turn, as far as their branch goes along it, and what ends it there."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit
+from ..library.runner import Runner
+from ..unit.variable import Values
+from .bifurcations import FOLD, happenings
+from .continuation import gaits_over
+from .family import Family, Point
+from .steps import Limits, follow
+
+LARGEST_STEP = 0.2
+MOST_POINTS = 200
+"""Of a branch that is followed to learn why it ends, from the last gait on."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Of a range, values whose gaits are of one branch."""
+
+    begin: int
+    """Number of the first value."""
+    end: int
+    """Number after that of the last."""
+    began: str
+    """Why the branch has no gait at the value before; empty at the beginning of the range."""
+    ended: str
+    """Why it has none at the next; empty at the end of the range."""
+
+    def as_json(self, values: Sequence[float]) -> dict[str, object]:
+        """As a plain object; the values are those of the range."""
+        ends = {"from": values[self.begin], "to": values[self.end - 1]}
+        return {**ends, "began": self.began or None, "ended": self.ended or None}
+
+
+def followed(
+    runner: Runner,
+    name: str,
+    values: Values,
+    first: Orbit,
+    step_finished: Callable[[], None] = lambda: None,
+) -> tuple[list[Orbit], list[str]]:
+    """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+    name : str
+        Of the parameter.
+    values : sequence of float
+        Of it, in order.
+    first : Orbit
+        A gait to begin at.
+    step_finished : callable, optional
+        Called after each gait.
+
+    Returns
+    -------
+    pair of list of Orbit, and list of str
+        The gaits, fewer than the values where the branch ends before, and then why it does.
+    """
+    found: list[Orbit] = []
+    while len(found) < len(values):
+        last = found[-1] if found else first
+        try:
+            for orbit in gaits_over(runner, name, values[len(found) :], last):
+                found.append(orbit)
+                step_finished()
+        except RunError as problem:
+            last = found[-1] if found else first
+            reached, why = _beyond(Family(runner, name), last, float(values[len(found)]))
+            if reached is None:
+                return found, [why or str(problem)]
+            found.append(reached)
+            step_finished()
+    return found, []
+
+
+def _beyond(family: Family, last: Orbit, value: float) -> tuple[Orbit | None, str]:
+    """The gait at a value where the branch leads there, by steps along it; else why it does not."""
+    at = family.value_of(last)
+    back = 2.0 * at - value
+    limits = Limits(min(value, back), max(value, back), back, LARGEST_STEP, MOST_POINTS)
+    try:
+        first = family.point(last, np.append(np.zeros(len(last.apex)), value - at))
+        points, ended = follow(family, first, limits)
+    except (InputError, RunError):
+        return None, ""
+    fold = _fold(family, points)
+    if fold is not None:
+        return None, f"the branch ends in a fold at {family.name} = {fold:.10g}"
+    if points[-1].value == value:
+        return points[-1].orbit, ""
+    return None, f"the branch ends at {family.name} = {points[-1].value:.10g}: {ended}"
+
+
+def _fold(family: Family, points: Sequence[Point]) -> float | None:
+    """Where the parameter turns back first."""
+    for before, after in pairwise(points):
+        if before.rises != after.rises:
+            folds = [
+                special.value for special in happenings(family, before, after)[1] if special.kind == FOLD
+            ]
+            return folds[0] if folds else 0.5 * (before.value + after.value)
+    return None
