@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from .peers.heyoka_peer import BatchPeer
 
 
-def measure_lanes(many: Runners, instructions: str, effort: float) -> Iterator[Measurement]:
+def measure_lanes(
+    many: Runners, instructions: str, effort: float, group: str = MANY
+) -> Iterator[Measurement]:
     """Time the engine by one instruction set, in one thread."""
 
     def error_at(tolerance: float) -> float:
@@ -27,7 +29,7 @@ def measure_lanes(many: Runners, instructions: str, effort: float) -> Iterator[M
     for accuracy, tolerance, error in loosest(instructions, error_at):
         seconds, work = many.run(instructions, tolerance, 1, effort)
         yield Measurement(
-            MANY,
+            group,
             instructions,
             accuracy,
             tolerance,

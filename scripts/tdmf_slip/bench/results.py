@@ -10,6 +10,7 @@ ACCURACIES = (1e-8, 1e-5)
 ALONE = ", integrators alone"
 """Without the transitions between modes, which a user of heyoka writes in Python."""
 ONE, MANY = "one runner", "ensemble, on one processor"
+REDUCED = "reduced map, on one processor"
 """The groups."""
 
 

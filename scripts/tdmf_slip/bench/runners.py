@@ -1,6 +1,6 @@
 """Runners that start about a gait's apex: what all solvers are given, and by what their errors are judged."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from ..library import ensemble
 from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
-from ..library.section import COORDINATES
 from ..unit.unit import Unit
 from .accuracy import fastest
 
@@ -32,7 +31,7 @@ class Runners:
     case: ensemble.Case
     """Whose parameters they have."""
     starts: NDArray[np.float64]
-    """Apices, shape (runners, 6)."""
+    """Apices, shape (runners, n)."""
 
     @cached_property
     def judged(self) -> NDArray[np.float64]:
@@ -57,7 +56,8 @@ class Runners:
 
     def error(self, apices: NDArray[np.float64]) -> float:
         """The largest difference from the exact apices, over the scales; infinite where one is no number."""
-        differences = np.abs(apices - self.exact["apex"]) / self.case.runner.scales
+        known = len(self.case.runner.coordinates)
+        differences = np.abs(apices - self.exact["apex"])[:, :known] / self.case.runner.scales
         return float(np.max(np.where(np.isnan(differences), np.inf, differences)))
 
     def run(
@@ -65,7 +65,7 @@ class Runners:
     ) -> tuple[float, ensemble.Work]:
         """Seconds for all, making some strides, and the work that was done."""
         count = max(JUDGED, round(effort * len(self.starts))) * threads
-        runners = np.resize(self.starts, (count, len(COORDINATES)))
+        runners = np.resize(self.starts, (count, self.starts.shape[1]))
         work: list[ensemble.Work] = []
 
         def once() -> None:
@@ -82,10 +82,10 @@ class Runners:
         return fastest(once), work[0]
 
 
-def runners_about_the_gait(unit: Unit) -> Runners:
-    """Starts drawn about the gait's apex."""
+def runners_about_the_gait(unit: Unit, *, reduced: bool = False) -> Runners:
+    """Starts drawn about the gait's apex, of the full model or of the reduced map."""
     source = np.random.default_rng(0)
-    runner = Runner.of({"ground.friction": FRICTION}, unit)
-    spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(COORDINATES)))
+    runner = replace(Runner.of({"ground.friction": FRICTION}, unit), reduced=reduced)
+    spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_orbit(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

@@ -15,7 +15,7 @@ from ..terminal import progress
 from ..unit.unit import Unit, load
 from .ensembles import measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, measure_peer, measure_unit
-from .results import MANY, ONE, Bench, Measurement
+from .results import MANY, ONE, REDUCED, Bench, Measurement
 from .runners import Runners, runners_about_the_gait
 
 
@@ -51,7 +51,7 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
     """
     checked("effort", effort, 1e-3, 1e3)
     unit = load(unit)
-    many = runners_about_the_gait(unit)
+    many, reduced = runners_about_the_gait(unit), runners_about_the_gait(unit, reduced=True)
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
@@ -61,6 +61,10 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         *_peers(many, effort),
         *((name, functools.partial(measure_lanes, many, name, effort)) for name in reversed(sets)),
         ("heyoka", functools.partial(measure_batches, many, effort)),
+        *(
+            (name, functools.partial(measure_lanes, reduced, name, effort, REDUCED))
+            for name in (sets[-1], sets[0])
+        ),
     ]
     measurements: list[Measurement] = []
     missing: dict[str, None] = {}
@@ -74,7 +78,7 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         threads = os.cpu_count() or 1
         scaling = measure_scaling(many, threads, effort)
         bar.update(1)
-    ours = {ONE: "native", MANY: sets[-1]}
+    ours = {ONE: "native", MANY: sets[-1], REDUCED: sets[-1]}
     return Bench(tuple(measurements), ours, threads, scaling, _versions(), tuple(missing))
 
 
