@@ -3,6 +3,8 @@
  * from the rest: model, solver's limits, views. */
 #include "saved_fields.h"
 
+#include "tdmf_slip/kinematics.h"
+
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -335,12 +337,12 @@ static bool code_suits_word(const tdmf_stride *stride) {
 }
 
 static bool foot_suits_contact(const tdmf_model *model, const tdmf_motion *motion) {
-    const double *state = motion->state;
+    const tdmf_point foot = tdmf_foot_over_ground(&motion->mode.ground, motion->state);
     const double length = margin * model->scales.length;
     const double speed = margin * model->scales.speed;
     return motion->mode.contact == TDMF_CONTACT_FLIGHT ||
-           (fabs(state[TDMF_FOOT_Y]) <= length && fabs(state[TDMF_FOOT_VY]) <= speed &&
-            (motion->mode.contact != TDMF_CONTACT_STICK || fabs(state[TDMF_FOOT_VX]) <= speed));
+           (fabs(foot.y) <= length && fabs(foot.vy) <= speed &&
+            (motion->mode.contact != TDMF_CONTACT_STICK || fabs(foot.vx) <= speed));
 }
 
 static bool clock_suits_phase(const tdmf_motion *motion) {

@@ -89,10 +89,10 @@ static void differentiate(const unit *unit, const tdmf_change *change, const tdm
     view->outputs.com.y = tangent.com.y;
     view->outputs.com.vx = tangent.com.vx;
     view->outputs.com.vy = tangent.com.vy;
-    view->outputs.contact.fx = tangent.contact.fx;
-    view->outputs.contact.fy = tangent.contact.fy;
-    view->outputs.contact.normal = tangent.contact.fy;
-    view->outputs.contact.tangential = tangent.contact.fx;
+    view->outputs.contact.fx = tangent.contact_fx;
+    view->outputs.contact.fy = tangent.contact_fy;
+    view->outputs.contact.normal = tangent.contact.normal;
+    view->outputs.contact.tangential = tangent.contact.tangential;
     view->outputs.leg.force = tangent.leg_force;
     view->outputs.hip.torque = tangent.torque;
     view->outputs.energy.kinetic = tangent.energy.kinetic;
@@ -111,9 +111,10 @@ void unit_differentiate(const unit *unit, const struct unit *direction, unit_vie
 }
 
 /* Where the run starts at an apex, the section is latched. */
-static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double time, tdmf_outputs *change) {
+static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double com_height, double time,
+                               tdmf_outputs *change) {
     change->apex.time = time;
-    change->apex.com_height = change->com.y;
+    change->apex.com_height = com_height;
     change->apex.com_speed = change->com.vx;
     change->apex.leg_length = variation[TDMF_LEG_LENGTH];
     change->apex.leg_angle = variation[TDMF_LEG_ANGLE];
@@ -132,7 +133,8 @@ void unit_differentiate_start(const unit *given, const struct unit *started, con
     change->outputs.energy.impact_loss = varied.impact_loss;
     change->outputs.event.last_time = direction->motion.time;
     if (started->motion.record.open.began_at_apex) {
-        differentiate_apex(varied.variation.state, direction->motion.time, &change->outputs);
+        differentiate_apex(varied.variation.state, varied.com_height, direction->motion.time,
+                           &change->outputs);
     }
 }
 

@@ -111,15 +111,26 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     const ground_case sticks = {.turns = true}, sticks_and_coasts = {.turns = false};
     const ground_case slips = {.slips = true, .turns = true}, slips_and_coasts = {.slips = true};
     const ground_case grazes = {.grazes = true, .turns = true};
+    const flight_case falls = {.rising = false}, climbs = {.rising = true};
+    const flight_case retracts = {.rising = true, .retracts = true};
+    const flight_case waits = {.awaits_ground = true};
+    const flight_case climbs_and_waits = {.rising = true, .awaits_ground = true};
+    const flight_case retracts_and_waits = {.rising = true, .retracts = true, .awaits_ground = true};
     flight_series *flight = &integration->series.flight;
     ground_series *ground = &integration->series.ground;
     switch (kind) {
     case BATCH_PLACE:
-        return step_flying(&batch->members.flying, batch->live, false, false, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, falls, order, tolerance, flight);
     case BATCH_PLACE_AND_RISE:
-        return step_flying(&batch->members.flying, batch->live, true, false, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, climbs, order, tolerance, flight);
     case BATCH_RETRACT:
-        return step_flying(&batch->members.flying, batch->live, true, true, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, retracts, order, tolerance, flight);
+    case BATCH_PLACE_AND_WAIT:
+        return step_flying(&batch->members.flying, batch->live, waits, order, tolerance, flight);
+    case BATCH_RISE_AND_WAIT:
+        return step_flying(&batch->members.flying, batch->live, climbs_and_waits, order, tolerance, flight);
+    case BATCH_RETRACT_AND_WAIT:
+        return step_flying(&batch->members.flying, batch->live, retracts_and_waits, order, tolerance, flight);
     case BATCH_STICK:
         return step_standing(&batch->members.standing, batch->live, sticks, order, tolerance, ground);
     case BATCH_STICK_AND_COAST:

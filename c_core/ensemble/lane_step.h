@@ -44,19 +44,30 @@ static inline lane_outcome move_on(member_progress *now, real time_left, const m
     return outcome;
 }
 
-static inline lane_outcome step_flying(flying_member *m, choice live, bool rises, bool retracts, int order,
-                                       double tolerance, flight_series *f) {
+/* The centre of mass where the lanes are. */
+static inline ballistic center_of_mass_of(const flying_member *m, bool ground_waits) {
     const flight_constants *c = &m->constants;
     const real gone = m->now.elapsed;
-    const ballistic com = {m->com.height + gone * (m->com.rate - 0.5 * c->mode.gravity * gone),
-                           m->com.rate - c->mode.gravity * gone};
+    ballistic com;
+    com.ground = fall_on(m->com, c->normal_gravity, gone);
+    com.rise_rate = m->rise_rate - c->mode.gravity * gone;
+    if (ground_waits) {
+        com.new_ground = fall_on(m->com_over_new_ground, c->new_normal_gravity, gone);
+    }
+    return com;
+}
+
+static inline lane_outcome step_flying(flying_member *m, choice live, flight_case is, int order,
+                                       double tolerance, flight_series *f) {
+    const flight_constants *c = &m->constants;
+    const ballistic com = center_of_mass_of(m, is.awaits_ground);
     event_search search;
     elapsed_time elapsed;
     real longest;
     const real trusted = expand_flight_step(c, &m->at, order, tolerance, f, &longest);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, f->length, order,
                                           tolerance, live);
-    watch_flight(&search, c, f, change, &com, rises, retracts, tolerance);
+    watch_flight(&search, c, f, change, &com, is, tolerance);
     const real end = search.size * smaller(search.time, real_of(1.0));
     const choice too_stiff = lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);

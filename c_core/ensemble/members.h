@@ -18,9 +18,11 @@ typedef struct {
 typedef struct {
     member_progress now;
     flight_coordinates at;
-    real time_left; /* when the runner came; its stride is given up then */
-    ballistic com;  /* when the runner came */
+    real time_left;   /* when the runner came; its stride is given up then */
+    height_above com; /* when the runner came */
+    real rise_rate;   /* then, of the centre of mass */
     flight_constants constants;
+    height_above com_over_new_ground; /* when the runner came */
 } flying_member;
 
 typedef struct {
@@ -33,10 +35,11 @@ typedef struct {
 /* Fields of either kind of member, those that some modes do without being the last, and those that change. */
 enum {
     FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
-    RETRACTING_FIELDS = sizeof(flying_member) / sizeof(real),
+    RETRACTING_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
+    WAITING_FIELDS = sizeof(flying_member) / sizeof(real),
     STANDING_FIELDS = offsetof(standing_member, constants.servo) / sizeof(real),
     GRAZING_FIELDS = sizeof(standing_member) / sizeof(real),
-    MEMBER_FIELDS = RETRACTING_FIELDS > GRAZING_FIELDS ? RETRACTING_FIELDS : GRAZING_FIELDS,
+    MEMBER_FIELDS = WAITING_FIELDS > GRAZING_FIELDS ? WAITING_FIELDS : GRAZING_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

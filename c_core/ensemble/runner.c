@@ -2,6 +2,7 @@
 #include "runner.h"
 
 #include "events.h"
+#include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
 #include "longest_stride.h"
@@ -57,7 +58,7 @@ static bool start(tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
         return tdmf_reduced_begin(its_case->model, &its_case->inputs, section, motion) == TDMF_REDUCED_CLOSED;
     }
     motion->time = 0.0;
-    tdmf_section_state(its_case->model, section, motion->state);
+    tdmf_section_state(its_case->model, &its_case->inputs, section, motion->state);
     return !tdmf_start(its_case->model, &its_case->inputs, 0.0, motion->state, &motion->mode, &motion->record)
                 .variable &&
            motion->record.open.began_at_apex;
@@ -87,13 +88,23 @@ static bool coasts(const tdmf_runner *runner) {
     return law.torque == 0.0;
 }
 
+static batch_kind batch_in_flight(const tdmf_runner *runner) {
+    const tdmf_mode *mode = &runner->motion.mode;
+    const bool waits = tdmf_ground_is_pending(&runner->its_case->inputs, mode);
+    if (mode->phase == TDMF_PHASE_RETRACT) {
+        return waits ? BATCH_RETRACT_AND_WAIT : BATCH_RETRACT;
+    }
+    if (mode->rises) {
+        return waits ? BATCH_RISE_AND_WAIT : BATCH_PLACE_AND_RISE;
+    }
+    return waits ? BATCH_PLACE_AND_WAIT : BATCH_PLACE;
+}
+
 batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return mode->phase == TDMF_PHASE_RETRACT ? BATCH_RETRACT
-               : mode->rises                     ? BATCH_PLACE_AND_RISE
-                                                 : BATCH_PLACE;
+        return batch_in_flight(runner);
     case TDMF_CONTACT_STICK:
         return coasts(runner) ? BATCH_STICK_AND_COAST : BATCH_STICK;
     case TDMF_CONTACT_GRAZE:
@@ -110,13 +121,16 @@ static double time_left_of(const tdmf_runner *runner) {
 
 static flying_member flying_fields(const tdmf_runner *runner) {
     const tdmf_mode_equations *equations = &runner->equations;
+    const ballistic com = tdmf_step_center_of_mass(equations);
     const flying_member m = {
         .now = {0.0, runner->steps},
         .at = tdmf_step_flight_coordinates(&equations->start),
         .time_left = time_left_of(runner),
-        .com = {equations->com_y, equations->com_vy},
+        .com = com.ground,
+        .rise_rate = com.rise_rate,
         .constants = tdmf_step_flight_constants(equations, &runner->motion.mode,
                                                 tdmf_margin_factor(runner->false_crossings)),
+        .com_over_new_ground = com.new_ground,
     };
     return m;
 }
@@ -139,7 +153,9 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
                    &motion->mode, motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
-        return motion->mode.phase == TDMF_PHASE_RETRACT ? RETRACTING_FIELDS : FLYING_FIELDS;
+        return runner->equations.ground_waits             ? WAITING_FIELDS
+               : motion->mode.phase == TDMF_PHASE_RETRACT ? RETRACTING_FIELDS
+                                                          : FLYING_FIELDS;
     }
     *(standing_member *)fields = standing_fields(runner);
     return motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS : STANDING_FIELDS;

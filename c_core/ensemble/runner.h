@@ -17,6 +17,9 @@ typedef enum {
     BATCH_SLIP_AND_COAST,
     BATCH_GRAZE,
     BATCH_PLACE_AND_RISE, /* to another apex */
+    BATCH_PLACE_AND_WAIT, /* for a ground that waits to be in force, too */
+    BATCH_RISE_AND_WAIT,
+    BATCH_RETRACT_AND_WAIT,
     BATCH_COUNT,
     BATCH_USUAL = BATCH_PLACE_AND_RISE /* the kinds that runners are mostly in */
 } batch_kind;

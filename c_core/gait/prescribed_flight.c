@@ -1,11 +1,15 @@
 /* With t the time since the apex, phi = theta0 - omega t the leg's angle and s = m/(m + m_f), the foot and
- * the body are at the heights
+ * the body are at the heights above a ground of slope sigma
  *
- *     y = y_c - s r cos(phi),      y_m = y_c + (1 - s) r cos(phi),      y_c = y_c0 - g t^2/2.
+ *     d = d_c - s r cos(phi - sigma),      d_m = d_c + (1 - s) r cos(phi - sigma),
+ *
+ * d_c being that of the ballistic centre of mass.
  *
  * Both are a parabola less a swing A cos(phi), whose first zero after the apex is found by steps that cannot
  * pass one: with the least curvature that the sum can have, h + h' t + h'' t^2/2 is below it. */
 #include "prescribed_flight.h"
+
+#include "ground_line.h"
 
 #include <math.h>
 #include <string.h>
@@ -152,19 +156,17 @@ static bool body_may_come_first(const height *foot, double time) {
     return fabs(foot->angle) > right_angle || fabs(foot->angle - foot->turning * time) > right_angle;
 }
 
-tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex) {
+tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                          tdmf_point apex) {
     const double length = placed_length(model, inputs);
     const acceleration a = acceleration_of(model, inputs);
-    height foot = {apex.y,
-                   apex.vy,
-                   a.y,
-                   model->body_share * length,
-                   placed_angle(model, inputs),
-                   model->parameters.hip.retraction_rate};
+    height foot = {tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
+                   tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,
+                   placed_angle(model, inputs) - ground->slope, model->parameters.hip.retraction_rate};
     height body = foot;
     body.swing = foot.swing - length;
     tdmf_descent descent = {INFINITY, false};
-    if (a.y < 0.0) {
+    if (foot.curvature < 0.0) {
         descent.time = first_zero(&foot);
         if (body_may_come_first(&foot, descent.time)) {
             const double body_down = first_zero(&body);

@@ -22,7 +22,8 @@ typedef struct {
     bool body_first;
 } tdmf_descent;
 
-tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex);
+tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                          tdmf_point apex);
 
 /* The mechanical state `time` after an apex, its rate, and its change at that time; what a state has besides
  * is the clock of place. */

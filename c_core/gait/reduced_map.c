@@ -3,6 +3,7 @@
 #include "tdmf_slip/reduced_map.h"
 
 #include "event_log.h"
+#include "ground_line.h"
 #include "prescribed_flight.h"
 #include "reduced_stride.h"
 #include "tdmf_slip/dynamics.h"
@@ -33,7 +34,8 @@ static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_input
     tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < bundle->count; ++i) {
         const tdmf_direction d = tdmf_direction_of(model, &bundle->changes[i], NULL);
-        const tdmf_point d_apex = {.y = i == TDMF_REDUCED_COM_HEIGHT, .vx = i == TDMF_REDUCED_COM_SPEED};
+        const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
+        const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
         tdmf_variation falling = {.liftoff_angle = 0.0};
         tdmf_vary_prescribed_state(model, inputs, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
                                    before->state, falling.state);
@@ -44,8 +46,8 @@ static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_input
 
 /* From lift-off, the state given, to the next apex. */
 static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *inputs,
-                               const double state[TDMF_STATE_COUNT], const tdmf_change *change,
-                               const tdmf_variation *variation) {
+                               const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT],
+                               const tdmf_change *change, const tdmf_variation *variation) {
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point com = tdmf_center_of_mass(model, state);
     const tdmf_point d_com =
@@ -53,7 +55,9 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
     const double time = tdmf_time_to_apex(model, inputs, com);
     const double d_time = tdmf_vary_time_to_apex(model, inputs, &d, com, d_com);
     const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);
-    const tdmf_reduced_change result = {.apex = {d_apex.y, d_apex.vx},
+    const double apex_x = tdmf_ballistic(model, inputs, com, time).x;
+    const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
+    const tdmf_reduced_change result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
                                         .period = d_time,
                                         .length = d_apex.x,
                                         .work = variation->state[TDMF_HIP_WORK] +
@@ -63,10 +67,11 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
 
 /* From the state at lift-off. */
 static void close_bundle(const bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const double lift_off[TDMF_STATE_COUNT], tdmf_reduced_return *result) {
+                         const tdmf_ground_line *ground, const double lift_off[TDMF_STATE_COUNT],
+                         tdmf_reduced_return *result) {
     for (int i = 0; i < bundle->count; ++i) {
         const tdmf_reduced_change change =
-            fly(model, inputs, lift_off, &bundle->changes[i], &bundle->variations[i]);
+            fly(model, inputs, ground, lift_off, &bundle->changes[i], &bundle->variations[i]);
         if (i < TDMF_REDUCED_COUNT) {
             result->by_section[i] = change;
         } else {
@@ -165,7 +170,7 @@ static void note_stride(const run *run, tdmf_reduced_return *result) {
     result->friction_loss = run->lift_off[TDMF_ENERGY_FRICTION_LOSS];
     result->impact_loss = record->impact_loss;
     result->leg_loss = run->leg_loss;
-    close_bundle(&run->bundle, run->model, run->inputs, run->lift_off, result);
+    close_bundle(&run->bundle, run->model, run->inputs, &run->motion.mode.ground, run->lift_off, result);
 }
 
 tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,

@@ -3,6 +3,7 @@
 
 #include "events.h"
 #include "greatest_compression.h"
+#include "ground_line.h"
 #include "prescribed_flight.h"
 #include "tdmf_slip/automaton.h"
 
@@ -38,16 +39,18 @@ static void move_time(tdmf_motion *motion, double elapsed) {
 
 void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
                         const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]) {
-    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT], apex[TDMF_REDUCED_COM_SPEED], 0.0};
+    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT] + inputs->ground.height,
+                            apex[TDMF_REDUCED_COM_SPEED], 0.0};
     memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
     write_apex(model, inputs, com, state);
 }
 
 tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
                                         const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
+    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
     memset(motion, 0, sizeof *motion);
     tdmf_reduced_state(model, inputs, apex, motion->state);
-    if (motion->state[TDMF_FOOT_Y] <= 0.0) {
+    if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
         return TDMF_REDUCED_FOOT_BELOW;
     }
     if (tdmf_start(model, inputs, 0.0, motion->state, &motion->mode, &motion->record).variable != NULL ||
@@ -59,11 +62,12 @@ tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inpu
 
 tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
                                              tdmf_motion *motion, tdmf_side *before) {
+    const tdmf_ground_line *ground = &motion->mode.ground;
     const tdmf_point apex = tdmf_center_of_mass(model, motion->state);
-    if (motion->state[TDMF_FOOT_Y] <= 0.0) {
+    if (tdmf_foot_over_ground(ground, motion->state).y <= 0.0) {
         return TDMF_REDUCED_FOOT_BELOW;
     }
-    const tdmf_descent descent = tdmf_descend(model, inputs, apex);
+    const tdmf_descent descent = tdmf_descend(model, inputs, ground, apex);
     if (!(descent.time <= until) || isinf(descent.time)) {
         return TDMF_REDUCED_NO_TOUCHDOWN;
     }
@@ -72,7 +76,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
     if (descent.body_first) {
         return TDMF_REDUCED_FELL;
     }
-    motion->state[TDMF_FOOT_Y] = 0.0; /* up to rounding it is */
+    tdmf_lift_to_ground(ground, motion->state); /* up to rounding it is there */
     if (before != NULL) {
         memcpy(before->state, motion->state, sizeof before->state);
         before->mode = motion->mode;

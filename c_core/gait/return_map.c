@@ -4,6 +4,7 @@
 #include "tdmf_slip/return_map.h"
 
 #include "direction.h"
+#include "ground_line.h"
 #include "kinematics.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
@@ -20,24 +21,29 @@ static void write_leg(const double section[TDMF_SECTION_COUNT], double state[TDM
     state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
 }
 
-void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
-                        double state[TDMF_STATE_COUNT]) {
+void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
     write_leg(section, state);
+    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
     const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
-    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] - model->body_share * body.y;
+    const double ground_height = tdmf_ground_height_at(&ground, model->body_share * body.x);
+    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] + ground_height - model->body_share * body.y;
     state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] - model->body_share * body.vx;
     state[TDMF_FOOT_VY] = -model->body_share * body.vy;
 }
 
-/* Of the map above, which has made `state`, along a direction on the section and in the masses. */
-static void vary_section_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                               const double d_section[TDMF_SECTION_COUNT], const tdmf_model *d,
+/* Of the map above, which has made `state`, along a direction on the section and in masses and ground. */
+static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *ground,
+                               const double state[TDMF_STATE_COUNT],
+                               const double d_section[TDMF_SECTION_COUNT], const tdmf_direction *d,
                                double d_state[TDMF_STATE_COUNT]) {
     write_leg(d_section, d_state);
     /* The foot does not move yet: this is how the centre of mass moves from it. */
     const tdmf_point from_foot =
-        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), d, d_state);
-    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] - from_foot.y;
+        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
+    const double d_ground_height =
+        tdmf_vary_ground_height_at(ground, tdmf_center_of_mass(model, state).x, &d->mode.ground, from_foot.x);
+    d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] + d_ground_height - from_foot.y;
     d_state[TDMF_FOOT_VX] = d_section[TDMF_SECTION_COM_SPEED] - from_foot.vx;
     d_state[TDMF_FOOT_VY] = -from_foot.vy;
 }
@@ -47,18 +53,21 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion 
                                      const double derivatives[TDMF_STATE_COUNT], const tdmf_change *change,
                                      const double start_com_x, const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
-    const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
+    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass(
-        model, motion->state, tdmf_leg_direction_of(motion->state), &d_model, d_state);
+        model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
     const double shift = d_com.vy / model->parameters.gravity;
+    const double d_com_x = d_com.x + com.vx * shift;
+    const double d_ground_height =
+        tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
     const tdmf_stride_change result = {
-        .apex = {d_com.y + com.vy * shift, d_com.vx,
+        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx,
                  d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
                  d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,
                  d_state[TDMF_LEG_ANGLE_RATE] + derivatives[TDMF_LEG_ANGLE_RATE] * shift},
         .period = shift,
-        .length = d_com.x + com.vx * shift - start_com_x,
+        .length = d_com_x - start_com_x,
         .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
     };
     return result;
@@ -71,8 +80,8 @@ typedef struct {
     double start_com_x[TDMF_VARIATION_LIMIT];
 } bundle;
 
-static void open_bundle(bundle *bundle, const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                        const tdmf_change *changes, int count) {
+static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_ground_line *ground,
+                        const double state[TDMF_STATE_COUNT], const tdmf_change *changes, int count) {
     static const tdmf_change none = {0};
     bundle->count = TDMF_SECTION_COUNT + count;
     for (int i = 0; i < bundle->count; ++i) {
@@ -83,11 +92,11 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const double st
         const tdmf_change *change = i < TDMF_SECTION_COUNT ? &none : &changes[i - TDMF_SECTION_COUNT];
         bundle->changes[i] = *change;
         tdmf_variation *variation = &bundle->variations[i];
-        const tdmf_model d_model = tdmf_vary_model(model, &change->parameters);
-        vary_section_state(model, state, d_section, &d_model, variation->state);
+        const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+        vary_section_state(model, ground, state, d_section, &d, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
         bundle->start_com_x[i] =
-            tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d_model, variation->state)
+            tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d.model, variation->state)
                 .x;
     }
 }
@@ -115,7 +124,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     bundle bundle;
     memset(&result, 0, sizeof result);
     motion.time = 0.0;
-    tdmf_section_state(model, section, motion.state);
+    tdmf_section_state(model, inputs, section, motion.state);
     if (count < 0 || count > TDMF_RETURN_CHANGES) {
         result.outcome.outcome = TDMF_REFUSED;
         return result;
@@ -126,7 +135,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     }
     result.began_at_apex = true;
     if (derivatives) {
-        open_bundle(&bundle, model, motion.state, changes, count);
+        open_bundle(&bundle, model, &motion.mode.ground, motion.state, changes, count);
         result.outcome = tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
                                                    bundle.variations, bundle.count);
     } else {

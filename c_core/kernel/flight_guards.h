@@ -5,7 +5,7 @@
 #include "event_search.h"
 #include "flight_step.h"
 
-/* r cos(theta), by (cos)' = -w sin and (sin)' = w cos. */
+/* r cos(theta - sigma), by (cos)' = -w sin and (sin)' = w cos. */
 static inline void expand_drop(const flight_series *f, real sine0, real cosine0, int order,
                                real drop[SERIES_TERMS]) {
     real sine[SERIES_TERMS], cosine[SERIES_TERMS];
@@ -28,12 +28,11 @@ static inline void expand_drop(const flight_series *f, real sine0, real cosine0,
 
 /* The centre of mass is lowest at an end of the step. */
 static inline real lowest_center_of_mass(const event_search *search, const flight_constants *c,
-                                         const ballistic *com) {
-    const real t = search->size;
-    return smaller(com->height, com->height + t * (com->rate - 0.5 * c->mode.gravity * t));
+                                         const height_above *com) {
+    return smaller(com->height, fall_on(*com, c->normal_gravity, search->size).height);
 }
 
-/* A leg does not drop further than its longest at the angle that brings it nearest to the vertical. */
+/* A leg does not drop further than its longest at the angle that brings it nearest to the ground's normal. */
 static inline real most_drop(const event_search *search, const flight_constants *c, const flight_series *f,
                              real longest, real sine, real cosine) {
     const real turn = spread_of(search, f->angle, search->order);
@@ -43,45 +42,68 @@ static inline real most_drop(const event_search *search, const flight_constants 
     return larger(larger(down, up), real_of(0.0));
 }
 
+/* A leg that spins at a steady rate has long steps, and a drop that is not. */
+static inline void trust_drop(event_search *search, const flight_constants *c, const real *drop,
+                              double tolerance, choice lanes) {
+    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    note_remainder(&remainder, drop, search->order, c->mode.length_scale);
+    const real trusted = trusted_size(&remainder, real_of(INFINITY), search->order, real_of(tolerance));
+    note_found(search, lanes, trusted / search->size, choice_of(false), whole_of(KINK));
+}
+
 /* The heights of foot and body: a parabola and a share of the leg's drop. */
 static inline void watch_heights(event_search *search, const flight_constants *c, const flight_series *f,
-                                 double tolerance, real longest, const ballistic *com) {
-    const int order = search->order;
-    const real floor = search->beyond_margin * c->mode.length_scale;
+                                 double tolerance, real longest, const height_above *com) {
     const real lowest = lowest_center_of_mass(search, c, com);
     choice low = search->live & not(lowest > longest * larger(c->body_share, 1.0 - c->body_share));
-    real sine, cosine, drop[SERIES_TERMS], height[SERIES_TERMS];
+    real sine, cosine, drop[SERIES_TERMS];
     if (!any(low)) {
         return;
     }
-    sine_and_cosine(f->angle[0], &sine, &cosine);
+    sine_and_cosine(f->angle[0] - c->slope, &sine, &cosine);
     low &= not(lowest > most_drop(search, c, f, longest, sine, cosine));
     if (!any(low)) {
         return;
     }
-    expand_drop(f, sine, cosine, order, drop);
-    /* A leg that spins at a steady rate has long steps, and a drop that is not. */
-    series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    note_remainder(&remainder, drop, order, c->mode.length_scale);
-    const real trusted = trusted_size(&remainder, real_of(INFINITY), order, real_of(tolerance));
-    note_found(search, low, trusted / search->size, choice_of(false), whole_of(KINK));
+    expand_drop(f, sine, cosine, search->order, drop);
+    trust_drop(search, c, drop, tolerance, low);
+    const int order = search->order;
+    const real floor = search->beyond_margin * c->mode.length_scale;
+    real height[SERIES_TERMS];
     for (int end = 0; end < 2; ++end) {
         const real share = end == 0 ? -c->body_share : 1.0 - c->body_share;
         for (int k = 1; k <= order; ++k) {
             height[k] = share * drop[k];
         }
         height[1] += com->rate;
-        height[2] -= 0.5 * c->mode.gravity;
+        height[2] -= 0.5 * c->normal_gravity;
         const guard_series g = {height, real_of(1.0), com->height + share * drop[0], order};
         watch(search, end == 0 ? TDMF_GUARD_TOUCHDOWN : TDMF_GUARD_BODY_DOWN, low, &g, floor);
     }
+}
+
+/* The foot comes up from below a ground that waits for that. */
+static inline void watch_new_ground(event_search *search, const flight_constants *c, const flight_series *f,
+                                    double tolerance, const ballistic *com) {
+    real sine, cosine, drop[SERIES_TERMS], depth[SERIES_TERMS];
+    sine_and_cosine(f->angle[0] - c->new_slope, &sine, &cosine);
+    expand_drop(f, sine, cosine, search->order, drop);
+    trust_drop(search, c, drop, tolerance, search->live);
+    for (int k = 1; k <= search->order; ++k) {
+        depth[k] = c->body_share * drop[k];
+    }
+    depth[1] -= com->new_ground.rate;
+    depth[2] += 0.5 * c->new_normal_gravity;
+    const guard_series g = {depth, real_of(1.0), c->body_share * drop[0] - com->new_ground.height,
+                            search->order};
+    watch(search, TDMF_GUARD_NEW_GROUND, search->live, &g, search->beyond_margin * c->mode.length_scale);
 }
 
 /* The centre of mass rises at a rate that falls by g. */
 static inline void watch_apex_in_flight(event_search *search, const flight_constants *c,
                                         const ballistic *com) {
     const real floor = search->beyond_margin * c->mode.speed_scale;
-    const real time = larger(com->rate - floor, real_of(0.0)) / (c->mode.gravity * search->size);
+    const real time = larger(com->rise_rate - floor, real_of(0.0)) / (c->mode.gravity * search->size);
     note_found(search, search->live & (time <= 1.0), time, choice_of(true), whole_of(TDMF_GUARD_APEX));
 }
 
@@ -102,14 +124,16 @@ static inline void watch_clamp(event_search *search, const flight_constants *c, 
 }
 
 static inline void watch_flight(event_search *search, const flight_constants *c, const flight_series *f,
-                                real length_change, const ballistic *com, bool rises, bool retracts,
-                                double tolerance) {
+                                real length_change, const ballistic *com, flight_case is, double tolerance) {
     watch_length(search, &c->mode, f->length, search->order, length_change);
-    watch_heights(search, c, f, tolerance, f->length[0] + length_change, com);
-    if (rises) {
+    watch_heights(search, c, f, tolerance, f->length[0] + length_change, &com->ground);
+    if (is.awaits_ground) {
+        watch_new_ground(search, c, f, tolerance, com);
+    }
+    if (is.rising) {
         watch_apex_in_flight(search, c, com);
     }
-    if (retracts) {
+    if (is.retracts) {
         watch_clamp(search, c, f);
     }
     search_pending(search);

@@ -16,14 +16,36 @@ typedef struct {
     mode_constants mode;
     flight_coefficients law;
     real inverse_mobility;
-    real body_share; /* of the mass */
-    hip_law servo;   /* retract: its torque is what the clamp is decided by, with its sign now */
+    real body_share;     /* of the mass */
+    real slope;          /* of the ground */
+    real normal_gravity; /* away from it */
+    hip_law servo;       /* retract: its torque is what the clamp is decided by, with its sign now */
+    real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
 } flight_constants;
 
-/* The centre of mass. */
+/* Which events there are. A leg that is retracted rises. */
+typedef struct {
+    bool rising, retracts, awaits_ground;
+} flight_case;
+
+/* The height of a point above a line, and its rate. */
 typedef struct {
     real height, rate;
+} height_above;
+
+/* The centre of mass: above the ground, vertically, and above a ground that waits to be in force. */
+typedef struct {
+    height_above ground;
+    real rise_rate;
+    height_above new_ground;
 } ballistic;
+
+/* A height some time later. */
+static inline height_above fall_on(height_above from, real gravity, real elapsed) {
+    const height_above to = {from.height + elapsed * (from.rate - 0.5 * gravity * elapsed),
+                             from.rate - gravity * elapsed};
+    return to;
+}
 
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, int order,

@@ -45,7 +45,7 @@ static inline void clamp_servo(event_search *search, const ground_constants *c, 
 static inline void watch_normal_force(event_search *search, const ground_constants *c, const ground_series *g,
                                       double sign, const real *torque, const real *lever) {
     const int order = search->order - 1;
-    const real start = sign * (g->axial_y[0] + torque[0] * lever[0] + c->law.foot_weight);
+    const real start = sign * (g->axial_y[0] + torque[0] * lever[0] + c->law.foot_weight_y);
     real force[SERIES_TERMS];
     for (int k = 1; k <= order; ++k) {
         real sum = g->axial_y[k];
@@ -59,14 +59,31 @@ static inline void watch_normal_force(event_search *search, const ground_constan
           search->beyond_margin * c->mode.force_scale);
 }
 
+/* The vertical velocity of the centre of mass. */
+static inline void watch_apex_in_graze(event_search *search, const ground_constants *c,
+                                       const ground_series *g, choice retracts) {
+    const real share = c->retracting_share, sine = c->slope_sine;
+    const real along = share * sine, off = share * c->slope_cosine;
+    const int order = search->order;
+    real rise[SERIES_TERMS];
+    guard_series velocity = {g->vy, share, share * g->vy[0], order};
+    if (any(not(sine == 0.0))) {
+        for (int k = 1; k <= order; ++k) {
+            rise[k] = off * g->vy[k] + along * g->vx[k] + sine * g->foot_vx[k];
+        }
+        const real start = off * g->vy[0] + along * g->vx[0] + sine * g->foot_vx[0];
+        const guard_series on_slope = {rise, real_of(1.0), start, order};
+        velocity = on_slope;
+    }
+    watch(search, TDMF_GUARD_APEX, retracts, &velocity, search->beyond_margin * c->mode.speed_scale);
+}
+
 static inline void watch_graze(event_search *search, const ground_constants *c, const ground_series *g,
                                real angle) {
     const int order = search->order - 1;
     const choice retracts = c->retracting_share > 0.0;
     real lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
-    const guard_series vertical_velocity = {g->vy, c->retracting_share, c->retracting_share * g->vy[0],
-                                            search->order};
-    watch(search, TDMF_GUARD_APEX, retracts, &vertical_velocity, search->beyond_margin * c->mode.speed_scale);
+    watch_apex_in_graze(search, c, g, retracts);
     expand_servo(&c->servo, g, angle, order, flight);
     clamp_servo(search, c, retracts, order, flight);
     flight[0] += c->law.torque;

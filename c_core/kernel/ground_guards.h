@@ -13,12 +13,24 @@ static inline void watch_standing_leg(event_search *search, const ground_constan
     watch_length(search, &c->mode, g->length, search->order, length_change);
 }
 
-/* theta, by the body's place over the foot. */
+/* theta, by the body's place over the foot, seen along the vertical. */
 static inline void watch_mid_stance(event_search *search, const ground_constants *c, const ground_series *g) {
     const choice drives = c->drives > 0.0;
-    const guard_series ahead = {g->x, real_of(-1.0), -g->x[0], search->order};
-    if (any(drives)) {
-        watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, 2.0 * search->beyond_margin * g->length[0]);
+    const real floor = 2.0 * search->beyond_margin * g->length[0];
+    real across[SERIES_TERMS];
+    if (!any(drives)) {
+        return;
+    }
+    if (any(not(c->slope_sine == 0.0))) {
+        for (int k = 1; k <= search->order; ++k) {
+            across[k] = c->slope_cosine * g->x[k] - c->slope_sine * g->y[k];
+        }
+        const real start = c->slope_sine * g->y[0] - c->slope_cosine * g->x[0];
+        const guard_series ahead = {across, real_of(-1.0), start, search->order};
+        watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
+    } else {
+        const guard_series ahead = {g->x, real_of(-1.0), -g->x[0], search->order};
+        watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
     }
 }
 
@@ -33,14 +45,15 @@ static inline void watch_greatest_compression(event_search *search, const ground
     }
 }
 
-/* One edge of the friction cone: mu f_y + sign f_x. */
+/* One edge of the friction cone: mu f_n + sign f_t. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
                               double sign, choice near) {
     const int order = search->order - 1;
-    const real start = c->cone_normal * g->normal_force[0] - sign * c->cone_tangential * g->leg_force_x[0];
+    const real start =
+        c->cone_normal * g->normal_force[0] - sign * c->cone_tangential * g->tangential_push[0];
     real room[SERIES_TERMS];
     for (int k = 1; k <= order; ++k) {
-        room[k] = c->cone_normal * g->normal_force[k] - sign * c->cone_tangential * g->leg_force_x[k];
+        room[k] = c->cone_normal * g->normal_force[k] - sign * c->cone_tangential * g->tangential_push[k];
         if (INPUTS_RAMP) {
             room[k] += c->cone_normal_rate * g->normal_force[k - 1];
         }
@@ -55,7 +68,7 @@ static inline void watch_edge(event_search *search, const ground_constants *c, c
 static inline void watch_forces(event_search *search, const ground_constants *c, const ground_series *g,
                                 bool sticks) {
     const int order = search->order - 1;
-    real normal = g->normal_force[0], tangential = g->leg_force_x[0];
+    real normal = g->normal_force[0], tangential = g->tangential_push[0];
     real least_normal = normal;
     real least_room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
     for (int k = 1; k <= order; ++k) {
@@ -63,7 +76,7 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
         normal += g->normal_force[k] * search->power[k];
         least_normal = smaller(least_normal, normal);
         if (sticks) {
-            tangential += g->leg_force_x[k] * search->power[k];
+            tangential += g->tangential_push[k] * search->power[k];
             real room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
             if (INPUTS_RAMP) {
                 room += c->cone_normal_rate * search->size * before;

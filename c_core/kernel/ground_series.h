@@ -1,13 +1,15 @@
-/* On the ground: the body's position (X, Y) as seen from the foot, so that no sine is needed. With U the
- * body's speed relative to the foot, u the foot's, r^2 = X^2 + Y^2, F = k (l - r) - c rdot, a = F/r and b =
- * tau/r^2, the leg lifts the body with P and pushes the foot with H:
+/* On the ground, in its own axes, X along the line and Y away from it: the body's position (X, Y) as seen
+ * from the foot, so that no sine is needed. With U the body's speed relative to the foot, u the foot's, r^2 =
+ * X^2 + Y^2, F = k (l - r) - c rdot, a = F/r, b = tau/r^2 and -(g_x, g_y) the acceleration of gravity, the
+ * leg lifts the body with P, and leg and weight push the foot along the line with T:
  *
- *     P = a Y + b X,      H = b Y - a X,      f_y = P + m_f g,      f_x = -H (stick), -mu sgn(u) f_y (slip)
- *     Xdot = U,   Ydot = V,   m Udot = -H - m udot,   m Vdot = P - m g,   m_f udot = H + f_x
- *     d(X V - Y U)/dt = tau/m - g X + Y udot,      X V - Y U = r^2 w,      w = thetadot,
- *     tau w = b (X V - Y U).
+ *     P = a Y + b X,      T = b Y - a X - m_f g_x,      f_n = P + m_f g_y,
+ *     f_t = -T (stick), -mu sgn(u) f_n (slip),
+ *     Xdot = U,   Ydot = V,   m Udot = -T - m_f g_x - m g_x - m udot,   m Vdot = P - m g_y,
+ *     m_f udot = T + f_t,     d(X V - Y U)/dt = tau/m - g_y X + g_x Y + Y udot,
+ *     X V - Y U = r^2 w,      w = thetadot,      tau w = b (X V - Y U).
  *
- * Graze takes the torque that makes f_y = 0: b = -(a Y + m_f g)/X. */
+ * Graze takes the torque that makes f_n = 0: b = -(a Y + m_f g_y)/X. */
 #ifndef TDMF_KERNEL_GROUND_SERIES_H
 #define TDMF_KERNEL_GROUND_SERIES_H
 
@@ -24,22 +26,22 @@ typedef struct {
     real axial[SERIES_TERMS];                /* a */
     real axial_y[SERIES_TERMS];              /* a Y */
     real turning[SERIES_TERMS];              /* b */
-    real normal_force[SERIES_TERMS];         /* f_y */
-    real leg_force_x[SERIES_TERMS];          /* H */
-    real friction[SERIES_TERMS];             /* -f_x, in slip */
+    real normal_force[SERIES_TERMS];         /* f_n */
+    real tangential_push[SERIES_TERMS];      /* T */
+    real friction[SERIES_TERMS];             /* -f_t, in slip */
     real foot_acceleration[SERIES_TERMS];    /* udot */
     real torque[SERIES_TERMS];               /* tau */
     real angle_rate[SERIES_TERMS];           /* w, in graze */
     real power[SERIES_TERMS];                /* tau w */
     real speed_square[SERIES_TERMS];         /* rdot^2 */
-    real friction_power[SERIES_TERMS];       /* -f_x u */
+    real friction_power[SERIES_TERMS];       /* -f_t u */
 } ground_series;
 
 typedef struct {
     real stiffness, damping, rest_length;
     real inverse_body_mass, inverse_foot_mass;
-    real foot_weight; /* m_f g */
-    real gravity;
+    real foot_weight_x, foot_weight_y; /* m_f g_x, m_f g_y */
+    real gravity_x, gravity_y;         /* g_x, g_y */
     real torque, torque_rate;
     real friction, friction_rate; /* with the sign of u */
 } ground_coefficients;
@@ -91,7 +93,7 @@ KERNEL void expand_position(const ground_inverses *inverse, int k, const positio
 }
 
 /* The inner terms of coefficient k of r a, X a, Y a, r^2 b, X b, Y b, r^2 w, Y udot, of the powers b (X V - Y
- * U) and -f_x u, and half those of rdot^2. */
+ * U) and -f_t u, and half those of rdot^2. */
 typedef struct {
     real length_axial, x_axial, y_axial, square_turning, x_turning, y_turning, square_rate;
     real y_acceleration, turning_moment, friction_speed, speed_speed;
@@ -145,7 +147,7 @@ KERNEL real with_outer_terms(real inner, const real *a, const real *b, int k) {
     return k == 0 ? a[0] * b[0] : inner + a[k] * b[0] + a[0] * b[k];
 }
 
-/* Coefficient k of what the leg pushes the body and the foot with. Returns P. */
+/* Coefficient k of what leg and weight push the body and the foot with. Returns P. */
 KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
                              int k, const ground_sums *sum, ground_series *g) {
     const real force = -c->stiffness * g->length[k] - c->damping * g->length_rate[k];
@@ -154,30 +156,31 @@ KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses
     g->axial[k] = axial * inverse->length;
     g->axial_y[k] = with_outer_terms(sum->y_axial, g->y, g->axial, k);
     const real axial_x = with_outer_terms(sum->x_axial, g->x, g->axial, k);
+    const real weight = k == 0 ? c->foot_weight_x : real_of(0.0);
     if (!is.turns) {
         g->turning[k] = real_of(0.0);
-        g->leg_force_x[k] = -axial_x;
+        g->tangential_push[k] = -axial_x - weight;
         return g->axial_y[k];
     }
     if (is.grazes) {
-        const real rest = k == 0 ? c->foot_weight : sum->x_turning + g->turning[0] * g->x[k];
+        const real rest = k == 0 ? c->foot_weight_y : sum->x_turning + g->turning[0] * g->x[k];
         g->turning[k] = -(g->axial_y[k] + rest) * inverse->x;
         g->torque[k] = with_outer_terms(sum->square_turning, g->square, g->turning, k);
     } else {
         const real rest = k == 0 ? real_of(0.0) : sum->square_turning + g->turning[0] * g->square[k];
         g->turning[k] = (g->torque[k] - rest) * inverse->square;
     }
-    g->leg_force_x[k] = with_outer_terms(sum->y_turning, g->y, g->turning, k) - axial_x;
+    g->tangential_push[k] = with_outer_terms(sum->y_turning, g->y, g->turning, k) - axial_x - weight;
     if (is.grazes) {
-        return k == 0 ? -c->foot_weight : real_of(0.0);
+        return k == 0 ? -c->foot_weight_y : real_of(0.0);
     }
     return g->axial_y[k] + with_outer_terms(sum->x_turning, g->x, g->turning, k);
 }
 
 /* Coefficient k of the ground's force on the foot, and of the foot's acceleration. */
 KERNEL void expand_contact(const ground_coefficients *c, ground_case is, int k, real lift, ground_series *g) {
-    real force = g->leg_force_x[k];
-    g->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight : lift;
+    real force = g->tangential_push[k];
+    g->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? lift + c->foot_weight_y : lift;
     if (is.slips) {
         g->friction[k] = c->friction * g->normal_force[k];
         if (k > 0) {
@@ -211,15 +214,16 @@ KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses
     expand_contact(c, is, k, lift, g);
     expand_powers(inverse, is, k, sum, g);
     const real acceleration_y = lift * c->inverse_body_mass;
-    real push = g->leg_force_x[k] * c->inverse_body_mass;
-    real turn = g->torque[k] * c->inverse_body_mass - c->gravity * g->x[k];
+    real push =
+        (k == 0 ? g->tangential_push[0] + c->foot_weight_x : g->tangential_push[k]) * c->inverse_body_mass;
+    real turn = g->torque[k] * c->inverse_body_mass - c->gravity_y * g->x[k] + c->gravity_x * g->y[k];
     if (is.slips || is.grazes) {
         push += g->foot_acceleration[k];
         turn += with_outer_terms(sum->y_acceleration, g->y, g->foot_acceleration, k);
     }
     g->foot_vx[k + 1] = g->foot_acceleration[k] * divide;
-    g->vx[k + 1] = -push * divide;
-    g->vy[k + 1] = (k == 0 ? acceleration_y - c->gravity : acceleration_y) * divide;
+    g->vx[k + 1] = -(k == 0 ? push + c->gravity_x : push) * divide;
+    g->vy[k + 1] = (k == 0 ? acceleration_y - c->gravity_y : acceleration_y) * divide;
     g->moment[k + 1] = turn * divide;
 }
 
@@ -315,7 +319,7 @@ typedef struct {
     real x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS], foot_vx[SERIES_TERMS];
     real length[SERIES_TERMS], length_rate[SERIES_TERMS], square[SERIES_TERMS], moment[SERIES_TERMS];
     real axial[SERIES_TERMS], axial_y[SERIES_TERMS], turning[SERIES_TERMS];
-    real normal_force[SERIES_TERMS], leg_force_x[SERIES_TERMS], power[SERIES_TERMS];
+    real normal_force[SERIES_TERMS], tangential_push[SERIES_TERMS], power[SERIES_TERMS];
 } ground_variation;
 
 /* expand_position, differentiated. */
@@ -335,7 +339,7 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
     real d_force = -c->stiffness * t->length[k] - d->stiffness * g->length[k] -
                    c->damping * t->length_rate[k] - d->damping * g->length_rate[k];
     const real d_torque = k == 0 ? d->torque : k == 1 ? d->torque_rate : real_of(0.0);
-    const real d_lift_in_graze = k == 0 ? -d->foot_weight : real_of(0.0);
+    const real d_lift_in_graze = k == 0 ? -d->foot_weight_y : real_of(0.0);
     if (k == 0) {
         d_force += c->stiffness * d->rest_length + d->stiffness * c->rest_length;
     }
@@ -346,8 +350,9 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
     } else {
         t->turning[k] = vary_quotient(g->turning, t->turning, g->square, t->square, d_torque, k);
     }
-    t->leg_force_x[k] =
-        vary_product(g->turning, t->turning, g->y, t->y, k) - vary_product(g->axial, t->axial, g->x, t->x, k);
+    t->tangential_push[k] = vary_product(g->turning, t->turning, g->y, t->y, k) -
+                            vary_product(g->axial, t->axial, g->x, t->x, k) -
+                            (k == 0 ? d->foot_weight_x : real_of(0.0));
     t->power[k] = vary_product(g->turning, t->turning, g->moment, t->moment, k);
     return grazes ? d_lift_in_graze : t->axial_y[k] + vary_product(g->turning, t->turning, g->x, t->x, k);
 }
@@ -356,9 +361,9 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
 static inline real vary_contact(const ground_coefficients *c, const ground_series *g,
                                 const ground_coefficients *d, ground_case is, int k, real d_lift,
                                 ground_variation *t) {
-    real force = g->leg_force_x[k];
-    real d_force = t->leg_force_x[k];
-    t->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? d_lift + d->foot_weight : d_lift;
+    real force = g->tangential_push[k];
+    real d_force = t->tangential_push[k];
+    t->normal_force[k] = is.grazes ? real_of(0.0) : k == 0 ? d_lift + d->foot_weight_y : d_lift;
     if (is.slips) {
         force -= g->friction[k];
         d_force -= c->friction * t->normal_force[k] + d->friction * g->normal_force[k];
@@ -368,6 +373,15 @@ static inline real vary_contact(const ground_coefficients *c, const ground_serie
     }
     return is.slips || is.grazes ? d_force * c->inverse_foot_mass + force * d->inverse_foot_mass
                                  : real_of(0.0);
+}
+
+/* What the leg and gravity take of the body's speed along the line, differentiated. */
+static inline real vary_body_push(const ground_coefficients *c, const ground_series *g,
+                                  const ground_coefficients *d, int k, const ground_variation *t) {
+    const real push = k == 0 ? g->tangential_push[0] + c->foot_weight_x : g->tangential_push[k];
+    const real d_push = k == 0 ? t->tangential_push[0] + d->foot_weight_x : t->tangential_push[k];
+    const real sum = d_push * c->inverse_body_mass + push * d->inverse_body_mass;
+    return k == 0 ? sum + d->gravity_x : sum;
 }
 
 /* The recurrence of expand_ground, differentiated: `d` is the variation of the coefficients, `start` that of
@@ -387,13 +401,11 @@ static inline void vary_ground(const ground_coefficients *c, const ground_series
         vary_position(g, k, t);
         const real d_lift = vary_leg_force(c, g, d, is.grazes, k, t);
         const real d_acceleration = vary_contact(c, g, d, is, k, d_lift, t);
-        const real lift = k == 0 ? g->normal_force[0] - c->foot_weight : g->normal_force[k];
+        const real lift = k == 0 ? g->normal_force[0] - c->foot_weight_y : g->normal_force[k];
         const real d_acceleration_y = d_lift * c->inverse_body_mass + lift * d->inverse_body_mass;
         t->foot_vx[k + 1] = d_acceleration * divide;
-        t->vx[k + 1] = -(t->leg_force_x[k] * c->inverse_body_mass + g->leg_force_x[k] * d->inverse_body_mass +
-                         d_acceleration) *
-                       divide;
-        t->vy[k + 1] = (k == 0 ? d_acceleration_y - d->gravity : d_acceleration_y) * divide;
+        t->vx[k + 1] = -(vary_body_push(c, g, d, k, t) + d_acceleration) * divide;
+        t->vy[k + 1] = (k == 0 ? d_acceleration_y - d->gravity_y : d_acceleration_y) * divide;
     }
 }
 

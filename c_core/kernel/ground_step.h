@@ -8,9 +8,9 @@
 #include "step_sums.h"
 
 typedef struct {
-    real x, y, vx, vy; /* of the body, its place as seen from the foot */
-    real foot_x, foot_vx;
-    real angle; /* graze: theta */
+    real x, y, vx, vy;    /* of the body, its place as seen from the foot, in the ground's axes */
+    real foot_x, foot_vx; /* along the line */
+    real angle;           /* graze: theta */
     energy_sums done;
 } ground_coordinates;
 
@@ -21,6 +21,7 @@ typedef struct {
     real slip_sign;                                      /* of u */
     real drives;                                         /* above 0 until mid-stance */
     real awaits_thrust;                                  /* above 0 until the leg's greatest compression */
+    real slope_sine, slope_cosine;                       /* of the line */
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
     hip_law servo, stance;
@@ -38,7 +39,7 @@ static inline real expand_ground_step(const ground_constants *c, const ground_co
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
     expand_ground_by_case(&c->law, start, order, is, g);
     note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
-    note_remainder(&remainder, g->leg_force_x, order - 1, c->mode.force_scale);
+    note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, c->mode.speed_scale);
     *longest = longest_ground_step(&c->law, foot_is_free(is), order);
     return size_for_loss(g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),

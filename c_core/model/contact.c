@@ -20,5 +20,5 @@ tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs 
 }
 
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction) {
-    return fabs(force.fx) <= friction * force.fy;
+    return fabs(force.tangential) <= friction * force.normal;
 }

@@ -10,7 +10,9 @@ tdmf_direction tdmf_direction_of(const tdmf_model *model, const tdmf_change *cha
     const tdmf_direction direction = {
         .model = tdmf_vary_model(model, &given->parameters),
         .inputs = given->inputs,
-        .mode = {.liftoff_angle = varied->liftoff_angle},
+        /* The line in force changes with the one that is set. */
+        .mode = {.liftoff_angle = varied->liftoff_angle,
+                 .ground = {.height = given->inputs.ground.height, .slope = given->inputs.ground.slope}},
         .state = varied->state,
     };
     return direction;

@@ -10,7 +10,7 @@
 typedef struct {
     tdmf_model model; /* parameters and what is derived from them; the scales do not change */
     tdmf_inputs inputs;
-    tdmf_mode mode; /* of its members only the lift-off angle changes */
+    tdmf_mode mode; /* of its members only the lift-off angle and the ground's height and slope change */
     const double *state;
 } tdmf_direction;
 

@@ -6,11 +6,13 @@
  *     leg:   rddot = r thetadot^2 + u.(a_body - a_foot)
  *            r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot
  *
- * A foot on the ground has ay = 0, and one that sticks ax = 0, exactly and not by cancellation. In a
+ * A foot on the ground is accelerated along it alone, and one that sticks not at all, exactly and not by
+ * cancellation. In a
  * variation d_ stands for the change of what follows. */
 #include "dynamics.h"
 
 #include "ground_force.h"
+#include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
 
@@ -43,29 +45,65 @@ static force_on_foot vary_push_on_foot(const tdmf_evaluation *at, const tdmf_eva
     return d_force;
 }
 
+/* What leg and weight push the foot with along the ground. */
+static double push_along(const tdmf_evaluation *at) {
+    const tdmf_leg *leg = &at->leg;
+    const double across = at->torque * leg->inverse_length;
+    return leg->axial_force * leg->ground_sine + across * leg->ground_cosine -
+           tdmf_foot_weight(at->model) * at->mode->ground.sine;
+}
+
+static double vary_push_along(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
+    const tdmf_ground_line *line = &at->mode->ground;
+    const double across = at->torque * leg->inverse_length;
+    const double d_across = d->torque * leg->inverse_length + at->torque * d_leg->inverse_length;
+    return d_leg->axial_force * leg->ground_sine + leg->axial_force * d_leg->ground_sine +
+           d_across * leg->ground_cosine + across * d_leg->ground_cosine -
+           tdmf_vary_foot_weight(at->model, d->model) * line->sine -
+           tdmf_foot_weight(at->model) * line->cosine * d->mode->ground.slope;
+}
+
+/* Along the ground, of a foot that slips or grazes. */
+static double acceleration_along(const tdmf_evaluation *at) {
+    return (at->force.tangential + push_along(at)) * at->model->inverse_foot_mass;
+}
+
 static void accelerate_foot(const tdmf_evaluation *at, tdmf_acceleration *a) {
-    const force_on_foot push = push_foot(at);
     a->foot_ax = a->foot_ay = 0.0;
-    if (at->mode->contact != TDMF_CONTACT_STICK) {
-        a->foot_ax = (at->force.fx + push.x) * at->model->inverse_foot_mass;
-    }
     if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        const force_on_foot push = push_foot(at);
+        a->foot_ax = push.x * at->model->inverse_foot_mass;
         a->foot_ay = push.y * at->model->inverse_foot_mass - at->model->parameters.gravity;
+    } else if (at->mode->contact != TDMF_CONTACT_STICK) {
+        const double along = acceleration_along(at);
+        a->foot_ax = along * at->mode->ground.cosine;
+        a->foot_ay = along * at->mode->ground.sine;
     }
+}
+
+static void vary_acceleration_along(const tdmf_evaluation *at, const tdmf_evaluation *d,
+                                    tdmf_acceleration *d_a) {
+    const tdmf_ground_line *line = &at->mode->ground;
+    const double along = acceleration_along(at);
+    const double turned = along * d->mode->ground.slope;
+    const double d_along = (d->force.tangential + vary_push_along(at, d)) * at->model->inverse_foot_mass +
+                           (at->force.tangential + push_along(at)) * d->model->inverse_foot_mass;
+    d_a->foot_ax = d_along * line->cosine - turned * line->sine;
+    d_a->foot_ay = d_along * line->sine + turned * line->cosine;
 }
 
 static void vary_foot_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d,
                                    tdmf_acceleration *d_a) {
-    const force_on_foot push = push_foot(at);
-    const force_on_foot d_push = vary_push_on_foot(at, d);
     d_a->foot_ax = d_a->foot_ay = 0.0;
-    if (at->mode->contact != TDMF_CONTACT_STICK) {
-        d_a->foot_ax = (d->force.fx + d_push.x) * at->model->inverse_foot_mass +
-                       (at->force.fx + push.x) * d->model->inverse_foot_mass;
-    }
     if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        const force_on_foot push = push_foot(at);
+        const force_on_foot d_push = vary_push_on_foot(at, d);
+        d_a->foot_ax = d_push.x * at->model->inverse_foot_mass + push.x * d->model->inverse_foot_mass;
         d_a->foot_ay = d_push.y * at->model->inverse_foot_mass + push.y * d->model->inverse_foot_mass -
                        d->model->parameters.gravity;
+    } else if (at->mode->contact != TDMF_CONTACT_STICK) {
+        vary_acceleration_along(at, d, d_a);
     }
 }
 
@@ -130,6 +168,15 @@ static void rates_of_motion(const tdmf_evaluation *at, const tdmf_acceleration *
     derivatives[TDMF_LEG_ANGLE_RATE] = a->angle;
 }
 
+static double slip_velocity(const tdmf_evaluation *at) {
+    return tdmf_velocity_along(&at->mode->ground, at->state[TDMF_FOOT_VX], at->state[TDMF_FOOT_VY]);
+}
+
+static double vary_slip_velocity(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return tdmf_vary_velocity_along(&at->mode->ground, at->state[TDMF_FOOT_VX], at->state[TDMF_FOOT_VY],
+                                    &d->mode->ground, d->state[TDMF_FOOT_VX], d->state[TDMF_FOOT_VY]);
+}
+
 static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_STATE_COUNT]) {
     const tdmf_leg *leg = &at->leg;
     const tdmf_acceleration a = accelerate(at);
@@ -141,7 +188,7 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     derivatives[TDMF_ENERGY_EXTERNAL_WORK] = 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.fx * at->state[TDMF_FOOT_VX];
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.tangential * slip_velocity(at);
     derivatives[TDMF_HIP_POSITIVE_WORK] = power > 0.0 ? power : 0.0;
 }
 
@@ -159,7 +206,7 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
         d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
         2.0 * at->model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] =
-        -d->force.fx * at->state[TDMF_FOOT_VX] - at->force.fx * d->state[TDMF_FOOT_VX];
+        -d->force.tangential * slip_velocity(at) - at->force.tangential * vary_slip_velocity(at, d);
     derivatives[TDMF_HIP_POSITIVE_WORK] = at->torque * leg->angle_rate > 0.0 ? d_power : 0.0;
 }
 
@@ -176,6 +223,7 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
 double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     static const tdmf_model unchanged = {0};
     static const tdmf_hip_law still = {0};
+    static const tdmf_mode held = {0};
     const tdmf_acceleration a = accelerate(at);
     const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = at->leg.length_rate,
                                             [TDMF_LEG_ANGLE] = at->leg.angle_rate,
@@ -184,8 +232,10 @@ double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     const tdmf_hip_law law = tdmf_stance_law(at->model, at->inputs, &tdmf_held_inputs, at->mode);
     const double torque_rate = tdmf_vary_law_torque(&law, &still, at->state, rates);
     const tdmf_evaluation d = {.model = &unchanged,
-                               .leg = tdmf_vary_leg(at->model, &at->leg, &unchanged, 0.0, rates)};
-    return tdmf_vary_force_under(at, &d, at->torque, torque_rate).fy;
+                               .mode = &held,
+                               .leg =
+                                   tdmf_vary_leg(at->model, &at->leg, &unchanged, 0.0, &held.ground, rates)};
+    return tdmf_vary_force_under(at, &d, at->torque, torque_rate).normal;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

@@ -2,17 +2,18 @@
  *
  * When the contact force vanishes, the stance law would let the foot rise, while the flight law that takes
  * over often holds it down: stance says leave, flight says stay. Filippov's solution has no
- * penetration and no chatter: while the laws disagree the foot stays at y = vy = 0 without ground force, and
+ * penetration and no chatter: while the laws disagree the foot stays on the ground without force, and
  * the torque has the value in between that keeps it there,
  *
- *     tau_eq = r (F_s cos(theta) + m_f g) / sin(theta).
+ *     tau_eq = r (F_s cos(theta') + m_f g cos(sigma)) / sin(theta').
  *
- * Let N(tau) be f_y of (10). A resting foot is held on the ground by a law if N > 0, and rises under it with
- * ay = -N/m_f if N < 0; tau_eq is the zero of N. So with s: "N(stance law) > 0" and a: "N(flight law) < 0",
+ * Let N(tau) be f_n of (10). A resting foot is held on the ground by a law if N > 0, and rises under it with
+ * the acceleration -N/m_f if N < 0; tau_eq is the zero of N. So with s: "N(stance law) > 0" and a: "N(flight
+ * law) < 0",
  *
  *     s: contact;     a and not s: flight;     neither: graze.
  *
- * The exits of graze are watched by N of either law, never by tau_eq, which is 0/0 at theta = 0. There the
+ * The exits of graze are watched by N of either law, never by tau_eq, which is 0/0 at theta' = 0. There the
  * hip has no lever on the foot, and no torque that could hold it: contact if N > 0, or if N = 0 and does not
  * fall; else flight. */
 #include "graze.h"
@@ -73,17 +74,17 @@ static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_gr
 }
 
 tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground) {
-    const double normal_force = tdmf_force_in_stance(off_ground).fy;
-    if (fabs(off_ground->leg.sine) <= TDMF_SMALLEST_SINE) {
+    const double normal_force = tdmf_force_in_stance(off_ground).normal;
+    if (fabs(off_ground->leg.ground_sine) <= TDMF_SMALLEST_SINE) {
         return contact_under_upright_leg(off_ground, normal_force);
     }
     if (normal_force > 0.0) {
         return TDMF_CONTACT_STICK;
     }
-    return tdmf_force_in_flight(off_ground).fy < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_GRAZE;
+    return tdmf_force_in_flight(off_ground).normal < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_GRAZE;
 }
 
 tdmf_contact_mode tdmf_contact_after_lift_off(const tdmf_evaluation *off_ground) {
     const double least = TDMF_NARROWEST_GRAZE * off_ground->model->scales.force;
-    return tdmf_force_in_flight(off_ground).fy > least ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
+    return tdmf_force_in_flight(off_ground).normal > least ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
 }

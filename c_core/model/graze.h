@@ -5,8 +5,9 @@
 
 #include "evaluation.h"
 
-/* The force of the ground on a foot at y = vy = 0 that would stay there under either law, external torque
- * included; its f_y is negative where the law lifts the foot. And their changes, `d_at` being that of `at`.
+/* The force of the ground on a foot at rest on the ground that would stay there under either law, external
+ * torque included; its f_y is negative where the law lifts the foot. And their changes, `d_at` being that of
+ * `at`.
  */
 tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at);
 tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at);
@@ -15,8 +16,9 @@ tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdm
 tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
                                             const tdmf_evaluation *d_at);
 
-/* The contact mode of a foot at y = vy = 0 after an impact or at a start: flight, graze, or stick, which
- * stands for any loaded contact. The mode of `off_ground` has the phase and theta_LO of the flight law. */
+/* The contact mode of a foot at rest on the ground after an impact or at a start: flight, graze, or stick,
+ * which stands for any loaded contact. The mode of `off_ground` has the phase and theta_LO of the flight law.
+ */
 tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground);
 
 /* The contact mode, flight or graze, of a foot whose contact force has just vanished. */

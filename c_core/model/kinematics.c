@@ -6,6 +6,8 @@
  * the foot's plus rdot u + r thetadot t. In a variation d_ stands for the change of what follows. */
 #include "kinematics.h"
 
+#include "ground_line.h"
+
 #include <math.h>
 
 tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
@@ -75,6 +77,14 @@ void tdmf_set_center_of_mass(const tdmf_model *model, tdmf_point center, double 
     state[TDMF_FOOT_VY] = center.vy - model->body_share * from_foot.vy;
 }
 
+tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
+    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
+    const double vx = state[TDMF_FOOT_VX], vy = state[TDMF_FOOT_VY];
+    const tdmf_point foot = {tdmf_place_along(ground, x, y), tdmf_height_over(ground, x, y),
+                             tdmf_velocity_along(ground, vx, vy), tdmf_velocity_off(ground, vx, vy)};
+    return foot;
+}
+
 /* ---- variations --------------------------------------------------------------------------------------- */
 
 tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
@@ -125,10 +135,11 @@ void tdmf_vary_foot_to(const tdmf_model *model, const double state[TDMF_STATE_CO
     d_state[TDMF_FOOT_VY] = d_center.vy - from_foot.vy;
 }
 
-void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d, double d_state[TDMF_STATE_COUNT]) {
+void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, tdmf_point d,
+                      double d_state[TDMF_STATE_COUNT]) {
     const double r = state[TDMF_LEG_LENGTH];
-    const double sine = sin(state[TDMF_LEG_ANGLE]);
-    const double cosine = cos(state[TDMF_LEG_ANGLE]);
+    const double sine = direction.sine;
+    const double cosine = direction.cosine;
     const double along = state[TDMF_LEG_LENGTH_RATE];
     const double angle_rate = state[TDMF_LEG_ANGLE_RATE];
     const double d_r = -d.x * sine + d.y * cosine;

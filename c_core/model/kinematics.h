@@ -34,7 +34,7 @@ void tdmf_vary_foot_to(const tdmf_model *model, const double state[TDMF_STATE_CO
 
 /* The inverse of tdmf_vary_body_from_foot: the changes of the leg that make this change of the body's place
  * and velocity. */
-void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_point d_from_foot,
-                      double d_state[TDMF_STATE_COUNT]);
+void tdmf_vary_leg_to(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                      tdmf_point d_from_foot, double d_state[TDMF_STATE_COUNT]);
 
 #endif

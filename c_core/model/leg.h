@@ -11,9 +11,10 @@ typedef struct {
     double inverse_length; /* 1/r */
     double length_rate;
     double angle_rate;
-    double sine, cosine; /* of theta */
-    double rest_length;  /* of the spring */
-    double axial_force;  /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
+    double sine, cosine;               /* of theta */
+    double ground_sine, ground_cosine; /* of theta' = theta - sigma, from the ground's normal */
+    double rest_length;                /* of the spring */
+    double axial_force;                /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
 } tdmf_leg;
 
 /* Sine and cosine of the leg's angle, which no event changes. */
@@ -29,6 +30,14 @@ static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_S
 /* What the rest length grows by at the greatest compression. */
 static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
     return model->parameters.leg.thrust + inputs->control.thrust;
+}
+
+/* From the normal of the ground. */
+static inline tdmf_leg_direction tdmf_direction_over(const tdmf_ground_line *line,
+                                                     tdmf_leg_direction direction) {
+    const tdmf_leg_direction over = {direction.sine * line->cosine - direction.cosine * line->sine,
+                                     direction.cosine * line->cosine + direction.sine * line->sine};
+    return over;
 }
 
 /* Of the spring: l0, the extension and, from the greatest compression to the end of the stance, the thrust.
@@ -50,6 +59,7 @@ static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const tdmf_inputs
     const double length_rate = state[TDMF_LEG_LENGTH_RATE];
     const double shortest = 0.5 * p->leg.min_length;
     const double rest_length = tdmf_rest_length(model, inputs, mode);
+    const tdmf_leg_direction over_ground = tdmf_direction_over(&mode->ground, direction);
     const tdmf_leg leg = {
         .length = length,
         .inverse_length = 1.0 / (length > shortest ? length : shortest),
@@ -57,6 +67,8 @@ static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const tdmf_inputs
         .angle_rate = state[TDMF_LEG_ANGLE_RATE],
         .sine = direction.sine,
         .cosine = direction.cosine,
+        .ground_sine = over_ground.sine,
+        .ground_cosine = over_ground.cosine,
         .rest_length = rest_length,
         .axial_force = p->leg.stiffness * (rest_length - length) - p->leg.damping * length_rate,
     };
@@ -68,9 +80,11 @@ static inline tdmf_leg tdmf_leg_of(const tdmf_model *model, const tdmf_inputs *i
     return tdmf_leg_along(model, inputs, mode, state, tdmf_leg_direction_of(state));
 }
 
-/* How the leg changes along a direction, along which its rest length changes by `d_rest_length`. */
+/* How the leg changes along a direction, along which its rest length changes by `d_rest_length` and the
+ * ground by `d_ground`. */
 static inline tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *leg, const tdmf_model *d,
-                                     double d_rest_length, const double d_state[TDMF_STATE_COUNT]) {
+                                     double d_rest_length, const tdmf_ground_line *d_ground,
+                                     const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_parameters *p = &model->parameters;
     const tdmf_parameters *d_p = &d->parameters;
     const double d_length = d_state[TDMF_LEG_LENGTH];
@@ -85,6 +99,8 @@ static inline tdmf_leg tdmf_vary_leg(const tdmf_model *model, const tdmf_leg *le
         .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
         .sine = leg->cosine * d_angle,
         .cosine = -leg->sine * d_angle,
+        .ground_sine = leg->ground_cosine * (d_angle - d_ground->slope),
+        .ground_cosine = -leg->ground_sine * (d_angle - d_ground->slope),
         .rest_length = d_rest_length,
         .axial_force = d_p->leg.stiffness * (leg->rest_length - leg->length) +
                        p->leg.stiffness * (d_rest_length - d_length) - d_p->leg.damping * leg->length_rate -

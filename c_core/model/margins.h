@@ -28,6 +28,10 @@ static inline double tdmf_margin_factor(int false_crossings) {
     return false_crossings > 0 ? ldexp(1.0, false_crossings) : 1.0;
 }
 
+/* Up to this a start's distance from the ground and its velocity across it are zero, and so is the distance
+ * of a foot from a ground that waits to be in force. */
+#define TDMF_AT_GROUND 1e-12
+
 /* A start in flight with a vertical velocity of the centre of mass up to this is an apex. */
 #define TDMF_APEX_AT_START 1e-12
 

@@ -13,10 +13,11 @@ tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs,
     const tdmf_point body = tdmf_body_along(state, direction);
     const tdmf_point com = tdmf_center_of_mass_along(model, state, direction);
     const tdmf_energy energy = tdmf_mechanical_energy_along(model, inputs, mode, state, direction);
+    const tdmf_world_force force = tdmf_force_in_world(&mode->ground, at.force);
     const tdmf_outputs outputs = {
         .body = {body.x, body.y, body.vx, body.vy},
         .com = {com.x, com.y, com.vx, com.vy},
-        .contact = {at.force.fx, at.force.fy, at.force.fy, at.force.fx, (int)mode->contact,
+        .contact = {force.x, force.y, at.force.normal, at.force.tangential, (int)mode->contact,
                     (int)mode->contact},
         .ground = {tdmf_ground_is_pending(inputs, mode)},
         .leg = {at.leg.axial_force},

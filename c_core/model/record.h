@@ -19,12 +19,12 @@ void tdmf_record_impact(tdmf_record *record, double loss);
 void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
                                 tdmf_contact_mode entered, const double state[TDMF_STATE_COUNT]);
 
-/* A vertical ground force that was met; the stride keeps the largest. */
+/* A ground force across the line that was met; the stride keeps the largest. */
 void tdmf_record_force(tdmf_record *record, double force);
 
 /* An apex in flight: latches the section, closes the stride under way if it began at an apex, opens the next.
  */
-void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
-                      const double state[TDMF_STATE_COUNT]);
+void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, const tdmf_ground_line *ground,
+                      double time, const double state[TDMF_STATE_COUNT]);
 
 #endif

@@ -34,30 +34,57 @@ static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
     return accepted;
 }
 
-static tdmf_refusal check_posture(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
-    tdmf_refusal refusal = {.unit = "m"};
-    const double length = state[TDMF_LEG_LENGTH];
-    const double height = tdmf_body(state).y;
-    if (length < model->parameters.leg.min_length) {
-        refusal.variable = "leg.length";
-        refusal.value = length;
-        refusal.minimum = model->parameters.leg.min_length;
-        refusal.maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum;
-        refusal.bound_by = "leg.min_length";
-    } else if (state[TDMF_FOOT_Y] < 0.0) {
-        refusal.variable = "foot.y";
-        refusal.value = state[TDMF_FOOT_Y];
-        refusal.minimum = 0.0;
-        refusal.maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum;
-        refusal.bound_by = "the ground";
-    } else if (!(height > 0.0)) {
-        refusal.variable = "body.y";
-        refusal.value = height;
-        refusal.minimum = 0.0;
-        refusal.maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum;
-        refusal.bound_by = "above the ground; it follows from foot.y, leg.length and leg.angle";
-    }
+/* Up to which a distance from the ground counts as none. */
+static double least_height(const tdmf_model *model, const tdmf_ground_line *ground, double x) {
+    return TDMF_AT_GROUND * model->scales.length + tdmf_rounding_of_height(ground, x);
+}
+
+static bool foot_is_at_ground(const tdmf_model *model, const tdmf_ground_line *ground,
+                              const double state[TDMF_STATE_COUNT]) {
+    const double x = state[TDMF_FOOT_X];
+    return fabs(tdmf_height_over(ground, x, state[TDMF_FOOT_Y])) <= least_height(model, ground, x);
+}
+
+/* The velocity of a foot at the ground across it. */
+static double rate_of_foot(const tdmf_model *model, const tdmf_ground_line *ground,
+                           const double state[TDMF_STATE_COUNT]) {
+    const double rate = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
+    return fabs(rate) <= TDMF_AT_GROUND * model->scales.speed ? 0.0 : rate;
+}
+
+static tdmf_refusal too_low(const char *variable, double y, double ground_height, const char *rule) {
+    const tdmf_refusal refusal = {.variable = variable,
+                                  .unit = "m",
+                                  .value = y,
+                                  .minimum = ground_height,
+                                  .maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum,
+                                  .bound_by = rule};
     return refusal;
+}
+
+static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_line *ground,
+                                  const double state[TDMF_STATE_COUNT]) {
+    const double length = state[TDMF_LEG_LENGTH];
+    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
+    const tdmf_point body = tdmf_body(state);
+    if (length < model->parameters.leg.min_length) {
+        const tdmf_refusal refusal = {.variable = "leg.length",
+                                      .unit = "m",
+                                      .value = length,
+                                      .minimum = model->parameters.leg.min_length,
+                                      .maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum,
+                                      .bound_by = "leg.min_length"};
+        return refusal;
+    }
+    if (tdmf_height_over(ground, x, y) < -least_height(model, ground, x)) {
+        return too_low("foot.y", y, tdmf_ground_height_at(ground, x), "the ground");
+    }
+    if (!(tdmf_height_over(ground, body.x, body.y) > 0.0)) {
+        return too_low("body.y", body.y, tdmf_ground_height_at(ground, body.x),
+                       "above the ground; it follows from foot.y, leg.length and leg.angle");
+    }
+    const tdmf_refusal accepted = {0};
+    return accepted;
 }
 
 static tdmf_refusal check_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
@@ -70,20 +97,35 @@ static tdmf_refusal check_start(const tdmf_model *model, const tdmf_inputs *inpu
         refusal = check_ranges(state);
     }
     if (refusal.variable == NULL) {
-        refusal = check_posture(model, state);
+        const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
+        refusal = check_posture(model, &ground, state);
     }
     return refusal;
 }
 
+/* Leaves a foot at the ground its velocity along it. */
+static void stop_across(const tdmf_ground_line *ground, double state[TDMF_STATE_COUNT]) {
+    const tdmf_point foot =
+        tdmf_point_on(ground, 0.0, tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]));
+    state[TDMF_FOOT_VX] = foot.vx;
+    state[TDMF_FOOT_VY] = foot.vy;
+}
+
 static void begin(tdmf_run *run) {
-    const double y = run->state[TDMF_FOOT_Y];
-    const double vy = run->state[TDMF_FOOT_VY];
-    if (y > 0.0 || vy > 0.0) {
+    const tdmf_ground_line *ground = &run->mode->ground;
+    const double rate = rate_of_foot(run->model, ground, run->state);
+    if (!foot_is_at_ground(run->model, ground, run->state)) {
         tdmf_fly(run);
-    } else if (vy < 0.0) {
-        tdmf_touch_down(run);
     } else {
-        tdmf_come_to_ground(run);
+        tdmf_lift_to_ground(ground, run->state);
+        if (rate > 0.0) {
+            tdmf_fly(run);
+        } else if (rate < 0.0) {
+            tdmf_touch_down(run);
+        } else {
+            stop_across(ground, run->state);
+            tdmf_come_to_ground(run);
+        }
     }
     const double vertical_velocity = tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
     if (run->mode->contact == TDMF_CONTACT_FLIGHT &&
@@ -122,9 +164,14 @@ tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs 
     double *d_state = varied.variation.state;
     memcpy(d_state, state_direction, TDMF_MECHANICAL_COUNT * sizeof *d_state);
     varied.variation.liftoff_angle = d_state[TDMF_LEG_ANGLE];
-    if (given[TDMF_FOOT_Y] == 0.0 && given[TDMF_FOOT_VY] < 0.0) {
-        const tdmf_direction d = tdmf_direction_of(model, change, NULL);
-        varied.impact_loss = tdmf_vary_impact(model, inputs, given, started, &d, d_state);
+    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
+    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    if (foot_is_at_ground(model, &ground, given) && rate_of_foot(model, &ground, given) < 0.0) {
+        varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, started, &d, d_state);
     }
+    const tdmf_leg_direction direction = tdmf_leg_direction_of(started);
+    const tdmf_point com = tdmf_center_of_mass_along(model, started, direction);
+    const tdmf_point d_com = tdmf_vary_center_of_mass(model, started, direction, &d.model, d_state);
+    varied.com_height = d_com.y - tdmf_vary_ground_height_at(&ground, com.x, &d.mode.ground, d_com.x);
     return varied;
 }

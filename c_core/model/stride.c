@@ -2,6 +2,8 @@
  * one letter for every contact mode that lasts. */
 #include "record.h"
 
+#include "ground_line.h"
+
 #include "tdmf_slip/kinematics.h"
 
 #include <limits.h>
@@ -100,7 +102,7 @@ void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mod
     if (tdmf_in_contact(left) && duration > 0.0) {
         write_letter(open, letter_of(left));
         open->stance_time += duration;
-        open->slip_distance += fabs(state[TDMF_FOOT_X] - open->contact_start_x);
+        open->slip_distance += fabs(state[TDMF_FOOT_X] - open->contact_start_x) / left->ground.cosine;
     }
     if (entered == TDMF_CONTACT_FLIGHT) {
         open->flew_since_letter = true;
@@ -139,8 +141,8 @@ static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, cons
     stride->word_code = code_of(stride->word);
 }
 
-void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
-                      const double state[TDMF_STATE_COUNT]) {
+void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, const tdmf_ground_line *ground,
+                      double time, const double state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, state);
     const tdmf_instant now = tdmf_record_instant(record, time);
     if (record->open.began_at_apex) {
@@ -149,7 +151,7 @@ void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, double time,
     open_stride(&record->open, now, com, state);
     record->open.began_at_apex = true;
     record->apex.time = time;
-    record->apex.com_height = com.y;
+    record->apex.com_height = com.y - tdmf_ground_height_at(ground, com.x);
     record->apex.com_speed = com.vx;
     record->apex.leg_length = state[TDMF_LEG_LENGTH];
     record->apex.leg_angle = state[TDMF_LEG_ANGLE];

@@ -12,10 +12,13 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
     const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
+    const tdmf_world_force force = tdmf_vary_force_in_world(&at, &d_at);
     tdmf_tangent tangent = {
         .body = tdmf_vary_body(state, direction, d.state),
         .com = tdmf_vary_center_of_mass(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
+        .contact_fx = force.x,
+        .contact_fy = force.y,
         .torque = d_at.torque,
         .leg_force = d_at.leg.axial_force,
         .energy = tdmf_vary_energy(&at, &d, &d_at),

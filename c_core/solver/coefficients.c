@@ -61,8 +61,10 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
         .rest_length = equations->rest_length,
         .inverse_body_mass = model->inverse_body_mass,
         .inverse_foot_mass = model->inverse_foot_mass,
-        .foot_weight = tdmf_foot_weight(model),
-        .gravity = p->gravity,
+        .foot_weight_x = tdmf_foot_weight(model) * equations->ground.sine,
+        .foot_weight_y = tdmf_foot_weight(model) * equations->ground.cosine,
+        .gravity_x = p->gravity * equations->ground.sine,
+        .gravity_y = p->gravity * equations->ground.cosine,
         .torque = equations->law.torque,
         .torque_rate = equations->law.torque_rate,
         .friction = equations->friction,
@@ -76,14 +78,21 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
     const tdmf_parameters *d_p = &d->model.parameters;
     const tdmf_hip_law d_law = tdmf_in_contact(mode) ? tdmf_vary_stance_law(mode, d)
                                                      : tdmf_external_law(&d->inputs, &tdmf_held_inputs);
+    const tdmf_ground_line *ground = &equations->ground;
+    const double d_slope = d->mode.ground.slope;
+    const double gravity = equations->model->parameters.gravity;
+    const double weight = tdmf_foot_weight(equations->model);
+    const double d_weight = tdmf_vary_foot_weight(equations->model, &d->model);
     const ground_coefficients varied = {
         .stiffness = d_p->leg.stiffness,
         .damping = d_p->leg.damping,
         .rest_length = tdmf_rest_length(&d->model, &d->inputs, mode),
         .inverse_body_mass = d->model.inverse_body_mass,
         .inverse_foot_mass = d->model.inverse_foot_mass,
-        .foot_weight = tdmf_vary_foot_weight(equations->model, &d->model),
-        .gravity = d_p->gravity,
+        .foot_weight_x = d_weight * ground->sine + weight * ground->cosine * d_slope,
+        .foot_weight_y = d_weight * ground->cosine - weight * ground->sine * d_slope,
+        .gravity_x = d_p->gravity * ground->sine + gravity * ground->cosine * d_slope,
+        .gravity_y = d_p->gravity * ground->cosine - gravity * ground->sine * d_slope,
         .torque = d_law.torque,
         .friction = tdmf_signed_friction(&d->inputs, mode),
     };

@@ -2,6 +2,7 @@
 #include "mode_equations.h"
 
 #include "friction.h"
+#include "ground_line.h"
 #include "kinematics.h"
 
 #include <math.h>
@@ -15,28 +16,39 @@ static void open_flight(tdmf_mode_equations *equations, const double state[TDMF_
     equations->com_vy = com.vy;
 }
 
-static double angle_seen(double x, double y) {
-    return atan2(-x, y);
+static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
+                            const tdmf_mode *mode) {
+    equations->ground_waits = tdmf_ground_is_pending(inputs, mode);
+    if (equations->ground_waits) {
+        equations->new_ground = tdmf_ground_line_set(inputs);
+    }
+}
+
+/* theta of a body that stands over the foot at (x, y) in the ground's axes. */
+static double angle_seen(const tdmf_mode_equations *equations, double x, double y) {
+    return atan2(-x, y) + equations->ground.slope;
 }
 
 /* A leg that has wound past a half turn in flight stays wound. */
-static double turns_of(double angle, const tdmf_mode_coordinates *at) {
+static double turns_of(const tdmf_mode_equations *equations, double angle) {
     static const double turn = 6.283185307179586;
     const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
-    return seen_as_it_is ? 0.0 : turn * round((angle - angle_seen(at->x, at->y)) / turn);
+    const tdmf_mode_coordinates *at = &equations->start;
+    return seen_as_it_is ? 0.0 : turn * round((angle - angle_seen(equations, at->x, at->y)) / turn);
 }
 
 static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         tdmf_leg_direction direction) {
     tdmf_mode_coordinates *at = &equations->start;
-    const tdmf_point body = tdmf_body_from_foot(state, direction);
+    const tdmf_ground_line *ground = &equations->ground;
+    const tdmf_point body = tdmf_body_from_foot(state, tdmf_direction_over(ground, direction));
     at->x = body.x;
     at->y = body.y;
-    at->foot_x = state[TDMF_FOOT_X];
-    at->foot_vx = state[TDMF_FOOT_VX];
+    at->foot_x = tdmf_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]);
+    at->foot_vx = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     at->vx = at->foot_vx + body.vx;
     at->vy = body.vy;
-    equations->turn = turns_of(state[TDMF_LEG_ANGLE], at);
+    equations->turn = turns_of(equations, state[TDMF_LEG_ANGLE]);
 }
 
 static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
@@ -65,7 +77,7 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
-    *equations = (tdmf_mode_equations){.model = model, .contact = mode->contact};
+    *equations = (tdmf_mode_equations){.model = model, .contact = mode->contact, .ground = mode->ground};
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
@@ -83,6 +95,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
         tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations, state, direction);
+        open_new_ground(equations, inputs, mode);
     } else {
         open_ground(equations, state, direction);
     }
@@ -131,12 +144,13 @@ static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equation
                                              double state[TDMF_STATE_COUNT]) {
     const double vx = at->vx - at->foot_vx;
     const double length = sqrt(at->x * at->x + at->y * at->y);
-    state[TDMF_FOOT_X] = at->foot_x;
-    state[TDMF_FOOT_Y] = 0.0;
-    state[TDMF_FOOT_VX] = at->foot_vx;
-    state[TDMF_FOOT_VY] = 0.0;
+    const tdmf_point foot = tdmf_point_on(&equations->ground, at->foot_x, at->foot_vx);
+    state[TDMF_FOOT_X] = foot.x;
+    state[TDMF_FOOT_Y] = foot.y;
+    state[TDMF_FOOT_VX] = foot.vx;
+    state[TDMF_FOOT_VY] = foot.vy;
     state[TDMF_LEG_LENGTH] = length;
-    state[TDMF_LEG_ANGLE] = angle_seen(at->x, at->y) + equations->turn;
+    state[TDMF_LEG_ANGLE] = angle_seen(equations, at->x, at->y) + equations->turn;
     state[TDMF_LEG_LENGTH_RATE] = (at->x * vx + at->y * at->vy) / length;
     state[TDMF_LEG_ANGLE_RATE] = (at->x * at->vy - at->y * vx) / (length * length);
     /* As whoever begins from the state has it, so that a run may stop at an event and go on alike. */

@@ -11,7 +11,8 @@
 typedef struct {
     /* Flight: the leg. The centre of mass follows from time alone. */
     double length, angle, length_rate, angle_rate;
-    /* On the ground: the body as seen from the foot, its velocity, and the foot. */
+    /* On the ground, in its own axes: the body as seen from the foot, its velocity, and the foot, which is
+     * where the line is. */
     double x, y, vx, vy, foot_x, foot_vx;
     double work, damper_loss, friction_loss;
 } tdmf_mode_coordinates;
@@ -20,6 +21,9 @@ typedef struct {
 typedef struct {
     const tdmf_model *model;
     tdmf_contact_mode contact;
+    tdmf_ground_line ground; /* in force */
+    bool ground_waits;       /* flight: one that has been set waits to be in force */
+    tdmf_ground_line new_ground;
     tdmf_mode_coordinates start;
     tdmf_hip_law law; /* of flight or stance; in graze the torque from outside alone */
     /* Laws that guards are made of: off the ground the servo that the clamp is decided by; in graze also the

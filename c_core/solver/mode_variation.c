@@ -4,10 +4,12 @@
 #include "mode_variation.h"
 
 #include "coefficients.h"
+#include "ground_line.h"
 #include "kinematics.h"
 #include "series_sums.h"
 
 #include <math.h>
+#include <string.h>
 
 /* ---- flight ------------------------------------------------------------------------------------------- */
 
@@ -56,25 +58,44 @@ static void advance_flight(const tdmf_step *step, double t, const tdmf_change *c
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
-static void open_ground(const double state[TDMF_STATE_COUNT], const double d_state[TDMF_STATE_COUNT],
-                        tdmf_mode_variation *varied_mode) {
-    const tdmf_point body = tdmf_vary_body_from_foot(state, tdmf_leg_direction_of(state), d_state);
+/* In the ground's axes the leg is seen from its normal. */
+static tdmf_leg_direction seen_from_normal(const tdmf_mode_equations *equations,
+                                           const double state[TDMF_STATE_COUNT]) {
+    return tdmf_direction_over(&equations->ground, tdmf_leg_direction_of(state));
+}
+
+static void open_ground(const tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
+                        const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
+    const tdmf_ground_line *ground = &equations->ground, *d_ground = &d->mode.ground;
+    double d_state[TDMF_STATE_COUNT];
+    memcpy(d_state, d->state, sizeof d_state);
+    d_state[TDMF_LEG_ANGLE] -= d_ground->slope;
+    const tdmf_point body = tdmf_vary_body_from_foot(state, seen_from_normal(equations, state), d_state);
     varied_mode->at.x = body.x;
     varied_mode->at.y = body.y;
-    varied_mode->at.foot_x = d_state[TDMF_FOOT_X];
-    varied_mode->at.foot_vx = d_state[TDMF_FOOT_VX];
+    varied_mode->at.foot_x = tdmf_vary_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y], d_ground,
+                                                   d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]);
+    varied_mode->at.foot_vx = tdmf_velocity_along(ground, d_state[TDMF_FOOT_VX], d_state[TDMF_FOOT_VY]);
     varied_mode->at.vx = varied_mode->at.foot_vx + body.vx;
     varied_mode->at.vy = body.vy;
 }
 
-static void ground_variation_of_state(const double state[TDMF_STATE_COUNT],
+static void ground_variation_of_state(const tdmf_mode_equations *equations,
+                                      const double state[TDMF_STATE_COUNT], const tdmf_direction *d,
                                       const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_ground_line *ground = &equations->ground, *d_ground = &d->mode.ground;
     const tdmf_mode_coordinates *at = &varied_mode->at;
     const tdmf_point body = {at->x, at->y, at->vx - at->foot_vx, at->vy};
-    d_state[TDMF_FOOT_X] = at->foot_x;
-    d_state[TDMF_FOOT_VX] = at->foot_vx;
-    tdmf_vary_leg_to(state, body, d_state);
+    const double along = tdmf_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]);
+    const double velocity = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
+    const tdmf_point foot = tdmf_vary_point_on(ground, along, velocity, d_ground, at->foot_x, at->foot_vx);
+    d_state[TDMF_FOOT_X] = foot.x;
+    d_state[TDMF_FOOT_Y] = foot.y;
+    d_state[TDMF_FOOT_VX] = foot.vx;
+    d_state[TDMF_FOOT_VY] = foot.vy;
+    tdmf_vary_leg_to(state, seen_from_normal(equations, state), body, d_state);
+    d_state[TDMF_LEG_ANGLE] += d_ground->slope;
 }
 
 static void advance_ground(const tdmf_step *step, double t, const ground_variation *tangent,
@@ -97,11 +118,11 @@ tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equation
                                        .place_time = variation->state[TDMF_HIP_PLACE_TIME],
                                        .leg_work = variation->state[TDMF_LEG_WORK]};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
+    const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
-        const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
         open_flight(equations->model, state, &d, &varied_mode);
     } else {
-        open_ground(state, variation->state, &varied_mode);
+        open_ground(equations, state, &d, &varied_mode);
     }
     return varied_mode;
 }
@@ -164,11 +185,11 @@ tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
     variation.state[TDMF_LEG_WORK] = varied_mode->leg_work;
+    const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
-        const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
         flight_variation_of_state(equations->model, state, &d, varied_mode, variation.state);
     } else {
-        ground_variation_of_state(state, varied_mode, variation.state);
+        ground_variation_of_state(equations, state, &d, varied_mode, variation.state);
     }
     return variation;
 }

@@ -17,7 +17,8 @@
 static bool is_on_edge(const tdmf_inputs *inputs, bool impact, const tdmf_side *before,
                        const tdmf_side *after) {
     const bool flew = before->mode.contact == TDMF_CONTACT_FLIGHT;
-    const bool landed = flew && after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY];
+    const bool landed = flew && (after->state[TDMF_FOOT_VX] != before->state[TDMF_FOOT_VX] ||
+                                 after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY]);
     const bool stands = after->mode.contact == TDMF_CONTACT_STICK;
     return impact != landed || (stands && inputs->ground.friction == 0.0);
 }
@@ -75,13 +76,13 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
     if (event->vary_reset != NULL) {
-        event->vary_reset(model, inputs, before->state, after->state, &d, varied.state);
+        event->vary_reset(model, inputs, &before->mode.ground, before->state, after->state, &d, varied.state);
     }
     varied.state[TDMF_LEG_WORK] += vary_leg_work(model, inputs, before, after, &d, varied.state);
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
     shift_along(-dt, after->derivatives, varied.state);
-    tdmf_constrain_variation(&after->mode, varied.state);
+    tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;
 }

@@ -95,9 +95,12 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 /* ---- events ------------------------------------------------------------------------------------------- */
 
 static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
-    const ballistic com = {step->equations->com_y, step->equations->com_vy};
-    watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com,
-                 mode->rises, mode->phase == TDMF_PHASE_RETRACT, step->tolerance);
+    const ballistic com = tdmf_step_center_of_mass(step->equations);
+    const flight_case is = {.rising = mode->rises,
+                            .retracts = mode->phase == TDMF_PHASE_RETRACT,
+                            .awaits_ground = step->equations->ground_waits};
+    watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com, is,
+                 step->tolerance);
 }
 
 /* By the weights of the largest friction in the step. */

@@ -3,6 +3,7 @@
 
 #include "coefficients.h"
 #include "friction.h"
+#include "ground_line.h"
 
 static mode_constants mode_constants_of(const tdmf_model *model, double margin_factor) {
     const mode_constants constants = {
@@ -25,14 +26,33 @@ static hip_law signed_law(double sign, const tdmf_hip_law *law) {
     return with_sign;
 }
 
+static height_above height_over(const tdmf_ground_line *line, const tdmf_mode_equations *equations) {
+    const height_above height = {tdmf_height_over(line, equations->com_x, equations->com_y),
+                                 tdmf_velocity_off(line, equations->com_vx, equations->com_vy)};
+    return height;
+}
+
+ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
+    ballistic com = {.ground = height_over(&equations->ground, equations), .rise_rate = equations->com_vy};
+    if (equations->ground_waits) {
+        com.new_ground = height_over(&equations->new_ground, equations);
+    }
+    return com;
+}
+
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
+    const double gravity = equations->model->parameters.gravity;
     const flight_constants constants = {
         .mode = mode_constants_of(equations->model, margin_factor),
         .law = tdmf_flight_coefficients(equations),
         .inverse_mobility = 1.0 / equations->model->mobility,
         .body_share = equations->model->body_share,
+        .slope = equations->ground.slope,
+        .normal_gravity = gravity * equations->ground.cosine,
         .servo = signed_law(mode->clamp_closed ? -1.0 : 1.0, &equations->servo),
+        .new_slope = equations->new_ground.slope,
+        .new_normal_gravity = gravity * equations->new_ground.cosine,
     };
     return constants;
 }
@@ -49,6 +69,8 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         /* A leg that has wound past a half turn passes upright no more. */
         .drives = mode->phase == TDMF_PHASE_DRIVE && equations->turn == 0.0 ? 1.0 : 0.0,
         .awaits_thrust = equations->awaits_thrust ? 1.0 : 0.0,
+        .slope_sine = equations->ground.sine,
+        .slope_cosine = equations->ground.cosine,
         .servo = signed_law(1.0, &equations->servo),
         .stance = signed_law(1.0, &equations->stance_law),
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,

@@ -6,6 +6,9 @@
 #include "ground_step.h"
 #include "mode_equations.h"
 
+/* The centre of mass in flight, at the equations' instant. */
+ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations);
+
 /* The constants of a mode, with guards due `margin_factor` times as far below zero as at first. */
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor);

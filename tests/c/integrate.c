@@ -16,6 +16,7 @@ runner runner_default(double friction) {
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs = tdmf_default_inputs();
     runner.inputs.ground.friction = friction;
+    runner.mode.ground = tdmf_ground_line_of(0.0, 0.0);
     tdmf_default_state(runner.state);
     return runner;
 }

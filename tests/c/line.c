@@ -32,6 +32,11 @@ runner line_at(const line *line, double t) {
     moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
     moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
     moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
+    moved.inputs.ground.height += t * line->change.inputs.ground.height;
+    moved.inputs.ground.slope += t * line->change.inputs.ground.slope;
+    /* The line in force changes with the one that is set, which may be another. */
+    moved.mode.ground = tdmf_ground_line_of(moved.mode.ground.height + t * line->change.inputs.ground.height,
+                                            moved.mode.ground.slope + t * line->change.inputs.ground.slope);
     return moved;
 }
 
@@ -71,5 +76,8 @@ line line_random(random_source *source, const runner *runner) {
     line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
     line.change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
     line.change.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
+    random_source copy = *source; /* all else is as it would be on ground that is held */
+    line.change.inputs.ground.height = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.ground.slope = random_uniform(&copy, -1.0, 1.0);
     return line;
 }

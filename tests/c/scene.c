@@ -140,7 +140,8 @@ const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS] = {TDMF_GUARD_TOUCHDOW
                                                              TDMF_GUARD_MID_STANCE,
                                                              TDMF_GUARD_GRAZE_TO_CONTACT,
                                                              TDMF_GUARD_GRAZE_TO_FLIGHT,
-                                                             TDMF_GUARD_GREATEST_COMPRESSION};
+                                                             TDMF_GUARD_GREATEST_COMPRESSION,
+                                                             TDMF_GUARD_NEW_GROUND};
 
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
@@ -206,18 +207,41 @@ static void random_state(random_source *source, runner *runner) {
     state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -2.0, 2.0) / scales->time;
 }
 
-/* What the contact mode says of the foot's motion. */
+/* From a copy of the source, as are the further laws: the level ground every other time. */
+static void choose_ground(random_source copy, runner *runner) {
+    copy.state ^= UINT64_C(0xbb67ae8584caa73b);
+    if (random_chance(&copy, 0.5)) {
+        runner->inputs.ground.slope = random_uniform(&copy, -0.7, 0.7);
+        runner->inputs.ground.height = random_uniform(&copy, -2.0, 2.0) * runner->model.scales.length;
+        if (fabs(runner->state[TDMF_LEG_ANGLE] - runner->inputs.ground.slope) > 1.4) {
+            runner->inputs.ground.slope *= -1.0; /* the body is above the ground */
+        }
+    }
+    runner->mode.ground = tdmf_ground_line_of(runner->inputs.ground.height, runner->inputs.ground.slope);
+    if (runner->mode.contact == TDMF_CONTACT_FLIGHT && random_chance(&copy, 0.3)) { /* it waits */
+        runner->inputs.ground.height += random_uniform(&copy, 0.0, 6.0) * runner->model.scales.length;
+        runner->inputs.ground.slope = random_uniform(&copy, -0.7, 0.7);
+    }
+}
+
+/* What the contact mode says of the foot's motion, which is drawn along the ground and away from it. */
 static void constrain(runner *runner) {
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    double *state = runner->state;
     const double sign = tdmf_slip_sign(&runner->mode);
-    if (runner->mode.contact != TDMF_CONTACT_FLIGHT) {
-        runner->state[TDMF_FOOT_Y] = 0.0;
-        runner->state[TDMF_FOOT_VY] = 0.0;
-    }
+    const bool flies = runner->mode.contact == TDMF_CONTACT_FLIGHT;
+    const double along = state[TDMF_FOOT_X], off = flies ? state[TDMF_FOOT_Y] : 0.0;
+    const double rate = flies ? state[TDMF_FOOT_VY] : 0.0;
+    double velocity = state[TDMF_FOOT_VX];
     if (runner->mode.contact == TDMF_CONTACT_STICK) {
-        runner->state[TDMF_FOOT_VX] = 0.0;
+        velocity = 0.0;
     } else if (sign != 0.0) {
-        runner->state[TDMF_FOOT_VX] = copysign(runner->state[TDMF_FOOT_VX], sign);
+        velocity = copysign(velocity, sign);
     }
+    state[TDMF_FOOT_X] = along * ground->cosine - off * ground->sine;
+    state[TDMF_FOOT_Y] = ground->height + along * ground->sine + off * ground->cosine;
+    state[TDMF_FOOT_VX] = velocity * ground->cosine - rate * ground->sine;
+    state[TDMF_FOOT_VY] = velocity * ground->sine + rate * ground->cosine;
 }
 
 runner scene_random(random_source *source, tdmf_contact_mode contact) {
@@ -239,6 +263,7 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
             first ? 0.0 : random_uniform(source, 0.0, 10.0) * runner.model.scales.time;
     }
     complete_mode(&runner);
+    choose_ground(*source, &runner);
     constrain(&runner);
     return runner;
 }

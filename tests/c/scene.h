@@ -49,7 +49,7 @@ void scene_assert_unchanged(const runner *runner, const scene_snapshot *before);
 double scene_guard(const runner *runner, tdmf_guard guard);
 
 /* The guards of all events that a variation outlives. */
-enum { SCENE_VARIED_GUARDS = 11 };
+enum { SCENE_VARIED_GUARDS = 12 };
 extern const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS];
 
 /* tdmf_resolve at runner->time. Asserts that the chain comes to rest, leaves no guard due, and a clamp closed

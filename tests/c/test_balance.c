@@ -61,10 +61,10 @@ static double com_vy(const runner *runner) {
 static void momentum_balances(const runner *runner) {
     const double mass = runner->model.total_mass;
     const double weight = mass * runner->model.parameters.gravity;
-    const tdmf_ground_force force =
-        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
-    assert_close(mass * rate_of(runner, com_vx), force.fx, scene_force_tolerance(runner));
-    assert_close(mass * rate_of(runner, com_vy), force.fy - weight, scene_force_tolerance(runner));
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+    assert_close(mass * rate_of(runner, com_vx), outputs.contact.fx, scene_force_tolerance(runner));
+    assert_close(mass * rate_of(runner, com_vy), outputs.contact.fy - weight, scene_force_tolerance(runner));
 }
 
 static void ground_force_and_weight_move_the_center_of_mass(void **unused) {
@@ -114,8 +114,8 @@ static void integrals_follow_their_definitions(const runner *runner) {
                          runner->state[TDMF_LEG_ANGLE_RATE];
     const double damped = runner->model.parameters.leg.damping * length_rate * length_rate;
     const double rubbed =
-        -tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).fx *
-        runner->state[TDMF_FOOT_VX];
+        -tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).tangential *
+        tdmf_foot_over_ground(&runner->mode.ground, runner->state).vx;
     assert_relatively_close(derivatives[TDMF_HIP_WORK], power, 1e-14);
     assert_relatively_close(derivatives[TDMF_HIP_POSITIVE_WORK], power > 0.0 ? power : 0.0, 1e-14);
     assert_relatively_close(derivatives[TDMF_ENERGY_DAMPER_LOSS], damped, 1e-14);
@@ -144,7 +144,7 @@ static void friction_takes_energy(void **unused) {
 /* ---- rate of the vertical ground force -------------------------------------------------------------- */
 
 static double vertical_force(const runner *runner) {
-    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).fy;
+    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).normal;
 }
 
 static void rate_agrees(const runner *runner) {

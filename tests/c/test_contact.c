@@ -14,8 +14,8 @@ static void unloaded_leg_leaves_the_weight_of_the_foot(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
     runner.state[TDMF_LEG_LENGTH] = 1.0;
-    assert_close(force_of(&runner).fy, 0.1 * 0.01, 1e-17);
-    assert_true(force_of(&runner).fx == 0.0);
+    assert_close(force_of(&runner).normal, 0.1 * 0.01, 1e-17);
+    assert_true(force_of(&runner).tangential == 0.0);
 }
 
 /* A still leg pushes the foot away from the body: ahead of it, the ground holds back. */
@@ -23,17 +23,17 @@ static void sticking_force_points_along_the_leg(void **unused) {
     (void)unused;
     const runner ahead = scene_on_ground(TDMF_CONTACT_STICK, 0.5, 0.101);
     const runner behind = scene_on_ground(TDMF_CONTACT_STICK, -0.5, 0.101);
-    assert_close(force_of(&ahead).fx, -0.1 * tan(0.5), 1e-15);
-    assert_close(force_of(&behind).fx, 0.1 * tan(0.5), 1e-15);
+    assert_close(force_of(&ahead).tangential, -0.1 * tan(0.5), 1e-15);
+    assert_close(force_of(&behind).tangential, 0.1 * tan(0.5), 1e-15);
 }
 
 static void friction_opposes_the_slip(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.2);
     runner.inputs.ground.friction = 0.25;
-    assert_close(force_of(&runner).fx, -0.05, 1e-15);
+    assert_close(force_of(&runner).tangential, -0.05, 1e-15);
     runner.mode.contact = TDMF_CONTACT_SLIP_NEGATIVE;
-    assert_close(force_of(&runner).fx, 0.05, 1e-15);
+    assert_close(force_of(&runner).tangential, 0.05, 1e-15);
 }
 
 static void no_force_off_the_ground_and_in_graze(void **unused) {
@@ -42,7 +42,7 @@ static void no_force_off_the_ground_and_in_graze(void **unused) {
     static const tdmf_contact_mode modes[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
     for (int i = 0; i < 2; ++i) {
         const runner runner = scene_random(&source, modes[i]);
-        assert_true(force_of(&runner).fx == 0.0 && force_of(&runner).fy == 0.0);
+        assert_true(force_of(&runner).tangential == 0.0 && force_of(&runner).normal == 0.0);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "differentiate.h"
 #include "scene.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -154,23 +155,41 @@ static void require(equation row, int unknown, double value) {
     row[UNKNOWNS] = (long double)value;
 }
 
-/* The last three rows: what defines the mode. */
+/* Along the ground and away from it, of accelerations or forces. */
+static void require_along(equation row, const tdmf_ground_line *ground, int x, int y) {
+    row[x] = (long double)ground->cosine;
+    row[y] = (long double)ground->sine;
+}
+
+static void require_off(equation row, const tdmf_ground_line *ground, int x, int y, double factor) {
+    row[x] -= (long double)(factor * ground->sine);
+    row[y] += (long double)(factor * ground->cosine);
+}
+
+/* The last three rows: what defines the mode. The ground is a line that the foot cannot leave. */
 static void equations_of_mode(const runner *runner, equation rows[UNKNOWNS]) {
     const double torque = control_law(runner) + runner->inputs.hip.external_torque;
     const tdmf_contact_mode contact = runner->mode.contact;
+    const tdmf_ground_line *ground = &runner->mode.ground;
     if (contact == TDMF_CONTACT_GRAZE) {
         require(rows[FREEDOMS + 0], FX, 0.0);
         require(rows[FREEDOMS + 1], FY, 0.0);
-        require(rows[FREEDOMS + 2], Y, 0.0);
+        require_off(rows[FREEDOMS + 2], ground, X, Y, 1.0);
         return;
     }
     require(rows[FREEDOMS + 0], TAU, torque);
-    require(rows[FREEDOMS + 1], contact == TDMF_CONTACT_FLIGHT ? FY : Y, 0.0);
-    require(rows[FREEDOMS + 2], contact == TDMF_CONTACT_STICK ? X : FX, 0.0);
-    if (contact == TDMF_CONTACT_SLIP_POSITIVE) {
-        rows[FREEDOMS + 2][FY] = (long double)runner->inputs.ground.friction;
-    } else if (contact == TDMF_CONTACT_SLIP_NEGATIVE) {
-        rows[FREEDOMS + 2][FY] = -(long double)runner->inputs.ground.friction;
+    if (contact == TDMF_CONTACT_FLIGHT) {
+        require(rows[FREEDOMS + 1], FX, 0.0);
+        require(rows[FREEDOMS + 2], FY, 0.0);
+        return;
+    }
+    require_off(rows[FREEDOMS + 1], ground, X, Y, 1.0);
+    if (contact == TDMF_CONTACT_STICK) {
+        require_along(rows[FREEDOMS + 2], ground, X, Y);
+    } else {
+        const double sign = contact == TDMF_CONTACT_SLIP_POSITIVE ? 1.0 : -1.0;
+        require_along(rows[FREEDOMS + 2], ground, FX, FY);
+        require_off(rows[FREEDOMS + 2], ground, FX, FY, sign * runner->inputs.ground.friction);
     }
 }
 
@@ -252,8 +271,15 @@ static void compare_with_lagrange(const runner *runner) {
         tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
     const double torque = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
     const double largest_force = largest_of(&expected[FX], 2, scales->force);
-    assert_close(force.fx, expected[FX], 1e-11 * largest_force);
-    assert_close(force.fy, expected[FY], 1e-11 * largest_force);
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+    assert_close(outputs.contact.fx, expected[FX], 1e-11 * largest_force);
+    assert_close(outputs.contact.fy, expected[FY], 1e-11 * largest_force);
+    assert_close(force.tangential, ground->cosine * expected[FX] + ground->sine * expected[FY],
+                 1e-11 * largest_force);
+    assert_close(force.normal, ground->cosine * expected[FY] - ground->sine * expected[FX],
+                 1e-11 * largest_force);
     assert_close(torque, expected[TAU], 1e-11 * fmax(fabs(expected[TAU]), scales->energy));
 }
 
@@ -290,11 +316,16 @@ static void graze_obeys_lagrange(void **unused) {
 static void constrained_accelerations_are_exactly_zero(void **unused) {
     (void)unused;
     random_source source = {1};
-    for (int contact = TDMF_CONTACT_STICK; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+    for (int i = 0; i < 40; ++i) {
+        const int contact = TDMF_CONTACT_STICK + i % 4;
         const runner runner = scene_random(&source, (tdmf_contact_mode)contact);
         double derivatives[TDMF_STATE_COUNT];
         tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
-        assert_true(derivatives[TDMF_FOOT_VY] == 0.0 && derivatives[TDMF_FOOT_Y] == 0.0);
+        const tdmf_ground_line *ground = &runner.mode.ground;
+        const double along = derivatives[TDMF_FOOT_VX] / ground->cosine;
+        assert_true(ground->slope != 0.0 ||
+                    (derivatives[TDMF_FOOT_VY] == 0.0 && derivatives[TDMF_FOOT_Y] == 0.0));
+        assert_close(derivatives[TDMF_FOOT_VY], along * ground->sine, 4.0 * DBL_EPSILON * fabs(along));
         assert_true(contact != TDMF_CONTACT_STICK || derivatives[TDMF_FOOT_VX] == 0.0);
     }
 }

@@ -223,8 +223,8 @@ static void of_strides_in_every_kind_of_lane(void **state) {
         int closed = 0;
         for (int i = 0; i < RUNNERS; ++i) {
             double first[TDMF_STATE_COUNT], last[TDMF_STATE_COUNT];
-            tdmf_section_state(&models[i], starts[i], first);
-            tdmf_section_state(&models[i], ends[i].apex, last);
+            tdmf_section_state(&models[i], &cases[i].inputs, starts[i], first);
+            tdmf_section_state(&models[i], &cases[i].inputs, ends[i].apex, last);
             const double most = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
             const double change = energy_of(&models[i], last).total - energy_of(&models[i], first).total;
             const double booked =

@@ -279,7 +279,7 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
     double state[TDMF_STATE_COUNT];
     const tdmf_inputs inputs = tdmf_default_inputs();
     const tdmf_mode mode = {.contact = TDMF_CONTACT_FLIGHT};
-    tdmf_section_state(model, apex, state);
+    tdmf_section_state(model, &inputs, apex, state);
     return tdmf_mechanical_energy(model, &inputs, &mode, state).total;
 }
 

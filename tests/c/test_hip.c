@@ -132,7 +132,7 @@ static void graze_torque_unloads_the_foot(void **unused) {
         const tdmf_ground_force force =
             tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state);
         const double scale = runner.model.scales.force * (1.0 + runner.model.parameters.leg.damping);
-        assert_close(force.fy, 0.0, 1e-13 * scale);
+        assert_close(force.normal, 0.0, 1e-13 * scale);
         runner.inputs.hip.external_torque = 0.3 * runner.model.scales.energy;
         assert_true(torque_of(&runner) == torque);
     }
@@ -143,12 +143,13 @@ static void graze_is_watched_by_the_ground_force_under_either_law(void **unused)
     (void)unused;
     runner runner = leg_in_drive();
     runner.inputs.hip.external_torque = 0.05;
-    const double stance = tdmf_contact_force(&runner.model, &runner.inputs, &runner.mode, runner.state).fy;
+    const double stance =
+        tdmf_contact_force(&runner.model, &runner.inputs, &runner.mode, runner.state).normal;
     runner.mode.phase = TDMF_PHASE_PLACE;
     runner.mode.contact = TDMF_CONTACT_GRAZE;
     const double law = -0.1 * (0.3 - touchdown_angle) + 0.05;
     const double flight =
-        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, law, runner.state).fy;
+        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, law, runner.state).normal;
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_CONTACT), -stance, 1e-12);
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT), flight, 1e-12);
 }

@@ -38,8 +38,8 @@ static void the_cones_guard_rounds_like_the_forces(void **unused) {
             runner.inputs.ground.friction = frictions[i];
             const tdmf_ground_force force =
                 tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, 0.0, runner.state);
-            const long double edge = fabsl((long double)force.fx) / (long double)frictions[i];
-            const double value = (double)((long double)force.fy - edge + (long double)TDMF_GUARD_MARGIN);
+            const long double edge = fabsl((long double)force.tangential) / (long double)frictions[i];
+            const double value = (double)((long double)force.normal - edge + (long double)TDMF_GUARD_MARGIN);
             const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);
             const double negative = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
             assert_close(fmin(positive, negative), value, 1e-3 * TDMF_GUARD_MARGIN);

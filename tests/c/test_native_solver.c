@@ -178,7 +178,7 @@ static runner spinning_runner(random_source *source, spinning_fall *fall) {
     const double length = stiffness * p.leg.free_length / (stiffness - rate * rate);
     const double section[TDMF_SECTION_COUNT] = {random_uniform(source, 2.0, 6.0),  0.0, length,
                                                 random_uniform(source, -3.0, 3.0), 0.0, rate};
-    tdmf_section_state(&runner.model, section, runner.state);
+    tdmf_section_state(&runner.model, &runner.inputs, section, runner.state);
     runner_start(&runner);
     fall->com_y = section[TDMF_SECTION_COM_HEIGHT];
     fall->drop = length * p.body.mass / (p.body.mass + p.foot.mass);

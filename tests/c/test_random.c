@@ -35,13 +35,19 @@ static double random_step(const runner *runner) {
 }
 
 static void choose_start_on_ground(random_source *source, runner *runner) {
-    runner->state[TDMF_FOOT_Y] = 0.0;
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    double *state = runner->state;
+    tdmf_point foot = tdmf_foot_over_ground(ground, state);
     if (random_chance(source, 0.5)) {
-        runner->state[TDMF_FOOT_VY] = 0.0;
+        foot.vy = 0.0;
     }
     if (random_chance(source, 0.5)) {
-        runner->state[TDMF_FOOT_VX] = 0.0;
+        foot.vx = 0.0;
     }
+    state[TDMF_FOOT_X] = foot.x * ground->cosine;
+    state[TDMF_FOOT_Y] = ground->height + foot.x * ground->sine;
+    state[TDMF_FOOT_VX] = foot.vx * ground->cosine - foot.vy * ground->sine;
+    state[TDMF_FOOT_VY] = foot.vx * ground->sine + foot.vy * ground->cosine;
 }
 
 /* Exact zeros, and a leg at its free length, are where comparisons may go either way. */
@@ -94,9 +100,34 @@ static runner near_the_gait(random_source *source) {
     return runner;
 }
 
+/* A line that passes above or below the foot. */
+static void set_ground_near_foot(random_source *source, runner *runner) {
+    const double slope = random_uniform(source, -0.6, 0.6);
+    const double step = random_uniform(source, -1.0, 1.0) * runner->model.scales.length;
+    runner->inputs.ground.slope = slope;
+    runner->inputs.ground.height =
+        runner->state[TDMF_FOOT_Y] - runner->state[TDMF_FOOT_X] * tan(slope) + step;
+}
+
+/* Below the line that has been set last. */
+static bool foot_waits_below(const runner *runner) {
+    const tdmf_ground_line line =
+        tdmf_ground_line_of(runner->inputs.ground.height, runner->inputs.ground.slope);
+    return tdmf_foot_over_ground(&line, runner->state).y < 0.0;
+}
+
 static void switch_inputs(random_source *source, runner *runner) {
+    const tdmf_inputs before = runner->inputs;
     runner->inputs = scene_random_inputs(source, &runner->model);
+    runner->inputs.ground.height = before.ground.height;
+    runner->inputs.ground.slope = before.ground.slope;
+    if (random_chance(source, 0.3)) {
+        set_ground_near_foot(source, runner);
+    }
     scene_resolve(runner);
+    assert_true(runner->mode.contact != TDMF_CONTACT_FLIGHT || foot_waits_below(runner) ||
+                (runner->mode.ground.height == runner->inputs.ground.height &&
+                 runner->mode.ground.slope == runner->inputs.ground.slope));
 }
 
 /* ---- what must hold --------------------------------------------------------------------------------- */
@@ -114,11 +145,13 @@ static void assert_mode_invariants(const runner *runner) {
     const double *state = runner->state;
     const double margin = 2.0 * TDMF_GUARD_MARGIN * runner->model.scales.speed;
     const bool in_contact = tdmf_in_contact(mode);
+    const tdmf_point foot = tdmf_foot_over_ground(&mode->ground, state);
     if (mode->contact != TDMF_CONTACT_FLIGHT) {
-        assert_true(state[TDMF_FOOT_Y] == 0.0 && state[TDMF_FOOT_VY] == 0.0);
+        assert_close(foot.y, 0.0, 1e-12 * runner->model.scales.length);
+        assert_close(foot.vy, 0.0, 1e-12 * runner->model.scales.speed);
     }
-    assert_true(mode->contact != TDMF_CONTACT_STICK || state[TDMF_FOOT_VX] == 0.0);
-    assert_true(tdmf_slip_sign(mode) * state[TDMF_FOOT_VX] >= -margin);
+    assert_true(mode->contact != TDMF_CONTACT_STICK || foot.vx == 0.0);
+    assert_true(tdmf_slip_sign(mode) * foot.vx >= -margin);
     assert_true(in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST));
     assert_true(!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
     assert_true(mode->phase == TDMF_PHASE_RETRACT || !mode->clamp_closed);
@@ -126,20 +159,23 @@ static void assert_mode_invariants(const runner *runner) {
 
 static void assert_above_ground(const runner *runner) {
     const double length = runner->model.scales.length;
-    assert_true(runner->state[TDMF_FOOT_Y] >= -1e-9 * length);
-    assert_true(runner->mode.fallen || tdmf_body(runner->state).y >= -1e-9 * length);
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_point body = tdmf_body(runner->state);
+    const double body_height = ground->cosine * (body.y - ground->height) - ground->sine * body.x;
+    assert_true(tdmf_foot_over_ground(ground, runner->state).y >= -1e-9 * length);
+    assert_true(runner->mode.fallen || body_height >= -1e-9 * length);
 }
 
 /* The vertical ground force never pulls, friction never exceeds its cone. */
 static void assert_force_is_possible(const runner *runner) {
     const tdmf_ground_force force =
         tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
-    const double slack = 1e-9 * (runner->model.scales.force + fabs(force.fx));
-    assert_true(force.fy >= -slack);
+    const double slack = 1e-9 * (runner->model.scales.force + fabs(force.tangential));
+    assert_true(force.normal >= -slack);
     const double ratio = runner->mode.contact == TDMF_CONTACT_STICK
                              ? runner->model.parameters.ground.static_friction_ratio
                              : 1.0;
-    assert_true(fabs(force.fx) <= ratio * runner->inputs.ground.friction * force.fy + slack);
+    assert_true(fabs(force.tangential) <= ratio * runner->inputs.ground.friction * force.normal + slack);
 }
 
 static void assert_sound(const runner *runner) {
@@ -220,6 +256,8 @@ static void any_runner_goes_on_or_falls(void **unused) {
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
         runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
+        runner.inputs.ground.height = runner.mode.ground.height;
+        runner.inputs.ground.slope = runner.mode.ground.slope;
         choose_start(&source, &runner);
         begin(&runner);
         run(&source, &runner, random_chance(&source, 0.5), &seen);

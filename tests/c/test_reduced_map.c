@@ -8,6 +8,7 @@
 #include "scene.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 static const double tight = 1e-13;
@@ -17,6 +18,7 @@ enum {
     PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_REDUCED_COUNT + PARAMETERS + INPUTS,
+    GROUND_HEIGHT = TDMF_REDUCED_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double),
     RESULTS = TDMF_REDUCED_COUNT + 3
 };
 
@@ -179,8 +181,12 @@ static void parameters_and_inputs_are_differentiated(void **state) {
         scene.inputs.hip.external_torque = -0.003;
         scene.inputs.leg.extension = 0.02;
         scene.inputs.control.touchdown_angle = 0.01;
+        scene.inputs.ground.slope = 0.01 * (i % 3 - 1);
+        scene.inputs.ground.height = 0.3;
         for (int k = 0; k < COORDINATES; ++k) {
-            assert_differentiated(&scene, k, 1e-5 * fmax(0.01, fabs(*coordinate(&scene, k))), 1e-7);
+            /* Nothing depends on where the ground is, so that its height may move far. */
+            const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
+            assert_differentiated(&scene, k, 1e-5 * fmax(unit, fabs(*coordinate(&scene, k))), 1e-7);
         }
     }
 }
@@ -457,7 +463,8 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
             continue;
         }
         ++landed;
-        const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, apex);
+        const tdmf_ground_line level = tdmf_ground_line_of(0.0, 0.0);
+        const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, &level, apex);
         for (int k = 0; k < SAMPLES; ++k) {
             double there[TDMF_STATE_COUNT];
             tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time * k / SAMPLES, there);

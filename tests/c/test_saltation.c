@@ -30,17 +30,21 @@ static double watched(const runner *at, tdmf_guard guard) {
         tdmf_sticking_force(&at->model, &at->inputs, &at->mode, torque, at->state);
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
-        return at->state[TDMF_FOOT_Y];
+        return tdmf_foot_over_ground(&at->mode.ground, at->state).y;
+    case TDMF_GUARD_NEW_GROUND: {
+        const tdmf_ground_line line = tdmf_ground_line_of(at->inputs.ground.height, at->inputs.ground.slope);
+        return -tdmf_foot_over_ground(&line, at->state).y;
+    }
     case TDMF_GUARD_APEX:
         return tdmf_center_of_mass(&at->model, at->state).vy;
     case TDMF_GUARD_CLAMP:
         return scene_retract_law(at);
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
-        return static_friction(at) * force.fy + force.fx;
+        return static_friction(at) * force.normal + force.tangential;
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        return static_friction(at) * force.fy - force.fx;
+        return static_friction(at) * force.normal - force.tangential;
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-        return at->state[TDMF_FOOT_VX];
+        return tdmf_foot_over_ground(&at->mode.ground, at->state).vx;
     case TDMF_GUARD_MID_STANCE:
         return at->state[TDMF_LEG_ANGLE];
     case TDMF_GUARD_GREATEST_COMPRESSION:
@@ -48,9 +52,9 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
         return tdmf_sticking_force(&at->model, &at->inputs, &at->mode,
                                    flight_law(at) + at->inputs.hip.external_torque, at->state)
-            .fy;
+            .normal;
     default:
-        return force.fy; /* lift-off, and from graze to contact */
+        return force.normal; /* lift-off, and from graze to contact */
     }
 }
 
@@ -74,6 +78,7 @@ static tdmf_contact_mode watched_in(tdmf_guard guard) {
     case TDMF_GUARD_TOUCHDOWN:
     case TDMF_GUARD_APEX:
     case TDMF_GUARD_CLAMP:
+    case TDMF_GUARD_NEW_GROUND:
         return TDMF_CONTACT_FLIGHT;
     case TDMF_GUARD_GRAZE_TO_CONTACT:
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
@@ -125,6 +130,16 @@ typedef struct {
     tdmf_change change;
 } event;
 
+/* Has a foot that leaves the ground move into it as fast. */
+static void turn_into_ground(const runner *runner, double state[TDMF_STATE_COUNT]) {
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    const double rate = tdmf_foot_over_ground(ground, state).vy;
+    if (rate > 0.0) {
+        state[TDMF_FOOT_VX] += 2.0 * rate * ground->sine;
+        state[TDMF_FOOT_VY] -= 2.0 * rate * ground->cosine;
+    }
+}
+
 static event random_event(random_source *source, const runner *runner, tdmf_guard guard,
                           tdmf_contact_mode after) {
     event event;
@@ -134,9 +149,9 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
     event.before.mode = event.after.mode = runner->mode;
     event.after.mode.contact = after;
     if (guard == TDMF_GUARD_TOUCHDOWN) {
-        event.before.state[TDMF_FOOT_VY] = -fabs(runner->state[TDMF_FOOT_VY]);
+        turn_into_ground(runner, event.before.state);
         memcpy(event.after.state, event.before.state, sizeof event.after.state);
-        tdmf_impact(&runner->model, &runner->inputs, event.after.state);
+        tdmf_impact(&runner->model, &runner->inputs, &runner->mode.ground, event.after.state);
     }
     choose_direction(source, event.before.derivatives);
     event.before.derivatives[TDMF_HIP_WORK] = 1.0;
@@ -248,8 +263,10 @@ static void a_foot_on_the_ground_stays_there(void **state) {
     random_source source = {19};
     (void)state;
     for (size_t i = 0; i < sizeof grounded / sizeof grounded[0]; ++i) {
-        const runner runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
+        runner runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
+        runner.mode.ground = tdmf_ground_line_of(0.0, 0.0);
         event event = random_event(&source, &runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, grounded[i]);
+        event.change.inputs.ground.height = event.change.inputs.ground.slope = 0.0;
         choose_direction(&source, event.after.derivatives);
         const tdmf_variation after = taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event);
         assert_true(after.state[TDMF_FOOT_Y] == 0.0 && after.state[TDMF_FOOT_VY] == 0.0);
@@ -267,16 +284,24 @@ typedef struct {
 static long double after_impact(long double t, const void *context) {
     const impact_line *impact = context;
     runner moved = line_at(&impact->line, (double)t);
-    tdmf_impact(&moved.model, &moved.inputs, moved.state);
+    tdmf_impact(&moved.model, &moved.inputs, &moved.mode.ground, moved.state);
     return moved.state[impact->coordinate];
 }
 
 static void assert_impact_is_differentiated(random_source *source, runner *runner) {
     event event = random_event(source, runner, TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_FLIGHT);
-    /* Without a height to vary, the instant does not shift. */
-    event.variation.state[TDMF_FOOT_Y] = 0.0;
     memcpy(runner->state, event.before.state, sizeof runner->state);
-    runner->state[TDMF_FOOT_Y] = 0.0;
+    /* Without a height to vary, the instant does not shift. */
+    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_change *change = &event.change;
+    const double along = tdmf_foot_over_ground(ground, runner->state).x;
+    runner->state[TDMF_FOOT_X] = along * ground->cosine;
+    runner->state[TDMF_FOOT_Y] = ground->height + along * ground->sine;
+    event.variation.state[TDMF_FOOT_Y] =
+        change->inputs.ground.height +
+        (ground->sine * event.variation.state[TDMF_FOOT_X] + along * change->inputs.ground.slope) /
+            ground->cosine;
+    memcpy(event.before.state, runner->state, sizeof runner->state);
     impact_line impact = {{runner, event.change, event.variation}, 0};
     const tdmf_variation after = taken(runner, TDMF_GUARD_TOUCHDOWN, &event);
     for (impact.coordinate = 0; impact.coordinate < VARIED; ++impact.coordinate) {
@@ -291,7 +316,8 @@ static void the_impact_map_is_differentiated(void **state) {
     (void)state;
     for (int i = 0; i < 4 * DRAWS; ++i) {
         runner runner = random_runner(&source, TDMF_GUARD_TOUCHDOWN);
-        const double vx = fabs(runner.state[TDMF_FOOT_VX]), vy = fabs(runner.state[TDMF_FOOT_VY]);
+        const tdmf_point foot = tdmf_foot_over_ground(&runner.mode.ground, runner.state);
+        const double vx = fabs(foot.vx), vy = fabs(foot.vy);
         const double excess = vx - static_friction(&runner) * vy;
         if (fmin(fmin(vx, vy), fabs(excess)) < 0.05 * fmax(1.0, runner.model.scales.speed)) {
             continue;

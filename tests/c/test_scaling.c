@@ -44,6 +44,8 @@ static runner scaled(const runner *original, const factors *by) {
     const tdmf_parameters parameters = scaled_parameters(runner.model.parameters, by);
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs.hip.external_torque *= energy_factor(by);
+    runner.inputs.ground.height *= by->length;
+    runner.mode.ground.height *= by->length;
     const double speed = by->length / time_factor(by);
     const double by_element[TDMF_MECHANICAL_COUNT] = {
         by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};

@@ -134,14 +134,15 @@ static void assert_forces(const ground_coefficients *c, const ground_series *g, 
     assert_balance(&leg);
     assert_product(g->axial_y, g->axial, g->y, k);
     assert_product(g->torque, g->square, g->turning, k);
-    add(&along, -g->leg_force_x[k]);
+    add(&along, -g->tangential_push[k]);
     add_product(&along, 1.0, g->turning, g->y, k);
     add_product(&along, -1.0, g->axial, g->x, k);
+    add(&along, k == 0 ? -c->foot_weight_x : 0.0);
     assert_balance(&along);
     add(&up, -g->normal_force[k]);
     add_product(&up, 1.0, g->turning, g->x, k);
     add_product(&up, 1.0, g->axial, g->y, k);
-    add(&up, k == 0 ? c->foot_weight : 0.0);
+    add(&up, k == 0 ? c->foot_weight_y : 0.0);
     assert_balance(&up);
     if (is.slips) {
         add(&friction, -g->friction[k]);
@@ -165,17 +166,18 @@ static void assert_motion(const ground_coefficients *c, const ground_series *g, 
     assert_product(g->square, g->length, g->length, k);
     add(&foot, -g->foot_acceleration[k]);
     if (is.slips || is.grazes) {
-        add(&foot, c->inverse_foot_mass * g->leg_force_x[k]);
+        add(&foot, c->inverse_foot_mass * g->tangential_push[k]);
         add(&foot, is.slips ? -c->inverse_foot_mass * g->friction[k] : 0.0);
     }
     assert_balance(&foot);
     add(&along, -(k + 1) * g->vx[k + 1]);
-    add(&along, -c->inverse_body_mass * g->leg_force_x[k]);
+    add(&along, -c->inverse_body_mass * g->tangential_push[k]);
+    add(&along, k == 0 ? -c->inverse_body_mass * c->foot_weight_x - c->gravity_x : 0.0);
     add(&along, -g->foot_acceleration[k]);
     assert_balance(&along);
     add(&up, -(k + 1) * g->vy[k + 1]);
     add(&up, c->inverse_body_mass * g->normal_force[k]);
-    add(&up, k == 0 ? -c->inverse_body_mass * c->foot_weight - c->gravity : 0.0);
+    add(&up, k == 0 ? -c->inverse_body_mass * c->foot_weight_y - c->gravity_y : 0.0);
     assert_balance(&up);
     add(&moment, -g->moment[k]);
     add_product(&moment, 1.0, g->x, g->vy, k);

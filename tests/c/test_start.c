@@ -99,8 +99,8 @@ static void foot_between_both_laws_begins_in_contact(void **unused) {
     placing.phase = TDMF_PHASE_PLACE;
     placing.contact = TDMF_CONTACT_FLIGHT;
     const double torque = tdmf_hip_torque(&runner.model, &runner.inputs, &placing, runner.state);
-    assert_true(tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state).fy <
-                0.0);
+    assert_true(
+        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state).normal < 0.0);
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
 }

@@ -311,7 +311,7 @@ static sampling sample_stride(runner *runner, double step) {
         seen.slip_distance += contact ? fabs(runner->state[TDMF_FOOT_X] - x) : 0.0;
         const tdmf_ground_force force =
             tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
-        seen.largest_force = fmax(seen.largest_force, force.fy);
+        seen.largest_force = fmax(seen.largest_force, force.normal);
     }
     sample(&seen, runner, 1);
     return seen;

@@ -390,7 +390,7 @@ static void static_friction_decides_whether_a_foot_rests(void **unused) {
     scene_assert_mode(&goes_on, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     const tdmf_ground_force force =
         tdmf_contact_force(&goes_on.model, &goes_on.inputs, &goes_on.mode, goes_on.state);
-    assert_close(force.fx, goes_on.inputs.ground.friction * force.fy, 1e-15);
+    assert_close(force.tangential, goes_on.inputs.ground.friction * force.normal, 1e-15);
 }
 
 /* The cone is asked with the total torque: an upright leg alone would stick. */

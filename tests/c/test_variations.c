@@ -74,6 +74,7 @@ static double scale_of(const runner *runner, tdmf_guard guard) {
     const tdmf_scales *scales = &runner->model.scales;
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
+    case TDMF_GUARD_NEW_GROUND:
         return scales->length;
     case TDMF_GUARD_APEX:
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
@@ -294,8 +295,9 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const line line = line_random(&source, &at);
             const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
-            const tdmf_leg d_leg = tdmf_vary_leg(&at.model, &leg, &d.model,
-                                                 tdmf_rest_length(&d.model, &d.inputs, &at.mode), d.state);
+            const tdmf_leg d_leg =
+                tdmf_vary_leg(&at.model, &leg, &d.model, tdmf_rest_length(&d.model, &d.inputs, &at.mode),
+                              &d.mode.ground, d.state);
             const row exact = leg_and_points(
                 &d_leg, tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), d.state),
                 tdmf_vary_body(at.state, tdmf_leg_direction_of(at.state), d.state),
@@ -314,7 +316,7 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
         const line line = line_random(&source, &at);
         double found[TDMF_STATE_COUNT] = {0.0};
         tdmf_vary_leg_to(
-            at.state,
+            at.state, tdmf_leg_direction_of(at.state),
             tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), line.variation.state), found);
         for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
             const bool of_leg = k != TDMF_FOOT_VX && k != TDMF_FOOT_VY;
@@ -337,7 +339,7 @@ static row after_impact(const double *state, double loss) {
 
 static row impact_of(const runner *at) {
     runner landed = *at;
-    const double loss = tdmf_impact(&landed.model, &landed.inputs, landed.state);
+    const double loss = tdmf_impact(&landed.model, &landed.inputs, &landed.mode.ground, landed.state);
     return after_impact(landed.state, loss);
 }
 
@@ -366,10 +368,11 @@ static void an_impact_varies_as_it_changes(void **state) {
             }
             const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
             runner after = at;
-            tdmf_impact(&after.model, &after.inputs, after.state);
+            tdmf_impact(&after.model, &after.inputs, &after.mode.ground, after.state);
             double d_state[TDMF_STATE_COUNT];
             memcpy(d_state, line.variation.state, sizeof d_state);
-            const double d_loss = tdmf_vary_impact(&at.model, &at.inputs, at.state, after.state, &d, d_state);
+            const double d_loss =
+                tdmf_vary_impact(&at.model, &at.inputs, &at.mode.ground, at.state, after.state, &d, d_state);
             const row exact = after_impact(d_state, d_loss);
             assert_row_varies(&line, impact_of, &exact);
             stuck += after.state[TDMF_FOOT_VX] == 0.0;
@@ -397,6 +400,7 @@ static void assert_start_varies(random_source *source, const runner *given) {
     line line = line_random(source, given);
     runner begun = *given;
     line.variation.state[TDMF_FOOT_Y] = given->state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
+    line.change.inputs.ground.height = line.change.inputs.ground.slope = 0.0; /* the foot would not meet it */
     runner_start(&begun);
     const tdmf_start_variation varied = tdmf_vary_start(&given->model, &given->inputs, given->state,
                                                         begun.state, &line.change, line.variation.state);
@@ -412,6 +416,8 @@ static void a_start_varies_as_it_changes(void **state) {
     for (int i = 0; i < 200; ++i) {
         runner given = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
         given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
+        given.inputs.ground.height = given.inputs.ground.slope = 0.0;
+        given.state[TDMF_FOOT_Y] = fabs(given.state[TDMF_FOOT_Y]);
         if (i % 2) {
             given.state[TDMF_FOOT_Y] = 0.0;
         } else {

@@ -11,7 +11,7 @@ extern "C" {
 
 /* A force of the ground on the foot. */
 typedef struct {
-    double fx, fy; /* N, of the ground on the foot */
+    double tangential, normal; /* N, of the ground on the foot, along the line and away from it */
 } tdmf_ground_force;
 
 /* The force the ground would have to apply to hold the foot still under a total hip torque, N.m, whatever
@@ -20,12 +20,12 @@ tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs
                                       const tdmf_mode *mode, double torque,
                                       const double state[TDMF_STATE_COUNT]);
 
-/* The force in the present mode: (10) in stick, f_x = -mu sgn(vx) f_y in slip, zero in flight and graze. */
+/* The force in the present mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, zero in flight and graze. */
 tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 
 /* Whether a coefficient of friction, mu, can hold the foot against a force of tdmf_sticking_force:
- * |f_x| <= mu f_y  (2). A force that pulls, f_y < 0, is never held. */
+ * |f_t| <= mu f_n  (2). A force that pulls, f_n < 0, is never held. */
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction);
 
 #ifdef __cplusplus

@@ -9,10 +9,11 @@
 extern "C" {
 #endif
 
-/* Applies the impact map (4)-(6) to a state whose foot moves down: the foot is put to y = 0 and stops
- * vertically; horizontally it sticks inside the friction cone and is slowed outside; the body's velocity is
- * unchanged. Returns the energy lost, J, never negative. */
-double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, double state[TDMF_STATE_COUNT]);
+/* Applies the impact map (4)-(6) to a state whose foot moves into the ground: the foot is put onto the line
+ * and stops across it; along it, it sticks inside the friction cone and is slowed outside; the body's
+ * velocity is unchanged. Returns the energy lost, J, never negative. */
+double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                   double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -20,6 +20,9 @@ tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
 /* The centre of mass of body and foot. */
 tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
 
+/* The foot in the axes of the ground: x along the line from its pivot, y away from it. */
+tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]);
+
 /* Gives the foot a new velocity and keeps the body's: the leg's rates take up the difference. */
 void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
 

@@ -9,10 +9,11 @@
 extern "C" {
 #endif
 
-/* Coordinates of the apex section, where the centre of mass is highest: its height and speed, and the leg.
+/* Coordinates of the apex section, where the centre of mass is highest: its height above the ground and its
+ * speed, and the leg.
  */
 enum {
-    TDMF_SECTION_COM_HEIGHT,      /* y_c, m */
+    TDMF_SECTION_COM_HEIGHT,      /* m, above the ground vertically below */
     TDMF_SECTION_COM_SPEED,       /* m/s */
     TDMF_SECTION_LEG_LENGTH,      /* r, m */
     TDMF_SECTION_LEG_ANGLE,       /* theta, rad */
@@ -21,9 +22,9 @@ enum {
     TDMF_SECTION_COUNT
 };
 
-/* The state at an apex above x = 0, integrals zero. */
-void tdmf_section_state(const tdmf_model *model, const double section[TDMF_SECTION_COUNT],
-                        double state[TDMF_STATE_COUNT]);
+/* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. */
+void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
 /* How the next apex and the stride change with something. */
 typedef struct {

@@ -38,7 +38,7 @@ typedef struct {
 /* The section of the return map: where an apex found the runner. */
 typedef struct {
     double time;            /* s */
-    double com_height;      /* m */
+    double com_height;      /* m, above the ground vertically below */
     double com_speed;       /* m/s */
     double leg_length;      /* m */
     double leg_angle;       /* rad */

@@ -21,6 +21,7 @@ typedef struct {
     double derivatives[TDMF_STATE_COUNT]; /* of the right-hand side */
     tdmf_point body, com;                 /* of body and centre of mass */
     tdmf_ground_force contact;            /* of the ground's force */
+    double contact_fx, contact_fy;        /* of the same, horizontal and vertical */
     double torque;                        /* of the total hip torque */
     double leg_force;                     /* N, of spring and damper */
     tdmf_energy energy;                   /* of the energies */

@@ -29,6 +29,7 @@ typedef struct {
 typedef struct {
     tdmf_variation variation; /* of state and theta_LO */
     double impact_loss;       /* of record.impact_loss */
+    double com_height;        /* of the centre of mass above the ground, as in the section of an apex */
 } tdmf_start_variation;
 
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where

@@ -31,7 +31,7 @@ static void begin_place(tdmf_run *run) {
 
 void tdmf_pass_apex(tdmf_run *run) {
     begin_place(run);
-    tdmf_record_apex(run->record, run->model, run->time, run->state);
+    tdmf_record_apex(run->record, run->model, &run->mode->ground, run->time, run->state);
 }
 
 static void reset(tdmf_run *run) {
@@ -47,11 +47,12 @@ static void reset(tdmf_run *run) {
     }
 }
 
-static void vary_reset(const tdmf_model *model, const tdmf_inputs *inputs,
+static void vary_reset(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                        const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
                        const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]) {
     (void)model;
     (void)inputs;
+    (void)ground;
     (void)before;
     (void)after;
     (void)d;

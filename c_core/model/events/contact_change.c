@@ -5,6 +5,7 @@
 #include "friction.h"
 #include "graze.h"
 #include "greatest_compression.h"
+#include "ground_line.h"
 #include "hip_torque.h"
 #include "kinematics.h"
 #include "record.h"
@@ -65,15 +66,16 @@ tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
     if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->model, run->inputs))) {
         return TDMF_CONTACT_STICK;
     }
-    return force.fx < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
+    return force.tangential < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
 }
 
 static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run) {
-    const double vx = run->state[TDMF_FOOT_VX];
-    if (vx == 0.0) {
+    const double velocity =
+        tdmf_velocity_along(&run->mode->ground, run->state[TDMF_FOOT_VX], run->state[TDMF_FOOT_VY]);
+    if (velocity == 0.0) {
         return tdmf_mode_of_resting_foot(run);
     }
-    return vx > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
+    return velocity > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
 }
 
 void tdmf_load_foot(tdmf_run *run) {
@@ -130,7 +132,7 @@ void tdmf_come_to_ground(tdmf_run *run) {
 void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
-    const double force = tdmf_force_in_stance(&at).fy;
+    const double force = tdmf_force_in_stance(&at).normal;
     const bool jumped = force < -TDMF_UNLOADED_FORCE * run->model->scales.force;
     enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }
@@ -141,15 +143,24 @@ bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after,
     return (impact || tdmf_in_contact(before)) && !tdmf_in_contact(after);
 }
 
-void tdmf_constrain_variation(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]) {
+void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                              const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_ground_line *ground = &mode->ground, *d_ground = &d->mode.ground;
     if (mode->phase != TDMF_PHASE_PLACE) {
         d_state[TDMF_HIP_PLACE_TIME] = 0.0;
     }
-    if (mode->contact != TDMF_CONTACT_FLIGHT) {
-        d_state[TDMF_FOOT_Y] = 0.0;
-        d_state[TDMF_FOOT_VY] = 0.0;
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        return;
     }
-    if (mode->contact == TDMF_CONTACT_STICK) {
-        d_state[TDMF_FOOT_VX] = 0.0;
-    }
+    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
+    const double velocity = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
+    const double d_velocity = tdmf_velocity_along(ground, d_state[TDMF_FOOT_VX], d_state[TDMF_FOOT_VY]);
+    const tdmf_point d_foot = tdmf_vary_point_on(
+        ground, tdmf_place_along(ground, x, y), velocity, d_ground,
+        tdmf_vary_place_along(ground, x, y, d_ground, d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]),
+        mode->contact == TDMF_CONTACT_STICK ? 0.0 : d_velocity);
+    d_state[TDMF_FOOT_X] = d_foot.x;
+    d_state[TDMF_FOOT_Y] = d_foot.y;
+    d_state[TDMF_FOOT_VX] = d_foot.vx;
+    d_state[TDMF_FOOT_VY] = d_foot.vy;
 }

@@ -13,7 +13,7 @@ void tdmf_fly(tdmf_run *run);
 /* Enters flight from graze, in the same phase. */
 void tdmf_fly_on(tdmf_run *run);
 
-/* A foot at y = vy = 0 after an impact or at a start: contact, flight or graze. */
+/* A foot on the ground after an impact or at a start: contact, flight or graze. */
 void tdmf_come_to_ground(tdmf_run *run);
 
 /* A grazing foot is loaded again. */
@@ -29,7 +29,8 @@ tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run);
 bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact);
 
 /* What a mode holds is held in a variation too, exactly and not by cancellation: a foot on the ground stays
- * there, one that sticks stands, and out of place its clock stands at zero. */
-void tdmf_constrain_variation(const tdmf_mode *mode, double d_state[TDMF_STATE_COUNT]);
+ * on its line, one that sticks stands, and out of place its clock stands at zero. */
+void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                              const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
 
 #endif

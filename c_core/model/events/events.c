@@ -14,11 +14,9 @@ typedef struct {
     int phases;
 } watched;
 
-static const watched in_flight[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
-                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
-                                    {TDMF_GUARD_APEX, RETRACT | PLACE},
-                                    {TDMF_GUARD_TOUCHDOWN, ALWAYS},
-                                    {TDMF_GUARD_CLAMP, RETRACT}};
+static const watched in_flight[] = {{TDMF_GUARD_NEW_GROUND, ALWAYS},    {TDMF_GUARD_BODY_DOWN, ALWAYS},
+                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS}, {TDMF_GUARD_APEX, RETRACT | PLACE},
+                                    {TDMF_GUARD_TOUCHDOWN, ALWAYS},     {TDMF_GUARD_CLAMP, RETRACT}};
 
 static const watched in_graze[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
@@ -72,6 +70,7 @@ static const tdmf_event_kind *const kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_BODY_DOWN] = &tdmf_body_down,
     [TDMF_GUARD_LEG_TOO_SHORT] = &tdmf_leg_too_short,
     [TDMF_GUARD_GREATEST_COMPRESSION] = &tdmf_greatest_compression,
+    [TDMF_GUARD_NEW_GROUND] = &tdmf_new_ground,
 };
 
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {

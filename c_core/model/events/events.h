@@ -40,14 +40,14 @@ typedef struct {
     /* What the event makes of the run, its record included. NULL: nothing that the motion depends on. */
     void (*reset)(tdmf_run *run);
     /* What the reset makes of a change of the state; NULL where the state does not jump. */
-    void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs,
+    void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                        const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
                        const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
 } tdmf_event_kind;
 
 extern const tdmf_event_kind tdmf_touchdown, tdmf_apex_event, tdmf_clamp, tdmf_mid_stance, tdmf_lift_off,
     tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak, tdmf_graze_to_contact,
-    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short, tdmf_greatest_compression;
+    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short, tdmf_greatest_compression, tdmf_new_ground;
 
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
@@ -66,11 +66,12 @@ static inline double tdmf_armed_against_turning(double value, double scale, bool
     return (negative ? -value : value) / scale + TDMF_DEAD_BAND;
 }
 
-/* The right-hand side is the same: contact, phase, clamp, thrust and fall. */
+/* The right-hand side and the ground are the same: contact, phase, clamp, thrust, line and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {
     return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
            a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
-           a->rest_length == b->rest_length && a->fallen == b->fallen;
+           a->rest_length == b->rest_length && a->ground.height == b->ground.height &&
+           a->ground.slope == b->ground.slope && a->fallen == b->fallen;
 }
 
 #endif

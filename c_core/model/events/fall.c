@@ -1,9 +1,11 @@
 /* Falls: the body reaches the ground, or the leg its minimum. The run is over, so neither has a variation. */
 #include "events.h"
+#include "ground_line.h"
 
 static double body_height(const tdmf_evaluation *at) {
-    const double height = at->state[TDMF_FOOT_Y] + at->leg.length * at->leg.cosine;
-    return tdmf_armed(height, at->model->scales.length);
+    const double foot_height =
+        tdmf_height_over(&at->mode->ground, at->state[TDMF_FOOT_X], at->state[TDMF_FOOT_Y]);
+    return tdmf_armed(foot_height + at->leg.length * at->leg.ground_cosine, at->model->scales.length);
 }
 
 static double room_in_leg(const tdmf_evaluation *at) {

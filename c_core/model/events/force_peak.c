@@ -22,7 +22,7 @@ void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
     if (tdmf_in_contact(mode)) {
         const tdmf_leg leg = tdmf_leg_along(model, inputs, mode, state, direction);
         const tdmf_evaluation at = tdmf_evaluate_leg(model, inputs, mode, state, &leg);
-        tdmf_record_force(record, at.force.fy);
+        tdmf_record_force(record, at.force.normal);
         mode->ground_force_rising = tdmf_normal_force_rate(&at) > 0.0;
     }
 }

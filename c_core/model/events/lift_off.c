@@ -3,14 +3,14 @@
 #include "record.h"
 
 static double normal_force(const tdmf_evaluation *at) {
-    return tdmf_armed(at->force.fy, at->model->scales.force);
+    return tdmf_armed(at->force.normal, at->model->scales.force);
 }
 
 static double vary_normal_force(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
     (void)at;
     (void)d;
-    return d_at->force.fy;
+    return d_at->force.normal;
 }
 
 static void reset(tdmf_run *run) {

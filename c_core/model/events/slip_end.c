@@ -1,17 +1,25 @@
 /* End of a slip: the foot's velocity vanishes; the foot sticks, or slips the other way. */
 #include "contact_change.h"
 #include "contact_mode.h"
+#include "ground_line.h"
 #include "kinematics.h"
 #include "record.h"
 
+static double velocity_of_foot(const tdmf_evaluation *at) {
+    return tdmf_velocity_along(&at->mode->ground, at->state[TDMF_FOOT_VX], at->state[TDMF_FOOT_VY]);
+}
+
 static double slip_speed(const tdmf_evaluation *at) {
-    return tdmf_armed(tdmf_sign_of_slip(at->mode) * at->state[TDMF_FOOT_VX], at->model->scales.speed);
+    return tdmf_armed(tdmf_sign_of_slip(at->mode) * velocity_of_foot(at), at->model->scales.speed);
 }
 
 static double vary_slip_speed(const tdmf_evaluation *at, const tdmf_direction *d,
                               const tdmf_evaluation *d_at) {
+    const double d_velocity =
+        tdmf_vary_velocity_along(&at->mode->ground, at->state[TDMF_FOOT_VX], at->state[TDMF_FOOT_VY],
+                                 &d->mode.ground, d->state[TDMF_FOOT_VX], d->state[TDMF_FOOT_VY]);
     (void)d_at;
-    return tdmf_sign_of_slip(at->mode) * d->state[TDMF_FOOT_VX];
+    return tdmf_sign_of_slip(at->mode) * d_velocity;
 }
 
 /* A slip that only touches zero velocity and goes on is not counted. */

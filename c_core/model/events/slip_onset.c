@@ -1,19 +1,19 @@
-/* Slip onset: the force on a sticking foot leaves the friction cone, rho mu f_y + f_x = 0 where the foot then
- * slips forwards, rho mu f_y - f_x = 0 where it slips backwards. */
+/* Slip onset: the force on a sticking foot leaves the friction cone, rho mu f_n + f_t = 0 where the foot then
+ * slips forwards, rho mu f_n - f_t = 0 where it slips backwards. */
 #include "contact_change.h"
 #include "friction.h"
 #include "record.h"
 
 static double distance_to_edge(const tdmf_evaluation *at, double sign) {
     const tdmf_cone cone = tdmf_cone_of(tdmf_static_friction(at->model, at->inputs));
-    return tdmf_armed(cone.normal * at->force.fy + sign * cone.tangential * at->force.fx,
+    return tdmf_armed(cone.normal * at->force.normal + sign * cone.tangential * at->force.tangential,
                       at->model->scales.force);
 }
 
 static double vary_distance_to_edge(const tdmf_evaluation *at, const tdmf_evaluation *d_at, double sign) {
     const double friction = tdmf_static_friction(at->model, at->inputs);
     const double d_friction = tdmf_vary_static_friction(at->model, at->inputs, d_at->model, d_at->inputs);
-    return d_friction * at->force.fy + friction * d_at->force.fy + sign * d_at->force.fx;
+    return d_friction * at->force.normal + friction * d_at->force.normal + sign * d_at->force.tangential;
 }
 
 static void slip(tdmf_run *run, tdmf_contact_mode entered) {

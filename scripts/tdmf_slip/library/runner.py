@@ -1,5 +1,6 @@
 """A runner: parameters, inputs and a start, as the C library takes them."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -194,7 +195,8 @@ class Runner:
         motion.state[0 : len(STATES)] = [self.values[name] for name in STATES]
         center: Center = c.tdmf_center_of_mass(self.model, motion.state)
         leg = (self.values[name] for name in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate"))
-        return np.array([center.y, center.vx, *leg])[: len(self.coordinates)]
+        ground = self.values["ground.height"] + center.x * math.tan(self.values["ground.slope"])
+        return np.array([center.y - ground, center.vx, *leg])[: len(self.coordinates)]
 
     def start_apex(self) -> NDArray[np.float64]:
         """The section at the start values; a vertical velocity, which other masses make, is left out.
@@ -249,7 +251,7 @@ class Runner:
         if self.reduced:
             c.tdmf_reduced_state(self.model, self.inputs, coordinates, state)
         else:
-            c.tdmf_section_state(self.model, coordinates, state)
+            c.tdmf_section_state(self.model, self.inputs, coordinates, state)
 
     def start_values(self, apex: Apex) -> dict[str, float]:
         """Everything that a run of the unit needs to begin at an apex: the runner's values, and `state_at`.
