@@ -10,6 +10,7 @@ from .library.runner import Runner
 from .paper.validation import Validation, validate
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
+from .unit.profile import Profile, simulate_over
 from .unit.run import Run
 from .unit.simulation import simulate
 from .unit.unit import Unit, fmu_path, load
@@ -19,6 +20,7 @@ __all__ = [
     "Branch",
     "InputError",
     "Orbit",
+    "Profile",
     "Run",
     "RunError",
     "Runner",
@@ -36,6 +38,7 @@ __all__ = [
     "run_batch",
     "run_ensemble",
     "simulate",
+    "simulate_over",
     "sweep",
     "validate",
 ]

@@ -128,6 +128,23 @@ static void an_extension_that_stays_asks_for_no_event(void **state) {
     assert_true(flown.work == 0.0 && flown.gap < 1e-8);
 }
 
+/* A jump's work is the spring's energy gained. */
+static void a_jump_in_event_mode_is_accounted_for_exactly(void **state) {
+    fmi2Component component = new_instance();
+    double x[TDMF_STATE_COUNT];
+    (void)state;
+    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
+    start_running(component);
+    for (int i = 1; i <= 3; ++i) {
+        const double elastic = get_real(component, "energy.elastic"), work = get_real(component, "leg.work");
+        assert_true(take_event(component, 0.03 * i * i, x));
+        assert_close(get_real(component, "leg.work") - work, get_real(component, "energy.elastic") - elastic,
+                     1e-16);
+        assert_false(take_event(component, 0.03 * i * i, x));
+    }
+    fmi2FreeInstance(component);
+}
+
 /* An importer that sets a jump without an event spreads it over one step. */
 static void jumps_without_an_event_are_seen_at_the_next_step(void **state) {
     const flight coarse = fly(240, steps), fine = fly(2400, steps);
@@ -166,6 +183,7 @@ int main(void) {
         cmocka_unit_test(the_ledger_closes_along_a_ramp_to_fourth_order),
         cmocka_unit_test(along_a_curve_it_closes_to_second_order),
         cmocka_unit_test(an_extension_that_stays_asks_for_no_event),
+        cmocka_unit_test(a_jump_in_event_mode_is_accounted_for_exactly),
         cmocka_unit_test(jumps_without_an_event_are_seen_at_the_next_step),
         cmocka_unit_test(work_that_is_due_is_saved),
     };

@@ -178,16 +178,37 @@ class Instance:
         InputError
             The unit refused a value, or how several go together.
         """
-        setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
         try:
-            for name, value in values.items():
-                variable = self.unit.variables[name]
-                setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
+            self._set(values)
             self._fmu.setupExperiment()
             self._fmu.enterInitializationMode()
             self._fmu.exitInitializationMode()
         except FMICallException as problem:
             raise self._account_of(problem) from problem
+
+    def set(self, values: Mapping[str, float | int | bool]) -> None:
+        """Set inputs or tunable parameters between two steps.
+
+        Parameters
+        ----------
+        values : mapping of str to float, int or bool
+            By the variables' names, in their units.
+
+        Raises
+        ------
+        InputError
+            The unit refused a value.
+        """
+        try:
+            self._set(values)
+        except FMICallException as problem:
+            raise self._account_of(problem) from problem
+
+    def _set(self, values: Mapping[str, float | int | bool]) -> None:
+        setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
+        for name, value in values.items():
+            variable = self.unit.variables[name]
+            setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
 
     def advance(self, time: float, duration: float) -> None:
         """One communication step from `time` on; both in s.

@@ -1,0 +1,55 @@
+"""Uneven ground: its geometry, what is refused, and runs over it."""
+
+import math
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, Profile, simulate_over
+
+
+def test_a_profile_has_the_height_of_its_lines():
+    profile = Profile([0.0, 10.0, 10.0, 30.0], [0.0, 1.0, 2.0, -2.0])
+    places = np.array([-5.0, 0.0, 5.0, 9.999999, 10.0, 20.0, 30.0, 99.0])
+    assert profile.height(places) == pytest.approx([0.0, 0.0, 0.5, 1.0, 2.0, 0.0, -2.0, -2.0], abs=1e-6)
+    line = profile.line(20.0)
+    assert math.tan(line.slope) == pytest.approx(-0.2) and line.height == pytest.approx(4.0)
+    assert profile.steepest == pytest.approx(math.atan(-0.2))
+
+
+def test_steps_have_a_riser_at_each_edge():
+    profile = Profile.steps([1.0, 2.0, 4.0], [0.0, 0.1, -0.2, 0.3])
+    assert list(profile.height([0.5, 1.0, 1.99, 2.0, 3.9, 4.0, 5.0])) == [0.0, 0.1, 0.1, -0.2, -0.2, 0.3, 0.3]
+    assert profile.steepest == 0.0
+
+
+def test_random_steps_are_those_of_their_seed():
+    one, same, other = (Profile.random_steps(5000, 2.0, 0.1, seed, begin=3.0) for seed in (7, 7, 8))
+    assert np.all(one.y == same.y) and np.any(one.y != other.y)
+    risers = np.diff(one.y)[::2]
+    assert len(risers) == 5000 and one.x[0] == 3.0 and one.x[-1] == 3.0 + 2.0 * 4999
+    assert abs(np.mean(risers)) < 4 * 0.1 / math.sqrt(5000) and np.std(risers) == pytest.approx(0.1, rel=0.04)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: Profile([0.0, 1.0], [0.0]), "equally long"),
+        (lambda: Profile([1.0, 0.0], [0.0, 0.0]), "ascending"),
+        (lambda: Profile([0.0, math.nan], [0.0, 0.0]), "finite"),
+        (lambda: Profile(["a"], [0.0]), "numbers"),
+        (lambda: Profile.steps([1.0, 2.0], [0.0, 1.0]), "a height more than edges"),
+        (lambda: Profile.random_steps(0, 1.0, 0.1, 1), "count"),
+        (lambda: Profile.random_steps(5, 1.0, -0.1, 1), "roughness"),
+        (lambda: simulate_over(Profile([0.0], [0.0])), "neither is given"),
+        (lambda: simulate_over(Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
+    ],
+)
+def test_what_is_no_ground_is_refused(make, says):
+    with pytest.raises(InputError, match=says):
+        make()
+
+
+def test_level_ground_is_the_ground_of_the_gait():
+    rows = simulate_over(Profile([0.0], [0.0]), strides=2, variables=["stride.period", "foot.y"])
+    assert rows["stride.count"][-1] == 2 and rows["stride.period"][-1] == pytest.approx(24.76444922801218)
+    assert not rows["status.fallen"].any() and rows["foot.y"].min() >= 0.0
