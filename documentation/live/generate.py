@@ -81,6 +81,7 @@ def described(variable):
         "unit": variable.unit or "",
         "description": variable.element.get("description"),
         "causality": variable.causality,
+        "variability": variable.variability,
         **{key: number(text) for key, text in given.items() if text},
     }
 

@@ -202,13 +202,34 @@ def test_a_run_on_a_gait_has_its_numbers(page):
     assert close(told(page, "numbers", "stride.cost_of_transport"), orbit.stride["cost_of_transport"])
 
 
-def test_the_ledger_of_a_stride_closes(page):
-    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(60))")
-    ledger = page.execute_script("return tdmfSlip.run.lastLedger")
+def closes(ledger):
+    """Whether what went in is what was lost and what is left."""
     losses = sum(value for name, value in ledger.items() if name.endswith("_loss"))
     work = sum(value for name, value in ledger.items() if name.endswith("work"))
-    assert work - losses == pytest.approx(ledger["energy.total"], abs=1e-12)
     assert losses > 0.1
+    return work - losses == pytest.approx(ledger["energy.total"], abs=1e-12)
+
+
+def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it(page):
+    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(60))")
+    assert closes(page.execute_script("return tdmfSlip.run.lastLedger"))
+    page.execute_script(
+        "tdmfSlip.step(() => { do { tdmfSlip.run.advanceToEvent(1000); }"
+        "while (tdmfSlip.run.outputs['contact.mode'] !== 2); tdmfSlip.run.advance(0.05); })"
+    )
+    for name, value in {"leg.extension": 0.02, "leg.thrust": 0.03, "ground.friction": 0.5}.items():
+        page.execute_script("tdmfSlip.set(...arguments)", name, value)
+    strides = int(told(page, "numbers", "stride.count"))
+    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(20))")
+    assert int(told(page, "numbers", "stride.count")) == strides + 1
+    ledger = page.execute_script("return tdmfSlip.run.lastLedger")
+    assert closes(ledger) and ledger["leg.work"] > 1e-3
+
+
+def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(page):
+    page.execute_script("tdmfSlip.step(() => tdmfSlip.run.advance(40))")
+    page.execute_script("tdmfSlip.set('body.mass', 1.01); tdmfSlip.step(() => tdmfSlip.run.advance(24))")
+    assert page.execute_script("return tdmfSlip.run.lastLedger") is None
 
 
 def test_dragging_the_friction_across_a_border_changes_the_word(page):

@@ -9,9 +9,9 @@
 enum {
     SAMPLE_TIME,
     SAMPLE_FOOT_X,
-    SAMPLE_FOOT_VX,
-    SAMPLE_FX,
-    SAMPLE_FY,
+    SAMPLE_VELOCITY, /* of the foot along the ground */
+    SAMPLE_TANGENTIAL,
+    SAMPLE_NORMAL,
     SAMPLE_MODE,
     SAMPLE_SIZE,
     SAMPLE_CAPACITY = 4096,
@@ -46,11 +46,12 @@ void live_state_at_section(void) {
     tdmf_section_state(&live.model, live.section, start_state);
 }
 
-/* Writes the section that has the height, the forward speed and the leg of the state. */
+/* Writes the section that has the height above the ground, the forward speed and the leg of the state. */
 LIVE_EXPORT(live_section_at_state)
 void live_section_at_state(void) {
     const tdmf_point com = tdmf_center_of_mass(&live.model, start_state);
-    const double section[TDMF_SECTION_COUNT] = {com.y,
+    const tdmf_ground_line line = tdmf_ground_line_of(live.inputs.ground.height, live.inputs.ground.slope);
+    const double section[TDMF_SECTION_COUNT] = {com.y - line.height - com.x * line.sine / line.cosine,
                                                 com.vx,
                                                 start_state[TDMF_LEG_LENGTH],
                                                 start_state[TDMF_LEG_ANGLE],
@@ -74,11 +75,14 @@ bool live_start(void) {
     return true;
 }
 
-/* Goes on with the values that live_accept took last: mode tests are repeated, as after a jump of an input.
- */
+/* Goes on with the values that live_accept took last: mode tests are repeated, as after a jump of an input,
+ * and a leg whose rest length jumps does work. */
 LIVE_EXPORT(live_go_on)
 void live_go_on(void) {
     if (!motion.mode.fallen) {
+        const tdmf_leg_sample now = tdmf_leg_sample_of(motion.time, motion.state);
+        motion.state[TDMF_LEG_WORK] +=
+            tdmf_account_for_extension(&live.model, &live.inputs, &now, &now, &motion.mode);
         tdmf_resolve(&live.model, &live.inputs, motion.time, motion.state, &motion.mode, &motion.record);
     }
 }
@@ -88,12 +92,13 @@ static void sample(double time, const tdmf_mode *mode, const double state[TDMF_S
         return;
     }
     const tdmf_ground_force force = tdmf_contact_force(&live.model, &live.inputs, mode, state);
+    const tdmf_ground_line *line = &mode->ground;
     double *row = samples[sample_count++];
     row[SAMPLE_TIME] = time;
     row[SAMPLE_FOOT_X] = state[TDMF_FOOT_X];
-    row[SAMPLE_FOOT_VX] = state[TDMF_FOOT_VX];
-    row[SAMPLE_FX] = force.fx;
-    row[SAMPLE_FY] = force.fy;
+    row[SAMPLE_VELOCITY] = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+    row[SAMPLE_TANGENTIAL] = line->cosine * force.fx + line->sine * force.fy;
+    row[SAMPLE_NORMAL] = line->cosine * force.fy - line->sine * force.fx;
     row[SAMPLE_MODE] = mode->contact;
 }
 
@@ -157,6 +162,17 @@ double live_time(void) {
 LIVE_EXPORT(live_word)
 const char *live_word(void) {
     return motion.record.stride.word;
+}
+
+/* The line that is in force: y = height + x tan(slope). */
+LIVE_EXPORT(live_ground_height)
+double live_ground_height(void) {
+    return motion.mode.ground.height;
+}
+
+LIVE_EXPORT(live_ground_slope)
+double live_ground_slope(void) {
+    return motion.mode.ground.slope;
 }
 
 /* sqrt(m/k), s. */

@@ -84,9 +84,7 @@ class Control {
     const { low, high, log } = this.reach;
     const share = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
     this.slider.value = SLIDER_STEPS * Math.max(0, Math.min(1, share));
-    if (this.fieldValue() !== value || this.field.getAttribute("aria-invalid")) {
-      this.field.value = String(Number((value * this.shown.factor).toPrecision(12)));
-    }
+    this.field.value = String(Number((value * this.shown.factor).toPrecision(7)));
     this.field.removeAttribute("aria-invalid");
   }
 

@@ -10,7 +10,7 @@ export const ARRIVED = 0;
 export const FELL = 1;
 
 /** What a sample of a run has, in this order. */
-const SAMPLE = ["time", "footX", "footVx", "fx", "fy", "mode"];
+const SAMPLE = ["time", "footX", "velocity", "tangential", "normal", "mode"];
 
 const STATES = 32;
 const SECTION = 6;
@@ -125,6 +125,11 @@ export class Core {
 
   get time() {
     return this.exports.live_time();
+  }
+
+  /** The ground that is in force: y = height + x tan(slope). */
+  get ground() {
+    return { height: this.exports.live_ground_height(), slope: this.exports.live_ground_slope() };
   }
 
   /** sqrt(m/k), s. */

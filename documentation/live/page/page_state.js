@@ -5,12 +5,12 @@
 import { defaults, hashOf, stateOf } from "./address.js";
 import { starts, values } from "./data.js";
 
-const INPUTS = new Set(values.filter(({ causality }) => causality === "input").map(({ name }) => name));
+const FIXED = new Set(values.filter(({ variability }) => variability === "fixed").map(({ name }) => name));
 const STARTS = new Set(starts.map(({ name }) => name));
 const ADDRESS_DELAY = 250; // ms; browsers limit how often an address may change
 
-/** Whether a value may change while the unit runs. */
-export const isInput = (name) => INPUTS.has(name);
+/** Whether a value stays the same while the unit runs: here it may change, but the energy ledger knows nothing of it. */
+export const isFixed = (name) => FIXED.has(name);
 export const isStart = (name) => STARTS.has(name);
 
 export class PageState {
@@ -56,7 +56,7 @@ export class PageState {
       return this.core.message;
     }
     this.values = next;
-    this.run.change(!isInput(name));
+    this.run.change(isFixed(name));
     this.writeAddress();
     return "";
   }

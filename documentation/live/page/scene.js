@@ -52,7 +52,7 @@ export class Scene {
     const length = given["leg.free_length"];
     const { width, height } = this.surface;
     const centre = outputs["com.x"];
-    this.line = groundLine(given, outputs, this.line);
+    this.line = run.core.ground;
     const base = this.groundAt(centre);
     const wanted = Math.max(SHOWN_HEIGHT, (1.2 * (outputs["com.y"] - base)) / length);
     this.tall += (wanted - this.tall) * (wanted > this.tall ? 1 : 0.02);
@@ -64,6 +64,7 @@ export class Scene {
       y: (y) => 0.9 * height - (y - base) * scale,
     };
     this.ground(context, centre);
+    this.nextGround(context, given);
     this.trail(context, run.trail);
     this.tracks(context, run.tracks);
     this.forces(context, run, given);
@@ -117,6 +118,25 @@ export class Scene {
         context.fillText(`${digits(i * length)} m`, x(i * length), at + 14);
       }
     }
+  }
+
+  /** The line that was set last, while it is not in force: the foot has to leave the ground first. */
+  nextGround(context, given) {
+    const next = { height: given["ground.height"], slope: given["ground.slope"] };
+    if (next.height === this.line.height && next.slope === this.line.slope) {
+      return;
+    }
+    const { width } = this.surface;
+    const { x, y, scale } = this.place;
+    context.strokeStyle = palette().soft;
+    context.setLineDash([6, 5]);
+    context.beginPath();
+    for (const pixel of [0, width]) {
+      const at = (pixel - x(0)) / scale;
+      context.lineTo(pixel, y(next.height + at * Math.tan(next.slope)));
+    }
+    context.stroke();
+    context.setLineDash([]);
   }
 
   trail(context, points) {
@@ -241,12 +261,6 @@ export class Scene {
     const mode = modeName(outputs["contact.mode"]);
     disc(context, foot, FOOT * length * scale, mode === "flight" ? card : palette()[mode], ink);
   }
-}
-
-/** The line that is in force: a new one may have to wait until the foot is off the ground. */
-function groundLine(given, outputs, before) {
-  const line = { height: given["ground.height"] ?? 0, slope: given["ground.slope"] ?? 0 };
-  return outputs["ground.pending"] && before ? before : line;
 }
 
 function disc(context, [x, y], radius, fill, rim) {

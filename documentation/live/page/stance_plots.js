@@ -10,8 +10,8 @@ import { palette } from "./theme.js";
 const ROOM = 0.06;
 const MOST_CONE = 2.2; // of a larger friction only the ratios are shown
 
-const velocity = ({ footVx }) => footVx;
-const ratio = ({ fx, fy }) => (fy > 0 ? fx / fy : NaN);
+const speed = ({ velocity }) => velocity;
+const ratio = ({ tangential, normal }) => (normal > 0 ? tangential / normal : NaN);
 
 export class StancePlots {
   constructor(velocityCanvas, ratioCanvas, redraw) {
@@ -31,10 +31,10 @@ export class StancePlots {
     const ends = [...present, ...last].map(({ rows }) => rows.at(-1).time);
     const length = Math.max(...ends, 0) || 1;
     const x = [-ROOM * length, (1 + ROOM) * length];
-    this.panel(this.velocity, present, last, velocity, { x, title: "foot velocity, m/s", zero: true });
+    this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true });
     const cone = resting <= MOST_CONE ? { friction, resting } : null;
     const labelX = "time since touchdown, s";
-    this.panel(this.ratio, present, last, ratio, { x, title: "force ratio, fx/fy", cone, labelX });
+    this.panel(this.ratio, present, last, ratio, { x, title: "force ratio, along over across the ground", cone, labelX });
   }
 
   panel(surface, present, last, value, { x, title, labelX, cone, zero }) {
