@@ -5,6 +5,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "0+",
      {1.339077833855456, 0.9545919250152256},
      23.46311206661265,
@@ -16,6 +17,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "+0+",
      {1.373379492322619, 1.014772386256783},
      24.15062353239392,
@@ -27,6 +29,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "+0-0+",
      {1.411056020862008, 1.06251435386346},
      24.85881940325002,
@@ -38,6 +41,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "+0-",
      {1.446216926876454, 1.034326453778787},
      25.47994617028023,
@@ -49,6 +53,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "+-",
      {1.581266399488566, 0.8349469828113326},
      27.69649941809967,
@@ -60,6 +65,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      40.0,
      0.0,
      1.0,
+     0.0,
      "+-",
      {1.715311637701528, 0.6676615220664347},
      29.73302860235848,
@@ -71,6 +77,7 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      45.0,
      0.01,
      1.0,
+     0.0,
      "+0-0+",
      {1.307668233098798, 1.072424823749426},
      22.78834591366145,
@@ -78,10 +85,23 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      1.071276332396197,
      {0.85717163908, -0.910703751527},
      0.1351981722817906},
+    {0.6,
+     40.0,
+     0.0,
+     1.0,
+     -2.0,
+     "+0-0+",
+     {1.514659142276156, 1.069239245968196},
+     27.94923506136008,
+     29.85403579448844,
+     1.068152159762031,
+     {0.854582664121, -0.377528202264},
+     0.1396263401595464},
     {0.43,
      40.0,
      0.0,
      1.5,
+     0.0,
      "+0-",
      {1.441539637926101, 1.061426882567455},
      25.40116695063325,
@@ -91,8 +111,9 @@ const reduced_gait reduced_gaits[REDUCED_GAITS] = {
      0.1396263401595464},
 };
 
+static const double degree = 0.017453292519943295;
+
 tdmf_parameters parameters_of_reduced_gait(const reduced_gait *gait) {
-    static const double degree = 0.017453292519943295;
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.hip.touchdown_angle = gait->touchdown_angle * degree;
     parameters.hip.retraction_rate = gait->retraction_rate;
@@ -103,5 +124,6 @@ tdmf_parameters parameters_of_reduced_gait(const reduced_gait *gait) {
 tdmf_inputs inputs_of_reduced_gait(const reduced_gait *gait) {
     tdmf_inputs inputs = tdmf_default_inputs();
     inputs.ground.friction = gait->friction;
+    inputs.ground.slope = gait->slope * degree;
     return inputs;
 }

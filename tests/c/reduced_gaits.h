@@ -6,8 +6,8 @@
 #include "tdmf_slip/reduced_map.h"
 
 typedef struct {
-    double friction, touchdown_angle; /* degrees */
-    double retraction_rate, static_friction_ratio;
+    double friction, touchdown_angle;                     /* degrees */
+    double retraction_rate, static_friction_ratio, slope; /* slope in degrees */
     const char *word;
     double apex[TDMF_REDUCED_COUNT];
     double period, length, speed;
@@ -15,7 +15,7 @@ typedef struct {
     double work;
 } reduced_gait;
 
-enum { REDUCED_GAITS = 8 };
+enum { REDUCED_GAITS = 9 };
 
 extern const reduced_gait reduced_gaits[REDUCED_GAITS];
 

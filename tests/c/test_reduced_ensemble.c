@@ -31,6 +31,9 @@ static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs)
     p->hip.retraction_rate = random_uniform(source, -0.03, 0.03);
     p->ground.static_friction_ratio = random_uniform(source, 1.0, 1.5);
     inputs->ground.friction = random_magnitude(source, 0.05, 5.0);
+    inputs->ground.slope = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.1, 0.1);
+    inputs->leg.extension = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.03, 0.03);
+    p->leg.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 0.03);
     inputs->hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
 }
 

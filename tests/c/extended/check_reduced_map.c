@@ -32,7 +32,14 @@ static scene near_gait(int number) {
     scene.parameters.ground.static_friction_ratio = 1.01L;
     scene.parameters.hip.retraction_rate = 1e-3L;
     scene.inputs.ground.friction = near_gaits[number][0];
+    scene.parameters.leg.thrust = 0.01L;
     scene.inputs.hip.external_torque = -0.003L;
+    scene.inputs.ground.height = 0.3L;
+    scene.inputs.ground.slope = 0.02L;
+    scene.inputs.leg.extension = 0.02L;
+    scene.inputs.control.touchdown_angle = 0.01L;
+    scene.inputs.control.stance_torque = 0.01L;
+    scene.inputs.control.thrust = 0.005L;
     memcpy(scene.apex, &near_gaits[number][1], sizeof scene.apex);
     return scene;
 }
