@@ -4,9 +4,15 @@ from pathlib import Path
 
 import click
 
+from ..errors import InputError
 from ..files.whole import check_folder
 from ..unit.unit import load
-from .options import Command
+from .options import Command, Number
+
+CENTIMETRES_PER_INCH = 2.54
+WIDTHS = 12.0, 100.0
+"""From and to, in cm; type keeps its size, and a narrower figure has no room for it."""
+RESOLUTIONS = 20.0, 2400.0
 
 
 @click.command("figures", cls=Command)
@@ -20,10 +26,58 @@ from .options import Command
     help="Where the figures go.",
 )
 @click.option("--only", metavar="NAME", help="Only the figures whose name begins like this, as in figure_9.")
-def figures_command(folder: Path, only: str | None) -> None:
-    """The paper's figures, remade: PNG and SVG, with the data of each beside it as CSV."""
+@click.option(
+    "--format",
+    "formats",
+    metavar="NAMES",
+    default="png,svg",
+    show_default=True,
+    help="Formats of the files, with commas between them: png, svg, pdf.",
+)
+@click.option(
+    "--width",
+    type=Number(*WIDTHS),
+    metavar="CM",
+    help="Width of each figure, its height in proportion; type keeps its size.  [default: each its own]",
+)
+@click.option(
+    "--resolution",
+    type=Number(*RESOLUTIONS),
+    metavar="DPI",
+    help="Dots per inch of PNG files.  [default: each its own]",
+)
+@click.option(
+    "--style",
+    "style_name",
+    type=click.Choice(["house", "print", "slides"]),
+    default="house",
+    show_default=True,
+    help="Type and lines: for a screen, for a journal, for a wall.",
+)
+def figures_command(
+    folder: Path,
+    only: str | None,
+    formats: str,
+    width: float | None,
+    resolution: float | None,
+    style_name: str,
+) -> None:
+    """The paper's figures, remade, with the data of each beside it as CSV."""
     from ..paper.figures import catalogue  # matplotlib is slow to load
+    from ..pictures import style
 
     check_folder(folder, "--output")
-    for path in catalogue.draw(folder, load(), only=only, show_progress=True):
+    names = list(dict.fromkeys(name.strip().lower() for name in formats.split(",")))
+    unknown = [name for name in names if name not in catalogue.FORMATS]
+    if unknown:
+        raise InputError(f"--format {formats}: {unknown[0]!r}: allowed: {', '.join(catalogue.FORMATS)}")
+    appearance = style.Appearance(
+        width=None if width is None else width / CENTIMETRES_PER_INCH,
+        dots_per_inch=resolution,
+        style=style_name,
+    )
+    written = catalogue.draw(
+        folder, load(), only=only, formats=names, appearance=appearance, show_progress=True
+    )
+    for path in written:
         print(path)

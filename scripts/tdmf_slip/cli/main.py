@@ -15,7 +15,18 @@ import click
 from ..errors import TdmfSlipError
 from ..terminal import interrupts
 
-COMMANDS = ("basin", "bench", "continue", "figures", "gait", "simulate", "sweep", "validate", "variables")
+COMMANDS = (
+    "animate",
+    "basin",
+    "bench",
+    "continue",
+    "figures",
+    "gait",
+    "simulate",
+    "sweep",
+    "validate",
+    "variables",
+)
 """Each in the module of its name, but for the following."""
 MODULES = {"continue": "continuation"}
 """Of commands whose name is a word of Python."""

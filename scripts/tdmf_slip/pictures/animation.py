@@ -1,20 +1,27 @@
-"""One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped."""
+"""One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped.
 
+As a GIF, as MP4 where ffmpeg is, or as a page of HTML that needs nothing else, with a slider.
+"""
+
+import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.animation import FuncAnimation, PillowWriter
+from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
 from numpy.typing import NDArray
 
-from ..files.whole import whole
+from ..errors import InputError
+from ..files.whole import check_place, whole
 from ..unit.events import SLIPS
 from . import style
 from .drawn_runner import DrawnRunner, bare, pose
+from .film_page import PageWriter
 from .stride import Stride
 
 FRICTION = 0.43
@@ -25,10 +32,13 @@ SIZE = (8.0, 4.0)
 HALF_WIDTH = 2.0
 LOW = -0.42
 """Lowest height shown, over l0; the legend stands in the ground."""
+MOST_REPEATED = 50
+"""Strides drawn on either side; a shorter one is none."""
 SLOWED = 40.0
 """How many times more frames a unit of time gets in the stance than in flight."""
-MARKS = 26
-"""Marks on the ground in a stride: a whole number, so that the loop closes."""
+HEADROOM = 0.15
+"""Shown above the body's highest place, over l0."""
+FORMATS = (".gif", ".mp4", ".html")
 FORCE_SCALE = 1.5
 """Length of a force arrow, over l0, for a force k l0."""
 
@@ -51,18 +61,53 @@ def frame_times(stride: Stride, frames: int = FRAMES) -> NDArray[np.float64]:
     return np.interp(np.linspace(0.0, 1.0, frames, endpoint=False), share / share[-1], grid)
 
 
-def draw(path: Path, stride: Stride) -> None:
-    """Write the animation as a GIF."""
+def draw(
+    path: Path, stride: Stride, *, frames: int = FRAMES, step_finished: Callable[[], object] = lambda: None
+) -> None:
+    """Write the animation.
+
+    Parameters
+    ----------
+    path : Path
+        Of the file; its suffix says which format.
+    stride : Stride
+        What is shown, again and again.
+    frames : int, default 120
+        In one stride.
+    step_finished : callable, optional
+        Called after each frame.
+
+    Raises
+    ------
+    InputError
+        Another suffix than those of `FORMATS`, ffmpeg is missing, or nothing can be written there.
+    """
+    check_place(path, FORMATS, "animation")
+    writer = _writer(path)
     with style.styled():
         figure = plt.figure(figsize=SIZE, dpi=DOTS_PER_INCH)
         scene = _Scene(figure.add_axes((0.0, 0.0, 1.0, 1.0)), stride)
-        times = frame_times(stride)
-        film = FuncAnimation(figure, scene.show, frames=times, blit=False)
+        film = FuncAnimation(figure, scene.show, frames=frame_times(stride, frames), blit=False)
         try:
             with whole(path) as beside:
-                film.save(beside, writer=PillowWriter(fps=FRAMES_PER_SECOND), dpi=DOTS_PER_INCH)
+                film.save(
+                    beside,
+                    writer=writer,
+                    dpi=DOTS_PER_INCH,
+                    progress_callback=lambda _number, _total: step_finished(),
+                )
         finally:
             plt.close(figure)
+
+
+def _writer(path: Path) -> AbstractMovieWriter:
+    if path.suffix.lower() == ".gif":
+        return PillowWriter(fps=FRAMES_PER_SECOND)
+    if path.suffix.lower() == ".html":
+        return PageWriter(fps=FRAMES_PER_SECOND)
+    if not FFMpegWriter.isAvailable():
+        raise InputError(f"{path}: ffmpeg is not installed; allowed without it: .gif, .html")
+    return FFMpegWriter(fps=FRAMES_PER_SECOND)
 
 
 class _Scene:
@@ -72,7 +117,11 @@ class _Scene:
         self.axes = axes
         self.stride = stride
         self.length = float(stride["com.x"][-1] - stride["com.x"][0])
-        bare(axes, (-HALF_WIDTH, HALF_WIDTH), (LOW, LOW + 2 * HALF_WIDTH * SIZE[1] / SIZE[0]))
+        self.rise = float(stride["com.y"][-1] - stride["com.y"][0])
+        above = stride["body.y"] - self.line(stride["body.x"])
+        self.half_width = max(HALF_WIDTH, 0.5 * (float(above.max()) + HEADROOM - LOW) * SIZE[0] / SIZE[1])
+        self.top = LOW + 2 * self.half_width * SIZE[1] / SIZE[0]
+        bare(axes, (-self.half_width, self.half_width), (LOW, self.top))
         self._ground()
         self.runner = DrawnRunner(axes, line_width=2.0)
         self.force = FancyArrowPatch(
@@ -80,7 +129,8 @@ class _Scene:
         )
         axes.add_patch(self.force)
         self.streaks = [
-            axes.plot([], [], linewidth=6.0, zorder=3, solid_capstyle="butt")[0] for _ in range(12)
+            axes.plot([], [], linewidth=6.0, zorder=3, solid_capstyle="butt")[0]
+            for _ in range(2 * len(stride.pieces))
         ]
         self.mode = self._text(0.02, 0.06, "left", size=15, weight="bold")
         self._text(0.98, 0.06, "right", size=14).set_text(rf"$\mu = {stride.gait.friction:g}$")
@@ -92,16 +142,33 @@ class _Scene:
 
     def _ground(self) -> None:
         """The ground with its marks, and the path of the centre of mass, over three strides."""
-        length, x = self.length, self.stride["com.x"]
-        span = np.array([-length, 2 * length])
-        self.axes.fill_between(span, LOW, 0.0, color="#eef1f4", linewidth=0, zorder=0)
-        self.axes.plot(span, [0.0, 0.0], color=style.INK, linewidth=1.2, zorder=2)
-        marks = np.arange(-MARKS, 2 * MARKS) * length / MARKS
-        self.axes.vlines(marks, -0.09, 0.0, color=style.FAINT, linewidth=1.0, zorder=1)
-        path = np.concatenate([x - length, x[1:], x[1:] + length])
-        self.axes.plot(
-            path, np.tile(self.stride["com.y"], 3)[: len(path)], color=style.GROUND, linewidth=1.2, zorder=1
+        length, x, y = self.length, self.stride["com.x"], self.stride["com.y"]
+        count = max(1, round(abs(length)))  # a whole number in a stride, so that the loop closes
+        reach = 2 + math.ceil(self.half_width / max(abs(length), 1e-9))
+        if reach > MOST_REPEATED:  # it runs on the spot
+            reach, count = 2, 1
+        marks = np.arange(-reach * count, reach * count + 1) * length / count
+        span = np.array([-1.0, 1.0]) * max(reach * abs(length), 2.0 * self.half_width) + x[0]
+        line = self.line(span)
+        self.axes.fill_between(span, line + 2.0 * LOW, line, color="#eef1f4", linewidth=0, zorder=0)
+        self.axes.plot(span, line, color=style.INK, linewidth=1.2, zorder=2)
+        self.axes.vlines(
+            marks, self.line(marks) - 0.09, self.line(marks), color=style.FAINT, linewidth=1.0, zorder=1
         )
+        strides = range(-reach, reach)
+        self.axes.plot(
+            np.concatenate([x + i * length for i in strides]),
+            np.concatenate([y + i * self.rise for i in strides]),
+            color=style.GROUND,
+            linewidth=1.2,
+            zorder=1,
+        )
+
+    def line(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Height of the ground at a place."""
+        values = self.stride.gait.runner.values
+        height = values.get("ground.height", 0.0) / values["leg.free_length"]
+        return height + np.asarray(x) * math.tan(values.get("ground.slope", 0.0))
 
     def _word(self) -> list[Text]:
         """The letters of the gait word, one for each contact mode with force."""
@@ -118,7 +185,9 @@ class _Scene:
         stride, mode = self.stride, self.stride.mode_at(time)
         colour = style.MODE_COLOURS[mode]
         middle = stride.at("com.x", time)
-        self.axes.set_xlim(middle - HALF_WIDTH, middle + HALF_WIDTH)
+        below = float(self.line(np.array(middle)))
+        self.axes.set_xlim(middle - self.half_width, middle + self.half_width)
+        self.axes.set_ylim(below + LOW, below + self.top)
         where = pose(stride, time)
         self.runner.place(where, colour)
         self._push(where.foot, time, colour)
@@ -157,5 +226,5 @@ class _Scene:
                 rows = piece.rows
                 x = self.stride["foot.x"][rows][self.stride.time[rows] <= until] + shift
                 streak = next(free)
-                streak.set_data(x, np.full(len(x), -0.05 - 0.07 * depth))
+                streak.set_data(x, self.line(x) - 0.05 - 0.07 * depth)
                 streak.set_color(style.MODE_COLOURS[piece.mode])

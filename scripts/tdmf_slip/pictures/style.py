@@ -4,6 +4,8 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
@@ -58,6 +60,12 @@ LOADED = ("stick", "slip_positive", "slip_negative")
 """Modes in which the ground bears the foot."""
 
 DOTS_PER_INCH = 150
+UNDATED: Mapping[str, dict[str, Any]] = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
+}
+"""By format: what is left out of the file, so that the same figure is the same bytes."""
 
 SETTINGS: dict[Any, Any] = {
     "font.size": 9.5,
@@ -83,19 +91,74 @@ SETTINGS: dict[Any, Any] = {
 }
 
 
+STYLES: Mapping[str, Mapping[Any, Any]] = {
+    "house": {},
+    "print": {
+        "font.family": "serif",
+        "mathtext.fontset": "stix",
+        "font.size": 8.0,
+        "axes.titlesize": 8.0,
+        "legend.fontsize": 7.0,
+        "lines.linewidth": 1.1,
+        "axes.linewidth": 0.6,
+        "pdf.fonttype": 42,  # a journal wants its type embedded whole
+    },
+    "slides": {
+        "font.size": 13.0,
+        "axes.titlesize": 14.0,
+        "legend.fontsize": 11.0,
+        "lines.linewidth": 2.4,
+        "axes.linewidth": 1.2,
+    },
+}
+"""By name: what a style has beyond the house's own, which is for pages on a screen."""
+
+
+@dataclass(frozen=True)
+class Appearance:
+    """How figures are written, whatever they show."""
+
+    width: float | None = None
+    """Inches, with the height in proportion and type of its own size; None: as each figure was designed."""
+    dots_per_inch: float | None = None
+    """Of PNG files; None: as each figure was designed."""
+    style: str = "house"
+    """One of `STYLES`."""
+
+
+DESIGNED = Appearance()
+"""As the figures were designed."""
+
+_PRESENT: ContextVar[Appearance] = ContextVar("appearance")
+
+
+@contextmanager
+def appearing(appearance: Appearance) -> Iterator[None]:
+    """An appearance for all figures that are drawn and written inside."""
+    token = _PRESENT.set(appearance)
+    try:
+        yield
+    finally:
+        _PRESENT.reset(token)
+
+
 @contextmanager
 def styled() -> Iterator[None]:
-    """The house style, for what is drawn inside."""
-    with plt.rc_context(SETTINGS):
+    """The present style, for what is drawn inside."""
+    with plt.rc_context({**SETTINGS, **STYLES[_PRESENT.get(DESIGNED).style]}):
         yield
 
 
 def save(figure: Figure, path: Path, dots_per_inch: int = DOTS_PER_INCH) -> None:
     """Write a figure whole or not at all, and let go of it."""
+    present = _PRESENT.get(DESIGNED)
     try:
+        if present.width is not None:
+            width, height = figure.get_size_inches()
+            figure.set_size_inches(present.width, height * present.width / width)
         with whole(path) as beside:
             figure.savefig(
-                beside, dpi=dots_per_inch, metadata={"Software": None} if path.suffix == ".png" else None
+                beside, dpi=present.dots_per_inch or dots_per_inch, metadata=UNDATED.get(path.suffix.lower())
             )
     finally:
         plt.close(figure)

@@ -14,6 +14,7 @@ from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
 from ...library.runner import Runner
+from ...pictures import style
 from ...pictures.stride import Stride
 from ...terminal import progress
 from ...unit.parameters import read_parameters
@@ -35,7 +36,8 @@ from . import (
 )
 from .columns import Columns, write_columns
 
-FORMATS = (".png", ".svg")
+FORMATS = ("png", "svg", "pdf")
+"""That figures can be written in."""
 SWEPT = np.geomspace(10.0, 0.05, 200)
 """Frictions of figure 9."""
 MEASURED = 26
@@ -64,7 +66,15 @@ class Figure:
     """Its data, by column."""
 
 
-def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bool = False) -> list[Path]:
+def draw(
+    folder: Path,
+    unit: Unit,
+    *,
+    only: str | None = None,
+    formats: Sequence[str] = ("png", "svg"),
+    appearance: style.Appearance = style.DESIGNED,
+    show_progress: bool = False,
+) -> list[Path]:
     """Draw the figures into a folder.
 
     Parameters
@@ -75,6 +85,10 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
         Run for one stride of a gait.
     only : str, optional
         Only figures whose name begins like this.
+    formats : sequence of str, default ('png', 'svg')
+        Of `FORMATS`.
+    appearance : Appearance, optional
+        Width, resolution and style.
     show_progress : bool, default False
         A bar on stderr.
 
@@ -94,11 +108,14 @@ def draw(folder: Path, unit: Unit, *, only: str | None = None, show_progress: bo
         raise InputError(f"only {only}: no such figure; allowed: {', '.join(known)}")
     folder.mkdir(exist_ok=True)
     written = []
-    with progress.bar("figures", len(chosen), "figures", show_progress) as bar:
+    with (
+        style.appearing(appearance),
+        progress.bar("figures", len(chosen), "figures", show_progress) as bar,
+    ):
         for name, figure in chosen.items():
-            for suffix in FORMATS:
-                figure.draw(folder / f"{name}{suffix}")
-                written.append(folder / f"{name}{suffix}")
+            for suffix in formats:
+                figure.draw(folder / f"{name}.{suffix}")
+                written.append(folder / f"{name}.{suffix}")
             write_columns(folder / f"{name}.csv", figure.table())
             written.append(folder / f"{name}.csv")
             bar.update()

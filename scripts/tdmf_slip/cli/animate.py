@@ -1,0 +1,77 @@
+"""The command `animate`: a gait that runs."""
+
+from functools import partial
+from pathlib import Path
+
+import click
+
+from ..analysis.search import find_orbit
+from ..errors import InputError
+from ..files.whole import check_place
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import load
+from .gait_file import read_gait
+from .options import (
+    FRICTION_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    values_given,
+)
+from .runner import runner_of
+
+FRAMES = 12, 2000
+"""The least and the most in a stride."""
+
+
+@click.command("animate", cls=Command)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    default=Path("stride.gif"),
+    show_default=True,
+    metavar="FILE",
+    help="Where it goes: .gif, .mp4 where ffmpeg is, or .html.",
+)
+@FRICTION_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@click.option(
+    "--from-gait",
+    metavar="FILE",
+    help="The gait that `tdmf-slip gait --json` wrote to a file, with its parameters; -: from stdin.",
+)
+@click.option(
+    "--frames",
+    type=Number(*FRAMES, whole=True),
+    default=120,
+    show_default=True,
+    metavar="N",
+    help="Frames in a stride, twenty a second; the stance is shown in slow motion.",
+)
+def animate_command(
+    output: Path,
+    friction: float | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    from_gait: str | None,
+    frames: int,
+) -> None:
+    """One stride of a runner's gait as an animation that loops."""
+    from ..pictures import animation  # matplotlib is slow to load
+    from ..pictures.stride import Stride
+
+    check_place(output, animation.FORMATS, "--output")
+    unit = load()
+    given = values_given(friction, settings)
+    if from_gait is None:
+        gait = find_orbit(runner_of(unit, parameters, given), unit=unit)
+    else:
+        if given or parameters is not None:
+            raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
+        runner = Runner.of(read_gait(from_gait), unit)
+        gait = find_orbit(runner, runner.start_apex(), unit=unit)
+    with progress.bar("animate", frames, "frames", True) as bar:
+        animation.draw(output, Stride(gait, unit), frames=frames, step_finished=partial(bar.update, 1))

@@ -1,0 +1,60 @@
+"""Figures in other formats, widths and styles, and gaits as animations."""
+
+import json
+import re
+
+import pytest
+from PIL import Image
+from tdmf_slip.pictures import animation
+
+CENTIMETRE = 72 / 2.54
+"""In points of PDF."""
+
+
+def test_figures_have_the_width_resolution_and_format_that_are_asked_for(command, tmp_path):
+    options = ("--format", "pdf,png", "--width", "17", "--resolution", "100", "--style", "print")
+    assert command("figures", "--only", "figure_4", "--output", "made", *options)[0] == 0
+    assert {path.suffix for path in (tmp_path / "made").iterdir()} == {".pdf", ".png", ".csv"}
+    with Image.open(tmp_path / "made/figure_4a.png") as picture:
+        assert picture.width == pytest.approx(17 / 2.54 * 100, abs=1)
+    page = (tmp_path / "made/figure_4a.pdf").read_bytes()
+    (width,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) [\d.]+ \]", page)
+    assert float(width) == pytest.approx(17 * CENTIMETRE, abs=0.1)
+    assert b"DejaVuSerif" in page and b"CreationDate" not in page
+    assert command("figures", "--only", "figure_4", "--output", "again", *options)[0] == 0
+    assert (tmp_path / "again/figure_4a.pdf").read_bytes() == page
+
+
+def test_formats_and_widths_that_are_not_to_be_had_are_refused(command):
+    status, _, said = command("figures", "--format", "png,eps")
+    assert status == 2 and "'eps'" in said and "pdf" in said
+    status, _, said = command("figures", "--width", "1")
+    assert status == 2 and "12" in said
+
+
+def test_a_gait_at_human_scale_becomes_an_animation(command, tmp_path):
+    assert command("animate", "--output", "run.gif", "--parameters", "human", "--frames", "12")[0] == 0
+    with Image.open(tmp_path / "run.gif") as film:
+        assert film.n_frames == 12 and film.size == (800, 400)
+
+
+def test_a_page_has_its_frames_in_it_and_fetches_nothing(command, tmp_path):
+    gait = command("gait", "--friction", "0.2", "--json")[1]
+    assert json.loads(gait)["word"] == "+-"
+    (tmp_path / "gait.json").write_text(gait)
+    assert command("animate", "--output", "run.html", "--from-gait", "gait.json", "--frames", "12")[0] == 0
+    page = (tmp_path / "run.html").read_text()
+    assert len(re.findall(r'"iVBOR[\w+/=]+"', page)) == 12
+    assert "//" not in re.sub(r'"iVBOR[\w+/=]+"', "", page)
+    status, _, said = command(
+        "animate", "--output", "run.html", "--from-gait", "gait.json", "--friction", "0.3"
+    )
+    assert status == 2 and "--from-gait" in said
+
+
+def test_without_ffmpeg_a_film_is_refused(command, monkeypatch):
+    monkeypatch.setattr(animation.FFMpegWriter, "isAvailable", lambda: False)
+    status, _, said = command("animate", "--output", "run.mp4")
+    assert status == 2 and "ffmpeg is not installed" in said and ".gif" in said
+    status, _, said = command("animate", "--output", "run.avi")
+    assert status == 2 and ".avi" in said and ".mp4" in said
