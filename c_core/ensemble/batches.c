@@ -104,6 +104,19 @@ static void fill_lanes(integration *integration, batch *batch) {
     }
 }
 
+/* Runners that are pushed are few: they share one kernel, which asks which case it is. */
+static lane_outcome step_forced(flying_member *m, choice live, batch_kind kind, int order, double tolerance,
+                                flight_series *f) {
+    const bool retracts = kind == BATCH_RETRACT_FORCED || kind == BATCH_RETRACT_FORCED_AND_WAIT;
+    const flight_case is = {
+        .rising = retracts || kind == BATCH_RISE_FORCED || kind == BATCH_RISE_FORCED_AND_WAIT,
+        .retracts = retracts,
+        .awaits_ground = kind >= BATCH_PLACE_FORCED_AND_WAIT,
+        .forced = true,
+    };
+    return step_flying(m, live, is, order, tolerance, f);
+}
+
 static lane_outcome step_batch(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     const int order = integration->order;
@@ -131,6 +144,13 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
         return step_flying(&batch->members.flying, batch->live, climbs_and_waits, order, tolerance, flight);
     case BATCH_RETRACT_AND_WAIT:
         return step_flying(&batch->members.flying, batch->live, retracts_and_waits, order, tolerance, flight);
+    case BATCH_PLACE_FORCED:
+    case BATCH_RISE_FORCED:
+    case BATCH_RETRACT_FORCED:
+    case BATCH_PLACE_FORCED_AND_WAIT:
+    case BATCH_RISE_FORCED_AND_WAIT:
+    case BATCH_RETRACT_FORCED_AND_WAIT:
+        return step_forced(&batch->members.flying, batch->live, kind, order, tolerance, flight);
     case BATCH_STICK:
         return step_standing(&batch->members.standing, batch->live, sticks, order, tolerance, ground);
     case BATCH_STICK_AND_COAST:

@@ -64,7 +64,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, flight_cas
     event_search search;
     elapsed_time elapsed;
     real longest;
-    const real trusted = expand_flight_step(c, &m->at, order, tolerance, f, &longest);
+    const real trusted = expand_flight_step(c, &m->at, is.forced, order, tolerance, f, &longest);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, f->length, order,
                                           tolerance, live);
     watch_flight(&search, c, f, change, &com, is, tolerance);

@@ -36,10 +36,10 @@ typedef struct {
 enum {
     FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
     RETRACTING_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
-    WAITING_FIELDS = sizeof(flying_member) / sizeof(real),
+    SELDOM_FIELDS = sizeof(flying_member) / sizeof(real), /* to wait for a ground, or to be forced */
     STANDING_FIELDS = offsetof(standing_member, constants.servo) / sizeof(real),
     GRAZING_FIELDS = sizeof(standing_member) / sizeof(real),
-    MEMBER_FIELDS = WAITING_FIELDS > GRAZING_FIELDS ? WAITING_FIELDS : GRAZING_FIELDS,
+    MEMBER_FIELDS = SELDOM_FIELDS > GRAZING_FIELDS ? SELDOM_FIELDS : GRAZING_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

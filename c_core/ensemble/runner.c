@@ -88,9 +88,23 @@ static bool coasts(const tdmf_runner *runner) {
     return law.torque == 0.0;
 }
 
+static batch_kind batch_in_forced_flight(const tdmf_mode *mode, bool waits) {
+    if (mode->phase == TDMF_PHASE_RETRACT) {
+        return waits ? BATCH_RETRACT_FORCED_AND_WAIT : BATCH_RETRACT_FORCED;
+    }
+    if (mode->rises) {
+        return waits ? BATCH_RISE_FORCED_AND_WAIT : BATCH_RISE_FORCED;
+    }
+    return waits ? BATCH_PLACE_FORCED_AND_WAIT : BATCH_PLACE_FORCED;
+}
+
 static batch_kind batch_in_flight(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
-    const bool waits = tdmf_ground_is_pending(&runner->its_case->inputs, mode);
+    const tdmf_inputs *inputs = &runner->its_case->inputs;
+    const bool waits = tdmf_ground_is_pending(inputs, mode);
+    if (tdmf_is_pushed(inputs)) {
+        return batch_in_forced_flight(mode, waits);
+    }
     if (mode->phase == TDMF_PHASE_RETRACT) {
         return waits ? BATCH_RETRACT_AND_WAIT : BATCH_RETRACT;
     }
@@ -153,9 +167,9 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
                    &motion->mode, motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
-        return runner->equations.ground_waits             ? WAITING_FIELDS
-               : motion->mode.phase == TDMF_PHASE_RETRACT ? RETRACTING_FIELDS
-                                                          : FLYING_FIELDS;
+        return runner->equations.ground_waits || runner->equations.is_forced ? SELDOM_FIELDS
+               : motion->mode.phase == TDMF_PHASE_RETRACT                    ? RETRACTING_FIELDS
+                                                                             : FLYING_FIELDS;
     }
     *(standing_member *)fields = standing_fields(runner);
     return motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS : STANDING_FIELDS;
@@ -178,7 +192,7 @@ static member_progress read_standing(const double *fields, tdmf_mode_coordinates
 /* Writes the state that the lane has come to. */
 static void store(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
-    tdmf_mode_coordinates at;
+    tdmf_mode_coordinates at = runner->equations.start;
     const member_progress now =
         motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
     runner->direction = tdmf_state_in_mode(&runner->equations, now.elapsed, &at, motion->state);

@@ -20,6 +20,12 @@ typedef enum {
     BATCH_PLACE_AND_WAIT, /* for a ground that waits to be in force, too */
     BATCH_RISE_AND_WAIT,
     BATCH_RETRACT_AND_WAIT,
+    BATCH_PLACE_FORCED, /* and all these by a push on the body */
+    BATCH_RISE_FORCED,
+    BATCH_RETRACT_FORCED,
+    BATCH_PLACE_FORCED_AND_WAIT,
+    BATCH_RISE_FORCED_AND_WAIT,
+    BATCH_RETRACT_FORCED_AND_WAIT,
     BATCH_COUNT,
     BATCH_USUAL = BATCH_PLACE_AND_RISE /* the kinds that runners are mostly in */
 } batch_kind;

@@ -9,6 +9,8 @@
  * pass one: with the least curvature that the sum can have, h + h' t + h'' t^2/2 is below it. */
 #include "prescribed_flight.h"
 
+#include "free_fall.h"
+
 #include "ground_line.h"
 
 #include <math.h>
@@ -16,26 +18,18 @@
 
 /* ---- the centre of mass ------------------------------------------------------------------------------- */
 
-typedef struct {
-    double x, y; /* m/s2 */
-} acceleration;
-
-static acceleration acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
-    (void)inputs;
-    const acceleration a = {0.0, -model->parameters.gravity};
-    return a;
+static tdmf_fall acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
 }
 
-static acceleration vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      const tdmf_direction *d) {
-    (void)model;
-    (void)inputs;
-    const acceleration d_a = {0.0, -d->model.parameters.gravity};
-    return d_a;
+static tdmf_fall vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
+                                   const tdmf_direction *d) {
+    return tdmf_vary_fall_of_center(model, tdmf_push_on_body(model, inputs), &d->model,
+                                    tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
 }
 
 tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from, double t) {
-    const acceleration a = acceleration_of(model, inputs);
+    const tdmf_fall a = acceleration_of(model, inputs);
     const tdmf_point later = {from.x + t * (from.vx + 0.5 * t * a.x), from.y + t * (from.vy + 0.5 * t * a.y),
                               from.vx + t * a.x, from.vy + t * a.y};
     return later;
@@ -43,8 +37,8 @@ tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, td
 
 tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                                tdmf_point from, tdmf_point d_from, double t, double d_time) {
-    const acceleration a = acceleration_of(model, inputs);
-    const acceleration d_a = vary_acceleration(model, inputs, d);
+    const tdmf_fall a = acceleration_of(model, inputs);
+    const tdmf_fall d_a = vary_acceleration(model, inputs, d);
     const tdmf_point d_later = {d_from.x + t * (d_from.vx + 0.5 * t * d_a.x) + (from.vx + t * a.x) * d_time,
                                 d_from.y + t * (d_from.vy + 0.5 * t * d_a.y) + (from.vy + t * a.y) * d_time,
                                 d_from.vx + t * d_a.x + a.x * d_time, d_from.vy + t * d_a.y + a.y * d_time};
@@ -52,14 +46,14 @@ tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *input
 }
 
 double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from) {
-    const acceleration a = acceleration_of(model, inputs);
+    const tdmf_fall a = acceleration_of(model, inputs);
     return a.y < 0.0 ? from.vy / -a.y : INFINITY;
 }
 
 double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                               tdmf_point from, tdmf_point d_from) {
-    const acceleration a = acceleration_of(model, inputs);
-    const acceleration d_a = vary_acceleration(model, inputs, d);
+    const tdmf_fall a = acceleration_of(model, inputs);
+    const tdmf_fall d_a = vary_acceleration(model, inputs, d);
     return (d_from.vy + tdmf_time_to_apex(model, inputs, from) * d_a.y) / -a.y;
 }
 
@@ -93,7 +87,7 @@ void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, t
 /* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
 void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
-    const acceleration a = acceleration_of(model, inputs);
+    const tdmf_fall a = acceleration_of(model, inputs);
     const double rate = state[TDMF_LEG_ANGLE_RATE];
     const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
@@ -159,7 +153,7 @@ static bool body_may_come_first(const height *foot, double time) {
 tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                           tdmf_point apex) {
     const double length = placed_length(model, inputs);
-    const acceleration a = acceleration_of(model, inputs);
+    const tdmf_fall a = acceleration_of(model, inputs);
     height foot = {tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
                    tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,
                    placed_angle(model, inputs) - ground->slope, model->parameters.hip.retraction_rate};

@@ -1,9 +1,10 @@
 /* A point of the section is a state with vy_c = 0; x is dropped, because nothing depends on it. With the
- * variation d_x of the state at a fixed time, the next section is met later by dT = d_vy_c/g, so that on it
- * the variation is d_x + f dT. */
+ * variation d_x of the state at a fixed time, the next section is met later by dT = -d_vy_c/a_y, so that on
+ * it the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
 #include "direction.h"
+#include "free_fall.h"
 #include "ground_line.h"
 #include "kinematics.h"
 #include "tdmf_slip/automaton.h"
@@ -49,19 +50,21 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
 }
 
 /* Projects a variation at the time of an apex on the section. */
-static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_motion *motion,
-                                     const double derivatives[TDMF_STATE_COUNT], const tdmf_change *change,
-                                     const double start_com_x, const double d_state[TDMF_STATE_COUNT]) {
+static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
+                                     const tdmf_change *change, const double start_com_x,
+                                     const double d_state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass(
         model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const double shift = d_com.vy / model->parameters.gravity;
+    const tdmf_fall fall = tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
+    const double shift = d_com.vy / -fall.y;
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
         tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
     const tdmf_stride_change result = {
-        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx,
+        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + fall.x * shift,
                  d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
                  d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,
@@ -106,7 +109,7 @@ static void close_bundle(const bundle *bundle, const tdmf_model *model, const td
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < bundle->count; ++i) {
-        const tdmf_stride_change change = on_section(model, motion, derivatives, &bundle->changes[i],
+        const tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
                                                      bundle->start_com_x[i], bundle->variations[i].state);
         if (i < TDMF_SECTION_COUNT) {
             result->by_section[i] = change;

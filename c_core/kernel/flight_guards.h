@@ -26,10 +26,16 @@ static inline void expand_drop(const flight_series *f, real sine0, real cosine0,
     }
 }
 
-/* The centre of mass is lowest at an end of the step. */
+/* The centre of mass is lowest at an end of the step, or not as low as this where it is pushed up. */
 static inline real lowest_center_of_mass(const event_search *search, const flight_constants *c,
-                                         const height_above *com) {
-    return smaller(com->height, fall_on(*com, c->normal_gravity, search->size).height);
+                                         const ballistic *com) {
+    const real t = search->size;
+    const real gravity = larger(c->normal_gravity, real_of(0.0));
+    real rate = com->ground.rate - 0.5 * gravity * t;
+    if (INPUTS_RAMP) {
+        rate -= real_abs(com->normal_jerk) * t * t * (1.0 / 6);
+    }
+    return smaller(com->ground.height, com->ground.height + t * rate);
 }
 
 /* A leg does not drop further than its longest at the angle that brings it nearest to the ground's normal. */
@@ -53,7 +59,7 @@ static inline void trust_drop(event_search *search, const flight_constants *c, c
 
 /* The heights of foot and body: a parabola and a share of the leg's drop. */
 static inline void watch_heights(event_search *search, const flight_constants *c, const flight_series *f,
-                                 double tolerance, real longest, const height_above *com) {
+                                 double tolerance, real longest, const ballistic *com) {
     const real lowest = lowest_center_of_mass(search, c, com);
     choice low = search->live & not(lowest > longest * larger(c->body_share, 1.0 - c->body_share));
     real sine, cosine, drop[SERIES_TERMS];
@@ -75,9 +81,12 @@ static inline void watch_heights(event_search *search, const flight_constants *c
         for (int k = 1; k <= order; ++k) {
             height[k] = share * drop[k];
         }
-        height[1] += com->rate;
+        height[1] += com->ground.rate;
         height[2] -= 0.5 * c->normal_gravity;
-        const guard_series g = {height, real_of(1.0), com->height + share * drop[0], order};
+        if (INPUTS_RAMP) {
+            height[3] += com->normal_jerk * (1.0 / 6);
+        }
+        const guard_series g = {height, real_of(1.0), com->ground.height + share * drop[0], order};
         watch(search, end == 0 ? TDMF_GUARD_TOUCHDOWN : TDMF_GUARD_BODY_DOWN, low, &g, floor);
     }
 }
@@ -94,17 +103,36 @@ static inline void watch_new_ground(event_search *search, const flight_constants
     }
     depth[1] -= com->new_ground.rate;
     depth[2] += 0.5 * c->new_normal_gravity;
+    if (INPUTS_RAMP) {
+        depth[3] -= com->new_normal_jerk * (1.0 / 6);
+    }
     const guard_series g = {depth, real_of(1.0), c->body_share * drop[0] - com->new_ground.height,
                             search->order};
     watch(search, TDMF_GUARD_NEW_GROUND, search->live, &g, search->beyond_margin * c->mode.length_scale);
 }
 
-/* The centre of mass rises at a rate that falls by g. */
+/* The centre of mass rises at a rate that falls by g, unless it is pushed up. */
 static inline void watch_apex_in_flight(event_search *search, const flight_constants *c,
                                         const ballistic *com) {
-    const real floor = search->beyond_margin * c->mode.speed_scale;
-    const real time = larger(com->rise_rate - floor, real_of(0.0)) / (c->mode.gravity * search->size);
-    note_found(search, search->live & (time <= 1.0), time, choice_of(true), whole_of(TDMF_GUARD_APEX));
+    const real gravity = c->mode.gravity;
+    const real above = com->rise_rate - search->beyond_margin * c->mode.speed_scale;
+    const real time = larger(above, real_of(0.0)) / (gravity * search->size);
+    const choice falls = (gravity > 0.0) | not(above > 0.0);
+    note_found(search, search->live & falls & (time <= 1.0), time, choice_of(true),
+               whole_of(TDMF_GUARD_APEX));
+}
+
+/* The same where the push on the body ramps; until the centre of mass rises, for a kink where it begins to.
+ */
+static inline void watch_ramped_apex(event_search *search, const flight_constants *c, const ballistic *com,
+                                     bool rising) {
+    real rate[SERIES_TERMS];
+    rate[1] = -c->mode.gravity;
+    rate[2] = 0.5 * com->rise_jerk;
+    const guard_series rise = {rate, real_of(rising ? 1.0 : -1.0), rising ? com->rise_rate : -com->rise_rate,
+                               2};
+    watch(search, rising ? TDMF_GUARD_APEX : KINK, search->live, &rise,
+          (rising ? search->beyond_margin : real_of(TDMF_BEYOND_DEAD_BAND)) * c->mode.speed_scale);
 }
 
 /* What the clamp is decided by. */
@@ -126,11 +154,13 @@ static inline void watch_clamp(event_search *search, const flight_constants *c, 
 static inline void watch_flight(event_search *search, const flight_constants *c, const flight_series *f,
                                 real length_change, const ballistic *com, flight_case is, double tolerance) {
     watch_length(search, &c->mode, f->length, search->order, length_change);
-    watch_heights(search, c, f, tolerance, f->length[0] + length_change, &com->ground);
+    watch_heights(search, c, f, tolerance, f->length[0] + length_change, com);
     if (is.awaits_ground) {
         watch_new_ground(search, c, f, tolerance, com);
     }
-    if (is.rising) {
+    if (INPUTS_RAMP && any(not(com->rise_jerk == 0.0))) {
+        watch_ramped_apex(search, c, com, is.rising);
+    } else if (is.rising) {
         watch_apex_in_flight(search, c, com);
     }
     if (is.retracts) {

@@ -21,11 +21,12 @@ typedef struct {
     real normal_gravity; /* away from it */
     hip_law servo;       /* retract: its torque is what the clamp is decided by, with its sign now */
     real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
+    flight_forcing forcing;
 } flight_constants;
 
-/* Which events there are. A leg that is retracted rises. */
+/* Which events and terms there are. A leg that is retracted rises. */
 typedef struct {
-    bool rising, retracts, awaits_ground;
+    bool rising, retracts, awaits_ground, forced;
 } flight_case;
 
 /* The height of a point above a line, and its rate. */
@@ -33,11 +34,13 @@ typedef struct {
     real height, rate;
 } height_above;
 
-/* The centre of mass: above the ground, vertically, and above a ground that waits to be in force. */
+/* The centre of mass: above the ground, vertically, and above a ground that waits to be in force. Where the
+ * push on the body ramps, the acceleration away from each of them changes. */
 typedef struct {
     height_above ground;
     real rise_rate;
     height_above new_ground;
+    real normal_jerk, rise_jerk, new_normal_jerk;
 } ballistic;
 
 /* A height some time later. */
@@ -48,14 +51,19 @@ static inline height_above fall_on(height_above from, real gravity, real elapsed
 }
 
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
-static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, int order,
-                                      double tolerance, flight_series *f, real *longest) {
+static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, bool forced,
+                                      int order, double tolerance, flight_series *f, real *longest) {
     const real start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    expand_flight(&c->law, start, order, f);
+    if (forced) {
+        expand_flight(&c->law, &c->forcing, start, order, f);
+        *longest = longest_flight_step(&c->law, &c->forcing, at->length, order);
+    } else {
+        expand_flight(&c->law, NULL, start, order, f);
+        *longest = longest_flight_step(&c->law, NULL, at->length, order);
+    }
     note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
-    *longest = longest_flight_step(&c->law, at->length, order);
     return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
                          trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1,
                          tolerance);

@@ -44,6 +44,7 @@ typedef struct {
     real gravity_x, gravity_y;         /* g_x, g_y */
     real torque, torque_rate;
     real friction, friction_rate; /* with the sign of u */
+    real gravity_x_rate, gravity_y_rate, rest_length_rate;
 } ground_coefficients;
 
 enum { GROUND_X, GROUND_Y, GROUND_VX, GROUND_VY, GROUND_FOOT_VX, GROUND_START_COUNT };
@@ -147,12 +148,17 @@ KERNEL real with_outer_terms(real inner, const real *a, const real *b, int k) {
     return k == 0 ? a[0] * b[0] : inner + a[k] * b[0] + a[0] * b[k];
 }
 
+/* Coefficient k of what is constant but for a ramp. */
+KERNEL real coefficient(int k, real value, real rate) {
+    return k == 0 ? value : INPUTS_RAMP && k == 1 ? rate : real_of(0.0);
+}
+
 /* Coefficient k of what leg and weight push the body and the foot with. Returns P. */
 KERNEL real expand_leg_force(const ground_coefficients *c, const ground_inverses *inverse, ground_case is,
                              int k, const ground_sums *sum, ground_series *g) {
     const real force = -c->stiffness * g->length[k] - c->damping * g->length_rate[k];
-    const real axial = k == 0 ? force + c->stiffness * c->rest_length
-                              : force - sum->length_axial - g->axial[0] * g->length[k];
+    const real spring = force + c->stiffness * coefficient(k, c->rest_length, c->rest_length_rate);
+    const real axial = k == 0 ? spring : spring - sum->length_axial - g->axial[0] * g->length[k];
     g->axial[k] = axial * inverse->length;
     g->axial_y[k] = with_outer_terms(sum->y_axial, g->y, g->axial, k);
     const real axial_x = with_outer_terms(sum->x_axial, g->x, g->axial, k);
@@ -222,8 +228,11 @@ KERNEL void expand_ground_on(const ground_coefficients *c, const ground_inverses
         turn += with_outer_terms(sum->y_acceleration, g->y, g->foot_acceleration, k);
     }
     g->foot_vx[k + 1] = g->foot_acceleration[k] * divide;
-    g->vx[k + 1] = -(k == 0 ? push + c->gravity_x : push) * divide;
-    g->vy[k + 1] = (k == 0 ? acceleration_y - c->gravity_y : acceleration_y) * divide;
+    if (INPUTS_RAMP && k > 0) {
+        turn += c->gravity_x_rate * g->y[k - 1] - c->gravity_y_rate * g->x[k - 1];
+    }
+    g->vx[k + 1] = -(push + coefficient(k, c->gravity_x, c->gravity_x_rate)) * divide;
+    g->vy[k + 1] = (acceleration_y - coefficient(k, c->gravity_y, c->gravity_y_rate)) * divide;
     g->moment[k + 1] = turn * divide;
 }
 
@@ -340,9 +349,8 @@ static inline real vary_leg_force(const ground_coefficients *c, const ground_ser
                    c->damping * t->length_rate[k] - d->damping * g->length_rate[k];
     const real d_torque = k == 0 ? d->torque : k == 1 ? d->torque_rate : real_of(0.0);
     const real d_lift_in_graze = k == 0 ? -d->foot_weight_y : real_of(0.0);
-    if (k == 0) {
-        d_force += c->stiffness * d->rest_length + d->stiffness * c->rest_length;
-    }
+    d_force += c->stiffness * coefficient(k, d->rest_length, d->rest_length_rate) +
+               d->stiffness * coefficient(k, c->rest_length, c->rest_length_rate);
     t->axial[k] = vary_quotient(g->axial, t->axial, g->length, t->length, d_force, k);
     t->axial_y[k] = vary_product(g->axial, t->axial, g->y, t->y, k);
     if (grazes) {
@@ -381,7 +389,7 @@ static inline real vary_body_push(const ground_coefficients *c, const ground_ser
     const real push = k == 0 ? g->tangential_push[0] + c->foot_weight_x : g->tangential_push[k];
     const real d_push = k == 0 ? t->tangential_push[0] + d->foot_weight_x : t->tangential_push[k];
     const real sum = d_push * c->inverse_body_mass + push * d->inverse_body_mass;
-    return k == 0 ? sum + d->gravity_x : sum;
+    return sum + coefficient(k, d->gravity_x, d->gravity_x_rate);
 }
 
 /* The recurrence of expand_ground, differentiated: `d` is the variation of the coefficients, `start` that of
@@ -405,7 +413,7 @@ static inline void vary_ground(const ground_coefficients *c, const ground_series
         const real d_acceleration_y = d_lift * c->inverse_body_mass + lift * d->inverse_body_mass;
         t->foot_vx[k + 1] = d_acceleration * divide;
         t->vx[k + 1] = -(vary_body_push(c, g, d, k, t) + d_acceleration) * divide;
-        t->vy[k + 1] = (k == 0 ? d_acceleration_y - d->gravity_y : d_acceleration_y) * divide;
+        t->vy[k + 1] = (d_acceleration_y - coefficient(k, d->gravity_y, d->gravity_y_rate)) * divide;
     }
 }
 

@@ -2,19 +2,23 @@
  * With u = (-sin, cos), t = (-cos, -sin) and the ground force (f_x, f_y) of the mode:
  *
  *     foot:  m_f ax = f_x + F_s sin + (tau/r) cos        m_f ay = f_y - F_s cos + (tau/r) sin - m_f g
- *     body:  u.a_body = F_s/m - g cos                    t.a_body = tau/(m r) + g sin
+ *     body:  u.a_body = F_s/m + u.a                      t.a_body = tau/(m r) + t.a
  *     leg:   rddot = r thetadot^2 + u.(a_body - a_foot)
  *            r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot
+ *
+ * with a = (0, -g) + (external force)/m.
  *
  * A foot on the ground is accelerated along it alone, and one that sticks not at all, exactly and not by
  * cancellation. In a
  * variation d_ stands for the change of what follows. */
 #include "dynamics.h"
 
+#include "free_fall.h"
 #include "ground_force.h"
 #include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
+#include "kinematics.h"
 
 #include <string.h>
 
@@ -107,20 +111,30 @@ static void vary_foot_acceleration(const tdmf_evaluation *at, const tdmf_evaluat
     }
 }
 
+static tdmf_fall fall_of_body(const tdmf_evaluation *at) {
+    return tdmf_fall_of_body(at->model, tdmf_push_on_body(at->model, at->inputs));
+}
+
+static tdmf_fall vary_fall_of_body(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return tdmf_fall_of_body(d->model, tdmf_vary_push_on_body(at->model, at->inputs, d->model, d->inputs));
+}
+
 /* t.(a_body - a_foot) - 2 rdot thetadot */
 static double turning(const tdmf_evaluation *at, const tdmf_acceleration *a) {
     const tdmf_leg *leg = &at->leg;
-    return at->torque * leg->inverse_length * at->model->inverse_body_mass +
-           at->model->parameters.gravity * leg->sine + a->foot_ax * leg->cosine + a->foot_ay * leg->sine -
+    const tdmf_fall fall = fall_of_body(at);
+    return at->torque * leg->inverse_length * at->model->inverse_body_mass -
+           (fall.x * leg->cosine + fall.y * leg->sine) + a->foot_ax * leg->cosine + a->foot_ay * leg->sine -
            2.0 * leg->length_rate * leg->angle_rate;
 }
 
 static inline tdmf_acceleration accelerate(const tdmf_evaluation *at) {
     const tdmf_leg *leg = &at->leg;
+    const tdmf_fall fall = fall_of_body(at);
     tdmf_acceleration a;
     accelerate_foot(at, &a);
     a.length = leg->length * leg->angle_rate * leg->angle_rate +
-               leg->axial_force * at->model->inverse_body_mass - at->model->parameters.gravity * leg->cosine +
+               leg->axial_force * at->model->inverse_body_mass + (fall.y * leg->cosine - fall.x * leg->sine) +
                a.foot_ax * leg->sine - a.foot_ay * leg->cosine;
     a.angle = turning(at, &a) * leg->inverse_length;
     return a;
@@ -133,24 +147,43 @@ tdmf_acceleration tdmf_accelerate(const tdmf_evaluation *at) {
 static tdmf_acceleration vary_acceleration(const tdmf_evaluation *at, const tdmf_evaluation *d) {
     const tdmf_leg *leg = &at->leg, *d_leg = &d->leg;
     const tdmf_model *model = at->model, *d_model = d->model;
-    const double g = model->parameters.gravity, d_g = d_model->parameters.gravity;
+    const tdmf_fall fall = fall_of_body(at), d_fall = vary_fall_of_body(at, d);
     tdmf_acceleration a, d_a;
     accelerate_foot(at, &a);
     vary_foot_acceleration(at, d, &d_a);
     d_a.length = d_leg->length * leg->angle_rate * leg->angle_rate +
                  2.0 * leg->length * leg->angle_rate * d_leg->angle_rate +
                  d_leg->axial_force * model->inverse_body_mass +
-                 leg->axial_force * d_model->inverse_body_mass - d_g * leg->cosine - g * d_leg->cosine +
+                 leg->axial_force * d_model->inverse_body_mass + d_fall.y * leg->cosine +
+                 fall.y * d_leg->cosine - d_fall.x * leg->sine - fall.x * d_leg->sine +
                  d_a.foot_ax * leg->sine + a.foot_ax * d_leg->sine - d_a.foot_ay * leg->cosine -
                  a.foot_ay * d_leg->cosine;
     const double d_across = d->torque * leg->inverse_length + at->torque * d_leg->inverse_length;
     const double d_turning =
-        d_across * model->inverse_body_mass + at->torque * leg->inverse_length * d_model->inverse_body_mass +
-        d_g * leg->sine + g * d_leg->sine + d_a.foot_ax * leg->cosine + a.foot_ax * d_leg->cosine +
-        d_a.foot_ay * leg->sine + a.foot_ay * d_leg->sine -
+        d_across * model->inverse_body_mass + at->torque * leg->inverse_length * d_model->inverse_body_mass -
+        d_fall.x * leg->cosine - fall.x * d_leg->cosine - d_fall.y * leg->sine - fall.y * d_leg->sine +
+        d_a.foot_ax * leg->cosine + a.foot_ax * d_leg->cosine + d_a.foot_ay * leg->sine +
+        a.foot_ay * d_leg->sine -
         2.0 * (d_leg->length_rate * leg->angle_rate + leg->length_rate * d_leg->angle_rate);
     d_a.angle = d_turning * leg->inverse_length + turning(at, &a) * d_leg->inverse_length;
     return d_a;
+}
+
+/* ---- the power of the external force ------------------------------------------------------------------ */
+
+static double power_of(const tdmf_inputs *inputs, tdmf_point body) {
+    return inputs->body.external_fx * body.vx + inputs->body.external_fy * body.vy;
+}
+
+static double external_power(const tdmf_evaluation *at) {
+    const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
+    return tdmf_is_pushed(at->inputs) ? power_of(at->inputs, tdmf_body_along(at->state, direction)) : 0.0;
+}
+
+static double vary_external_power(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
+    return power_of(d->inputs, tdmf_body_along(at->state, direction)) +
+           power_of(at->inputs, tdmf_vary_body(at->state, direction, d->state));
 }
 
 /* ---- the right-hand side ------------------------------------------------------------------------------ */
@@ -185,7 +218,7 @@ static void rates_of_state(const tdmf_evaluation *at, double derivatives[TDMF_ST
     derivatives[TDMF_HIP_WORK] = power;
     derivatives[TDMF_HIP_PLACE_TIME] = tdmf_place_time_rate(at->mode);
     derivatives[TDMF_LEG_WORK] = 0.0; /* with the inputs held */
-    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = 0.0;
+    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = external_power(at);
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         at->model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -at->force.tangential * slip_velocity(at);
@@ -201,7 +234,7 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
     derivatives[TDMF_HIP_WORK] = d_power;
     derivatives[TDMF_HIP_PLACE_TIME] = 0.0;
     derivatives[TDMF_LEG_WORK] = 0.0;
-    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = 0.0;
+    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = vary_external_power(at, d);
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         d->model->parameters.leg.damping * leg->length_rate * leg->length_rate +
         2.0 * at->model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;

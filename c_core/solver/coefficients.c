@@ -52,9 +52,25 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
     return varied;
 }
 
+flight_forcing tdmf_flight_forcing(const tdmf_mode_equations *equations) {
+    const flight_forcing forcing = {.push_x = equations->push.x,
+                                    .push_y = equations->push.y,
+                                    .push_x_rate = equations->push_rate.x,
+                                    .push_y_rate = equations->push_rate.y,
+                                    .rest_length_rate = equations->rest_length_rate};
+    return forcing;
+}
+
+flight_forcing tdmf_vary_flight_forcing(const tdmf_mode_equations *equations, const tdmf_direction *d) {
+    const tdmf_fall d_push = tdmf_vary_push(equations, d);
+    const flight_forcing varied = {.push_x = d_push.x, .push_y = d_push.y};
+    return varied;
+}
+
 ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations) {
     const tdmf_model *model = equations->model;
     const tdmf_parameters *p = &model->parameters;
+    const tdmf_fall fall = tdmf_fall_of_body(model, equations->push);
     const ground_coefficients coefficients = {
         .stiffness = p->leg.stiffness,
         .damping = p->leg.damping,
@@ -63,12 +79,15 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
         .inverse_foot_mass = model->inverse_foot_mass,
         .foot_weight_x = tdmf_foot_weight(model) * equations->ground.sine,
         .foot_weight_y = tdmf_foot_weight(model) * equations->ground.cosine,
-        .gravity_x = p->gravity * equations->ground.sine,
-        .gravity_y = p->gravity * equations->ground.cosine,
+        .gravity_x = -tdmf_along_line(&equations->ground, fall),
+        .gravity_y = -tdmf_off_line(&equations->ground, fall),
         .torque = equations->law.torque,
         .torque_rate = equations->law.torque_rate,
         .friction = equations->friction,
         .friction_rate = equations->friction_rate,
+        .gravity_x_rate = -tdmf_along_line(&equations->ground, equations->push_rate),
+        .gravity_y_rate = -tdmf_off_line(&equations->ground, equations->push_rate),
+        .rest_length_rate = equations->rest_length_rate,
     };
     return coefficients;
 }
@@ -80,9 +99,10 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
                                                      : tdmf_external_law(&d->inputs, &tdmf_held_inputs);
     const tdmf_ground_line *ground = &equations->ground;
     const double d_slope = d->mode.ground.slope;
-    const double gravity = equations->model->parameters.gravity;
     const double weight = tdmf_foot_weight(equations->model);
     const double d_weight = tdmf_vary_foot_weight(equations->model, &d->model);
+    const tdmf_fall fall = tdmf_fall_of_body(equations->model, equations->push);
+    const tdmf_fall d_fall = tdmf_fall_of_body(&d->model, tdmf_vary_push(equations, d));
     const ground_coefficients varied = {
         .stiffness = d_p->leg.stiffness,
         .damping = d_p->leg.damping,
@@ -91,8 +111,8 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
         .inverse_foot_mass = d->model.inverse_foot_mass,
         .foot_weight_x = d_weight * ground->sine + weight * ground->cosine * d_slope,
         .foot_weight_y = d_weight * ground->cosine - weight * ground->sine * d_slope,
-        .gravity_x = d_p->gravity * ground->sine + gravity * ground->cosine * d_slope,
-        .gravity_y = d_p->gravity * ground->cosine - gravity * ground->sine * d_slope,
+        .gravity_x = -tdmf_along_line(ground, d_fall) - tdmf_off_line(ground, fall) * d_slope,
+        .gravity_y = -tdmf_off_line(ground, d_fall) + tdmf_along_line(ground, fall) * d_slope,
         .torque = d_law.torque,
         .friction = tdmf_signed_friction(&d->inputs, mode),
     };

@@ -6,6 +6,7 @@
 #include "event_log.h"
 #include "hip_law.h"
 #include "input_rates.h"
+#include "leg_work.h"
 #include "record.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
@@ -76,6 +77,8 @@ static int right_hand_side(realtype time, N_Vector integrated, N_Vector slope, v
     double state[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
     add_clock(problem, time, integrated, state);
     tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, state, derivatives);
+    derivatives[TDMF_LEG_WORK] +=
+        tdmf_leg_power(problem->model, &inputs, problem->rates, &problem->motion->mode, state);
     leave_out_clock(derivatives, slope);
     ++problem->options->evaluations;
     return 0;
@@ -191,6 +194,14 @@ static bool take_events(workspace *space, problem *problem) {
     return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS;
 }
 
+/* Up to which the work of the leg has been integrated. */
+static void note_rest_length(const problem *problem) {
+    tdmf_motion *motion = problem->motion;
+    const double elapsed = tdmf_time_between(problem->start, motion->record.now);
+    const tdmf_inputs inputs = tdmf_inputs_after(problem->inputs, problem->rates, elapsed);
+    motion->mode.rest_length = tdmf_rest_length(problem->model, &inputs, &motion->mode);
+}
+
 static tdmf_outcome integrate(workspace *space, problem *problem, double until) {
     tdmf_motion *motion = problem->motion;
     const tdmf_instant end = {until, 0.0};
@@ -219,6 +230,7 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
             flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? end : tdmf_instant_after(problem->restart, time);
         motion->time = motion->record.now.time;
         add_clock(problem, time, space->state, motion->state);
+        note_rest_length(problem);
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }

@@ -24,6 +24,27 @@ static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *i
     }
 }
 
+tdmf_fall tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d) {
+    const double by_mass = d->model.inverse_body_mass * equations->model->parameters.body.mass;
+    tdmf_fall d_push = tdmf_push_on_body(equations->model, &d->inputs);
+    d_push.x += by_mass * equations->push.x;
+    d_push.y += by_mass * equations->push.y;
+    return d_push;
+}
+
+tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
+    const tdmf_fall fall = tdmf_fall_of_center(equations->model, equations->push);
+    const double share = equations->model->body_share;
+    const tdmf_fall rate = {share * equations->push_rate.x, share * equations->push_rate.y};
+    const tdmf_point com = {
+        .x = equations->com_x + t * (equations->com_vx + t * (0.5 * fall.x + t * rate.x / 6.0)),
+        .y = equations->com_y + t * (equations->com_vy + t * (0.5 * fall.y + t * rate.y / 6.0)),
+        .vx = equations->com_vx + t * (fall.x + 0.5 * t * rate.x),
+        .vy = equations->com_vy + t * (fall.y + 0.5 * t * rate.y),
+    };
+    return com;
+}
+
 /* theta of a body that stands over the foot at (x, y) in the ground's axes. */
 static double angle_seen(const tdmf_mode_equations *equations, double x, double y) {
     return atan2(-x, y) + equations->ground.slope;
@@ -74,6 +95,17 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
     equations->static_friction_rate = tdmf_static_friction(model, rates);
 }
 
+static void open_forcing(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                         const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    equations->is_forced = tdmf_is_pushed(inputs) || tdmf_is_pushed(rates) || rates->leg.extension != 0.0;
+    if (equations->is_forced) {
+        equations->push = tdmf_push_on_body(equations->model, inputs);
+        equations->push_rate = tdmf_push_on_body(equations->model, rates);
+        equations->rest_length_rate = rates->leg.extension;
+        equations->opened_body = tdmf_body_along(state, direction);
+    }
+}
+
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
@@ -82,17 +114,18 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
-    equations->leg_work = state[TDMF_LEG_WORK];
     equations->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
     equations->start.length = state[TDMF_LEG_LENGTH];
     equations->start.angle = state[TDMF_LEG_ANGLE];
     equations->start.length_rate = state[TDMF_LEG_LENGTH_RATE];
     equations->start.angle_rate = state[TDMF_LEG_ANGLE_RATE];
     equations->start.work = state[TDMF_HIP_WORK];
+    equations->start.leg_work = state[TDMF_LEG_WORK];
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     equations->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
     equations->awaits_thrust =
         tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
+    open_forcing(equations, inputs, rates, state, direction);
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations, state, direction);
         open_new_ground(equations, inputs, mode);
@@ -102,7 +135,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
 }
 
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached) {
-    const double g = equations->model->parameters.gravity;
+    const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
     equations->start = *reached;
     tdmf_shift_law(&equations->law, elapsed);
     tdmf_shift_law(&equations->stance_law, elapsed);
@@ -110,9 +143,13 @@ void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_
     equations->place_time += elapsed * equations->place_rate;
     equations->friction += elapsed * equations->friction_rate;
     equations->static_friction += elapsed * equations->static_friction_rate;
-    equations->com_x += elapsed * equations->com_vx;
-    equations->com_y += elapsed * (equations->com_vy - 0.5 * g * elapsed);
-    equations->com_vy -= g * elapsed;
+    equations->com_x = com.x;
+    equations->com_y = com.y;
+    equations->com_vx = com.vx;
+    equations->com_vy = com.vy;
+    equations->rest_length += elapsed * equations->rest_length_rate;
+    equations->push.x += elapsed * equations->push_rate.x;
+    equations->push.y += elapsed * equations->push_rate.y;
 }
 
 void tdmf_end_friction(tdmf_mode_equations *equations) {
@@ -123,7 +160,7 @@ void tdmf_end_friction(tdmf_mode_equations *equations) {
 /* The foot hangs below the ballistic centre of mass, at the body's share of the leg. */
 static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, double elapsed,
                                        const tdmf_mode_coordinates *at, double state[TDMF_STATE_COUNT]) {
-    const double g = equations->model->parameters.gravity;
+    const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
     const double share = equations->model->body_share;
     state[TDMF_LEG_LENGTH] = at->length;
     state[TDMF_LEG_ANGLE] = at->angle;
@@ -131,11 +168,10 @@ static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, dou
     state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     const tdmf_point body = tdmf_body_from_foot(state, direction);
-    state[TDMF_FOOT_X] = equations->com_x + elapsed * equations->com_vx - share * body.x;
-    state[TDMF_FOOT_Y] =
-        equations->com_y + elapsed * (equations->com_vy - 0.5 * g * elapsed) - share * body.y;
-    state[TDMF_FOOT_VX] = equations->com_vx - share * body.vx;
-    state[TDMF_FOOT_VY] = equations->com_vy - g * elapsed - share * body.vy;
+    state[TDMF_FOOT_X] = com.x - share * body.x;
+    state[TDMF_FOOT_Y] = com.y - share * body.y;
+    state[TDMF_FOOT_VX] = com.vx - share * body.vx;
+    state[TDMF_FOOT_VY] = com.vy - share * body.vy;
     return direction;
 }
 
@@ -157,6 +193,20 @@ static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equation
     return tdmf_leg_direction_of(state);
 }
 
+/* By parts: the force by the body's way, less what the force has gained along it. */
+static double external_work(const tdmf_mode_equations *equations, double elapsed,
+                            const tdmf_mode_coordinates *at, const double state[TDMF_STATE_COUNT],
+                            tdmf_leg_direction direction) {
+    const tdmf_fall push = equations->push, rate = equations->push_rate;
+    if (!equations->is_forced) {
+        return equations->external_work;
+    }
+    const tdmf_point body = tdmf_body_along(state, direction), from = equations->opened_body;
+    const double work_of_mass =
+        (push.x + elapsed * rate.x) * (body.x - from.x) + (push.y + elapsed * rate.y) * (body.y - from.y);
+    return equations->external_work + equations->model->parameters.body.mass * work_of_mass - at->shortfall;
+}
+
 tdmf_leg_direction tdmf_state_in_mode(const tdmf_mode_equations *equations, double elapsed,
                                       const tdmf_mode_coordinates *coordinates,
                                       double state[TDMF_STATE_COUNT]) {
@@ -165,8 +215,10 @@ tdmf_leg_direction tdmf_state_in_mode(const tdmf_mode_equations *equations, doub
     state[TDMF_ENERGY_DAMPER_LOSS] = coordinates->damper_loss;
     state[TDMF_ENERGY_FRICTION_LOSS] = coordinates->friction_loss;
     state[TDMF_HIP_POSITIVE_WORK] = equations->positive_work;
-    state[TDMF_LEG_WORK] = equations->leg_work;
-    state[TDMF_ENERGY_EXTERNAL_WORK] = equations->external_work;
-    return equations->contact == TDMF_CONTACT_FLIGHT ? write_flight(equations, elapsed, coordinates, state)
-                                                     : write_standing_leg(equations, coordinates, state);
+    state[TDMF_LEG_WORK] = coordinates->leg_work;
+    const tdmf_leg_direction direction = equations->contact == TDMF_CONTACT_FLIGHT
+                                             ? write_flight(equations, elapsed, coordinates, state)
+                                             : write_standing_leg(equations, coordinates, state);
+    state[TDMF_ENERGY_EXTERNAL_WORK] = external_work(equations, elapsed, coordinates, state, direction);
+    return direction;
 }

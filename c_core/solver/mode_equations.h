@@ -2,7 +2,9 @@
 #ifndef TDMF_SOLVER_MODE_EQUATIONS_H
 #define TDMF_SOLVER_MODE_EQUATIONS_H
 
+#include "free_fall.h"
 #include "hip_law.h"
+#include "kinematics.h"
 #include "leg.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
@@ -15,6 +17,9 @@ typedef struct {
      * where the line is. */
     double x, y, vx, vy, foot_x, foot_vx;
     double work, damper_loss, friction_loss;
+    /* Where inputs ramp: the work of the leg, and what the external work falls short of the force now by the
+     * body's way since the equations were opened. */
+    double leg_work, shortfall;
 } tdmf_mode_coordinates;
 
 /* The equations of one mode from one instant on. */
@@ -31,18 +36,27 @@ typedef struct {
     tdmf_hip_law servo, stance_law;
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
-    double rest_length;                  /* of the leg */
-    bool awaits_thrust;                  /* contact: its greatest compression is an event to come */
-    double com_x, com_y, com_vx, com_vy; /* flight, at the start */
-    double place_time, place_rate;       /* time since place began, and 1 in place, else 0 */
+    double rest_length, rest_length_rate; /* of the leg */
+    bool awaits_thrust;                   /* contact: its greatest compression is an event to come */
+    tdmf_fall push, push_rate;            /* of the body by the external force */
+    bool is_forced;                       /* pushed, or inputs ramp that push or lengthen the leg */
+    tdmf_point opened_body;               /* where forced: the body, when the equations were opened */
+    double com_x, com_y, com_vx, com_vy;  /* flight, at the start */
+    double place_time, place_rate;        /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
-    double positive_work, leg_work, external_work;
+    double positive_work, external_work;
 } tdmf_mode_equations;
 
 /* The equations of a mode at an instant. */
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction);
+
+/* The change of the push. */
+tdmf_fall tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d);
+
+/* The centre of mass in flight, after `elapsed`. */
+tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double elapsed);
 
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached);

@@ -38,9 +38,16 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
     tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, com, d_state);
 }
 
+/* The change of the centre of mass's acceleration. */
+static tdmf_fall vary_fall(const tdmf_mode_equations *equations, const tdmf_change *change) {
+    const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
+    return tdmf_vary_fall_of_center(equations->model, equations->push, &d.model,
+                                    tdmf_vary_push(equations, &d));
+}
+
 static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
                            const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
-    const double d_gravity = change->parameters.gravity;
+    const tdmf_fall d_fall = vary_fall(step->equations, change);
     varied_mode->at.length = series_at(tangent->length, step->order, t);
     varied_mode->at.length_rate = series_at(tangent->length_rate, step->order, t);
     varied_mode->at.angle = series_at(tangent->angle, step->order, t);
@@ -51,9 +58,10 @@ static void advance_flight(const tdmf_step *step, double t, const tdmf_change *c
         (series_at(tangent->momentum, step->order, t) - 2.0 * momentum / r * varied_mode->at.length) /
         (r * r);
     varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
-    varied_mode->com_x += t * varied_mode->com_vx;
-    varied_mode->com_y += t * (varied_mode->com_vy - 0.5 * d_gravity * t);
-    varied_mode->com_vy -= t * d_gravity;
+    varied_mode->com_x += t * (varied_mode->com_vx + 0.5 * d_fall.x * t);
+    varied_mode->com_y += t * (varied_mode->com_vy + 0.5 * d_fall.y * t);
+    varied_mode->com_vx += t * d_fall.x;
+    varied_mode->com_vy += t * d_fall.y;
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -148,7 +156,10 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
         const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
         const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
-        vary_flight(&coefficients, &step->series.flight, &varied, start, order, flight);
+        const flight_forcing varied_forcing = tdmf_vary_flight_forcing(step->equations, &d);
+        const flight_forcing *forcing = step->equations->is_forced ? &step->constants.flight.forcing : NULL;
+        vary_flight(&coefficients, forcing, &step->series.flight, &varied, &varied_forcing, start, order,
+                    flight);
         add_sizes(flight->length, scales->length, order, sizes);
         add_sizes(flight->length_rate, scales->speed, order, sizes);
         add_sizes(flight->angle, 1.0, order, sizes);

@@ -30,6 +30,7 @@ typedef struct {
     integration_end end;
     tdmf_inputs inputs; /* at motion->time */
     tdmf_inputs rates;
+    bool inputs_ramp;
     tdmf_motion *motion; /* its state is that of the last event; the equations may be ahead of it */
     bool equations_are_ahead;
     tdmf_leg_direction direction; /* of the state */
@@ -43,7 +44,7 @@ typedef struct {
     int false_crossings; /* since the mode changed or a step was whole */
     /* First variations, if any: as of the last event, and where the equations are. */
     int count;
-    bool varies_thrust;
+    bool varies_thrust, varies_push;
     const tdmf_change *changes;
     tdmf_variation *variations;
     tdmf_mode_variation varied_mode[TDMF_VARIATION_LIMIT];
@@ -82,6 +83,7 @@ static void open_mode(integration *integration) {
                    &motion->mode, motion->state, integration->direction);
     integration->equations.awaits_thrust |=
         integration->varies_thrust && tdmf_is_loaded(&motion->mode) && !motion->mode.thrusts;
+    integration->equations.is_forced |= integration->varies_push;
     integration->equations_are_ahead = false;
     for (int i = 0; i < integration->count; ++i) {
         integration->varied_mode[i] = tdmf_open_mode_variation(
@@ -146,12 +148,17 @@ static void move_time(integration *integration, double elapsed) {
 
 static void move_inputs(integration *integration, double elapsed) {
     const bool friction_ends = elapsed >= time_to_no_friction(integration);
+    if (!integration->inputs_ramp) {
+        return;
+    }
     integration->inputs = tdmf_inputs_after(&integration->inputs, &integration->rates, elapsed);
     if (friction_ends) {
         integration->inputs.ground.friction = 0.0;
         integration->rates.ground.friction = 0.0;
         tdmf_end_friction(&integration->equations);
     }
+    integration->motion->mode.rest_length =
+        tdmf_rest_length(integration->model, &integration->inputs, &integration->motion->mode);
 }
 
 static tdmf_side side_of(const integration *integration) {
@@ -251,7 +258,8 @@ static void go_on(integration *integration, double elapsed, const tdmf_mode_coor
 
 static bool are_finite(const tdmf_mode_coordinates *c) {
     return is_finite(c->length + c->angle + c->length_rate + c->angle_rate + c->x + c->y + c->vx + c->vy +
-                     c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss);
+                     c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss + c->leg_work +
+                     c->shortfall);
 }
 
 /* By the law of a mode that is opened. Slip and graze may be over before it matters. */
@@ -282,6 +290,23 @@ static void note_step(integration *integration, double time) {
     count_step(&integration->steps, time, scale);
 }
 
+/* What ramps of inputs do along the step. */
+static void add_ramps(const integration *integration, double elapsed, tdmf_mode_coordinates *reached) {
+    if (integration->inputs_ramp && integration->equations.is_forced) {
+        reached->leg_work += tdmf_step_leg_work(&integration->step, elapsed);
+        reached->shortfall += tdmf_step_shortfall(&integration->step, elapsed);
+    }
+}
+
+/* A push that grows may have turned a fall in place into a rise. */
+static void note_rise(integration *integration) {
+    tdmf_mode *mode = &integration->motion->mode;
+    const double threshold = TDMF_DEAD_BAND * integration->model->scales.speed;
+    if (integration->inputs_ramp && mode->contact == TDMF_CONTACT_FLIGHT && !mode->rises) {
+        mode->rises = integration->equations.com_vy > threshold;
+    }
+}
+
 /* Expands the variations, and shortens the step to what all of them can be trusted for. */
 static void expand_variations(integration *integration) {
     tdmf_step *step = &integration->step;
@@ -302,6 +327,7 @@ static tdmf_outcome advance_once(integration *integration) {
         return allowed;
     }
     ++integration->solver->steps;
+    note_rise(integration);
     tdmf_step_expand(step, &integration->equations, &motion->mode,
                      tdmf_margin_factor(integration->false_crossings), integration->order,
                      integration->solver->relative_tolerance);
@@ -315,7 +341,8 @@ static tdmf_outcome advance_once(integration *integration) {
     }
     tdmf_step_shorten(step, smaller(time_left(integration), time_to_no_friction(integration)));
     const tdmf_step_end end = tdmf_step_find_end(step, &motion->mode);
-    const tdmf_mode_coordinates reached = tdmf_step_at(step, end.time);
+    tdmf_mode_coordinates reached = tdmf_step_at(step, end.time);
+    add_ramps(integration, end.time, &reached);
     if (!are_finite(&reached)) {
         return TDMF_NO_PROGRESS;
     }
@@ -346,6 +373,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->end = AT_TIME;
     integration->inputs = *inputs;
     integration->rates = *rates;
+    integration->inputs_ramp = !tdmf_are_held(rates);
     integration->motion = motion;
     integration->until = until;
     motion->record.now = tdmf_record_instant(&motion->record, motion->time);
@@ -354,7 +382,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->events_left = solver->event_limit;
     integration->false_crossings = 0;
     integration->count = 0;
-    integration->varies_thrust = false;
+    integration->varies_thrust = integration->varies_push = false;
     integration->events_in_span = 0;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
@@ -427,6 +455,7 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, const td
     for (int i = 0; i < count; ++i) {
         integration->varies_thrust |=
             changes[i].parameters.leg.thrust != 0.0 || changes[i].inputs.control.thrust != 0.0;
+        integration->varies_push |= tdmf_is_pushed(&changes[i].inputs);
     }
     open_mode(integration);
     return true;

@@ -4,6 +4,7 @@
 #include "flight_guards.h"
 #include "friction.h"
 #include "ground_guards.h"
+#include "series_sums.h"
 
 int tdmf_step_order(double tolerance) {
     const int order = (int)ceil(-2.0 * log10(tolerance));
@@ -29,8 +30,8 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
 
 static double expand_leg_in_flight(tdmf_step *step) {
     const flight_coordinates at = tdmf_step_flight_coordinates(&step->equations->start);
-    return expand_flight_step(&step->constants.flight, &at, step->order, step->tolerance,
-                              &step->series.flight, &step->longest);
+    return expand_flight_step(&step->constants.flight, &at, step->equations->is_forced, step->order,
+                              step->tolerance, &step->series.flight, &step->longest);
 }
 
 static double expand_standing_leg(tdmf_step *step) {
@@ -98,7 +99,8 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
     const ballistic com = tdmf_step_center_of_mass(step->equations);
     const flight_case is = {.rising = mode->rises,
                             .retracts = mode->phase == TDMF_PHASE_RETRACT,
-                            .awaits_ground = step->equations->ground_waits};
+                            .awaits_ground = step->equations->ground_waits,
+                            .forced = step->equations->is_forced};
     watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com, is,
                  step->tolerance);
 }
@@ -167,4 +169,70 @@ double tdmf_step_work(const tdmf_step *step, double time) {
                            turned);
     }
     return ground_work(&step->series.ground, tdmf_step_ground_case(step), step->order, &elapsed);
+}
+
+/* ---- ramps of inputs ---------------------------------------------------------------------------------- */
+
+/* The integral of k (l - r) by the rate of l. */
+double tdmf_step_leg_work(const tdmf_step *step, double time) {
+    const tdmf_mode_equations *equations = step->equations;
+    const double *length = flies(step) ? step->series.flight.length : step->series.ground.length;
+    const double rate = equations->rest_length_rate;
+    const double stretch = time * (equations->rest_length + 0.5 * time * rate);
+    return equations->model->parameters.leg.stiffness * rate *
+           (stretch - series_integral(length, step->order, time));
+}
+
+typedef struct {
+    double x, y;
+} place_integral; /* m.s */
+
+/* The centre of mass, and the body's way from it. */
+static place_integral integrate_body_in_flight(const tdmf_step *step, double t) {
+    const tdmf_mode_equations *equations = step->equations;
+    const flight_series *f = &step->series.flight;
+    const tdmf_fall fall = tdmf_fall_of_center(equations->model, equations->push);
+    const double share = equations->model->body_share, rest = 1.0 - share;
+    const int order = step->order - 1;
+    double across[SERIES_TERMS], along[SERIES_TERMS];
+    for (int k = 0; k <= order; ++k) {
+        across[k] = product(f->length, f->sine, k);
+        along[k] = product(f->length, f->cosine, k);
+    }
+    const place_integral integral = {
+        t * (equations->com_x +
+             t * (equations->com_vx / 2.0 + t * (fall.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
+            rest * series_integral(across, order, t),
+        t * (equations->com_y +
+             t * (equations->com_vy / 2.0 + t * (fall.y / 6.0 + t * share * equations->push_rate.y / 24.0))) +
+            rest * series_integral(along, order, t),
+    };
+    return integral;
+}
+
+/* The foot, and the body's place as seen from it. */
+static place_integral integrate_body_on_ground(const tdmf_step *step, double t) {
+    const ground_series *g = &step->series.ground;
+    double foot_way[SERIES_TERMS] = {0.0};
+    for (int k = 0; k < step->order; ++k) {
+        foot_way[k + 1] = g->foot_vx[k] * series_reciprocal[k + 1];
+    }
+    const tdmf_ground_line *ground = &step->equations->ground;
+    const double along = t * step->equations->start.foot_x + series_integral(foot_way, step->order, t) +
+                         series_integral(g->x, step->order, t);
+    const double off = series_integral(g->y, step->order, t);
+    const place_integral integral = {
+        ground->cosine * along - ground->sine * off,
+        t * ground->height + ground->sine * along + ground->cosine * off,
+    };
+    return integral;
+}
+
+double tdmf_step_shortfall(const tdmf_step *step, double time) {
+    const tdmf_mode_equations *equations = step->equations;
+    const place_integral body =
+        flies(step) ? integrate_body_in_flight(step, time) : integrate_body_on_ground(step, time);
+    const tdmf_point from = equations->opened_body;
+    return equations->model->parameters.body.mass * (equations->push_rate.x * (body.x - time * from.x) +
+                                                     equations->push_rate.y * (body.y - time * from.y));
 }

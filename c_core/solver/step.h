@@ -59,6 +59,11 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 /* Coordinates at a time within the step. */
 tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double time);
 
+/* Where inputs ramp, what the step adds to the coordinates' leg work and to their shortfall of external work.
+ */
+double tdmf_step_leg_work(const tdmf_step *step, double elapsed);
+double tdmf_step_shortfall(const tdmf_step *step, double elapsed);
+
 /* Hip work since the step's start. */
 double tdmf_step_work(const tdmf_step *step, double time);
 

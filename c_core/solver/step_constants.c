@@ -33,17 +33,32 @@ static height_above height_over(const tdmf_ground_line *line, const tdmf_mode_eq
 }
 
 ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
+    const double share = equations->model->body_share;
     ballistic com = {.ground = height_over(&equations->ground, equations), .rise_rate = equations->com_vy};
     if (equations->ground_waits) {
         com.new_ground = height_over(&equations->new_ground, equations);
     }
+    if (equations->is_forced) {
+        com.normal_jerk = share * tdmf_off_line(&equations->ground, equations->push_rate);
+        com.rise_jerk = share * equations->push_rate.y;
+        com.new_normal_jerk = share * tdmf_off_line(&equations->new_ground, equations->push_rate);
+    }
     return com;
+}
+
+/* Of the centre of mass: its weight, less what pushes it up. */
+static void set_forcing(const tdmf_mode_equations *equations, flight_constants *constants) {
+    const tdmf_fall fall = tdmf_fall_of_center(equations->model, equations->push);
+    constants->mode.gravity = -fall.y;
+    constants->normal_gravity = -tdmf_off_line(&equations->ground, fall);
+    constants->new_normal_gravity = -tdmf_off_line(&equations->new_ground, fall);
+    constants->forcing = tdmf_flight_forcing(equations);
 }
 
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
     const double gravity = equations->model->parameters.gravity;
-    const flight_constants constants = {
+    flight_constants constants = {
         .mode = mode_constants_of(equations->model, margin_factor),
         .law = tdmf_flight_coefficients(equations),
         .inverse_mobility = 1.0 / equations->model->mobility,
@@ -54,6 +69,9 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
         .new_slope = equations->new_ground.slope,
         .new_normal_gravity = gravity * equations->new_ground.cosine,
     };
+    if (equations->is_forced) {
+        set_forcing(equations, &constants);
+    }
     return constants;
 }
 

@@ -133,6 +133,16 @@ static void note_factor(changing_factors *changing, const factor *f, double end)
     changing->of[changing->count++].is_monotone = is_monotone;
 }
 
+/* By what it makes of the momentum. */
+static factor torque_in_flight(const tdmf_step *step, double zero) {
+    const flight_series *flight = &step->series.flight;
+    factor f = derivative_of(step, flight->momentum, step->order, zero);
+    for (int k = 0; k <= f.order && step->equations->is_forced; ++k) {
+        f.c[k] -= flight->push_moment[k] * step->search.power[k];
+    }
+    return f;
+}
+
 static void note_factors_in_flight(const tdmf_step *step, double zero, double end,
                                    changing_factors *changing) {
     const double *momentum = step->series.flight.momentum;
@@ -141,9 +151,8 @@ static void note_factors_in_flight(const tdmf_step *step, double zero, double en
         const factor f = factor_of(step, momentum, step->order, zero);
         note_factor(changing, &f, end);
     }
-    if (!keep_sign(sums.rate)) {
-        const factor f =
-            derivative_of(step, momentum, step->order, zero / step->equations->model->scales.time);
+    if (step->equations->is_forced || !keep_sign(sums.rate)) {
+        const factor f = torque_in_flight(step, zero / step->equations->model->scales.time);
         note_factor(changing, &f, end);
     }
 }

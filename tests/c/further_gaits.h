@@ -18,7 +18,7 @@ typedef struct {
     double jacobian[6][6];                          /* of the return map, in the order of the apex */
 } further_gait;
 
-enum { FURTHER_GAITS = 13 };
+enum { FURTHER_GAITS = 15 };
 
 extern const further_gait further_gaits[FURTHER_GAITS];
 

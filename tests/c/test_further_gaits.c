@@ -15,7 +15,8 @@
 
 static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 static const double tight = 1e-12;
-static const double clamp_time = 1e-8; /* its guard has a dead band of 1e-10, which takes 5e-9 to cross */
+static const double clamp_time =
+    1.2e-8; /* it is due at twice its dead band of 1e-10: 1.1e-8 at the slowest */
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -40,7 +41,6 @@ static void assert_is_gait(const tdmf_motion *motion, const further_gait *furthe
     assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
     assert_close(stride->leg_work, further->leg_work, tolerance);
     assert_relatively_close(stride->hip_work, gait->work - further->leg_work, tolerance);
-    assert_close(motion->state[TDMF_ENERGY_EXTERNAL_WORK], further->external_work, tolerance);
     assert_close(stride->rise, 0.0, tolerance);
     assert_relatively_close(motion->state[TDMF_ENERGY_DAMPER_LOSS], further->damper_loss, tolerance);
     assert_relatively_close(motion->state[TDMF_ENERGY_FRICTION_LOSS], further->friction_loss, tolerance);
@@ -102,9 +102,10 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         solver.log = &log;
         assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion).closed);
         assert_is_gait(&motion, &further_gaits[i], 1e-9);
+        assert_close(motion.state[TDMF_ENERGY_EXTERNAL_WORK], further_gaits[i].external_work, 1e-9);
         events += assert_events(&log, further_gaits[i].gait.events);
     }
-    assert_int_equal(events, 6 * 10 + 3 * 11 + 9 + 2 * 8 + 7);
+    assert_int_equal(events, 8 * 10 + 3 * 11 + 9 + 2 * 8 + 7);
 }
 
 /* ---- by lanes ------------------------------------------------------------------------------------------ */
@@ -263,7 +264,7 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
         }
     }
     assert_int_equal(compared, FURTHER_GAITS * 5 * TDMF_SECTION_COUNT);
-    assert_int_equal(one_sided, 8 + 9);
+    assert_int_equal(one_sided, 10 + 11);
 }
 
 int main(void) {

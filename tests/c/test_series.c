@@ -54,7 +54,11 @@ static void assert_rate(const double *a, const double *rate, int k) {
 
 /* ---- flight ------------------------------------------------------------------------------------------- */
 
-enum { FLIGHT_COEFFICIENTS = sizeof(flight_coefficients) / sizeof(double), FLIGHT_START = 4 };
+enum {
+    FLIGHT_COEFFICIENTS = sizeof(flight_coefficients) / sizeof(double),
+    FLIGHT_FORCING = sizeof(flight_forcing) / sizeof(double),
+    FLIGHT_START = 4
+};
 
 static void draw(random_source *source, double *numbers, int count) {
     for (int i = 0; i < count; ++i) {
@@ -62,9 +66,41 @@ static void draw(random_source *source, double *numbers, int count) {
     }
 }
 
-static void assert_flight(const flight_coefficients *a, const flight_series *f, int order) {
+/* Coefficient k of what is constant but for a ramp. */
+static double ramp(int k, double value, double rate) {
+    return k == 0 ? value : k == 1 ? rate : 0.0;
+}
+
+/* Sine and cosine of the angle, and what the push adds to the force along the leg and to the torque. */
+static void assert_forcing(const flight_forcing *p, const flight_series *f, int k, balance *force,
+                           balance *torque) {
+    const double x[] = {p->push_x, p->push_x_rate}, y[] = {p->push_y, p->push_y_rate};
+    balance sine = {0.0, 0.0}, cosine = {0.0, 0.0};
+    if (k > 0) {
+        add(&sine, -k * f->sine[k]);
+        add_product(&sine, 1.0, f->angle_rate, f->cosine, k - 1);
+        assert_balance(&sine);
+        add(&cosine, -k * f->cosine[k]);
+        add_product(&cosine, -1.0, f->angle_rate, f->sine, k - 1);
+        assert_balance(&cosine);
+    }
+    for (int i = 0; i < 2 && i <= k; ++i) {
+        add(force, y[i] * f->cosine[k - i] - x[i] * f->sine[k - i]);
+        for (int j = 0; j <= k - i; ++j) {
+            const int rest = k - i - j;
+            add(torque, -f->length[j] * (x[i] * f->cosine[rest] + y[i] * f->sine[rest]));
+        }
+    }
+}
+
+static void assert_flight(const flight_coefficients *a, const flight_forcing *p, const flight_series *f,
+                          int order) {
+    static const flight_forcing none;
     for (int k = 0; k < order; ++k) {
         balance force = {0.0, 0.0}, torque = {0.0, 0.0};
+        if (p != NULL) {
+            assert_forcing(p, f, k, &force, &torque);
+        }
         assert_rate(f->length, f->length_rate, k);
         assert_rate(f->angle, f->angle_rate, k);
         assert_product(f->square, f->length, f->length, k);
@@ -73,7 +109,7 @@ static void assert_flight(const flight_coefficients *a, const flight_series *f, 
         assert_product(f->speed_square, f->length_rate, f->length_rate, k);
         add(&force, -(k + 1) * f->length_rate[k + 1]);
         add_product(&force, 1.0, f->length, f->rate_square, k);
-        add(&force, k == 0 ? a->stiffness * a->rest_length : 0.0);
+        add(&force, a->stiffness * ramp(k, a->rest_length, (p != NULL ? p : &none)->rest_length_rate));
         add(&force, -a->stiffness * f->length[k]);
         add(&force, -a->damping * f->length_rate[k]);
         assert_balance(&force);
@@ -93,15 +129,19 @@ static void flight_solves_its_equations_at_any_order(void **state) {
     for (int order = LEAST_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
         for (int run = 0; run < RUNS; ++run) {
             flight_coefficients coefficients;
+            flight_forcing forcing;
             double start[FLIGHT_START];
             flight_series f;
             draw(&source, &coefficients.mobility, FLIGHT_COEFFICIENTS);
             draw(&source, start, FLIGHT_START);
-            expand_flight(&coefficients, start, order, &f);
-            assert_flight(&coefficients, &f, order);
+            expand_flight(&coefficients, NULL, start, order, &f);
+            assert_flight(&coefficients, NULL, &f, order);
+            draw(&source, &forcing.push_x, FLIGHT_FORCING);
+            expand_flight(&coefficients, &forcing, start, order, &f);
+            assert_flight(&coefficients, &forcing, &f, order);
         }
     }
-    assert_int_equal(balanced, 21 * RUNS * 8 * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2);
+    assert_int_equal(balanced, 21 * RUNS * (18 * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2 - 2));
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -128,7 +168,7 @@ static void draw_ground(random_source *source, ground_case is, ground_coefficien
 static void assert_forces(const ground_coefficients *c, const ground_series *g, ground_case is, int k) {
     balance leg = {0.0, 0.0}, along = {0.0, 0.0}, up = {0.0, 0.0}, friction = {0.0, 0.0};
     add_product(&leg, -1.0, g->length, g->axial, k);
-    add(&leg, k == 0 ? c->stiffness * c->rest_length : 0.0);
+    add(&leg, c->stiffness * ramp(k, c->rest_length, c->rest_length_rate));
     add(&leg, -c->stiffness * g->length[k]);
     add(&leg, -c->damping * g->length_rate[k]);
     assert_balance(&leg);
@@ -172,12 +212,14 @@ static void assert_motion(const ground_coefficients *c, const ground_series *g, 
     assert_balance(&foot);
     add(&along, -(k + 1) * g->vx[k + 1]);
     add(&along, -c->inverse_body_mass * g->tangential_push[k]);
-    add(&along, k == 0 ? -c->inverse_body_mass * c->foot_weight_x - c->gravity_x : 0.0);
+    add(&along, k == 0 ? -c->inverse_body_mass * c->foot_weight_x : 0.0);
     add(&along, -g->foot_acceleration[k]);
+    add(&along, -ramp(k, c->gravity_x, c->gravity_x_rate));
     assert_balance(&along);
     add(&up, -(k + 1) * g->vy[k + 1]);
     add(&up, c->inverse_body_mass * g->normal_force[k]);
-    add(&up, k == 0 ? -c->inverse_body_mass * c->foot_weight_y - c->gravity_y : 0.0);
+    add(&up, k == 0 ? -c->inverse_body_mass * c->foot_weight_y : 0.0);
+    add(&up, -ramp(k, c->gravity_y, c->gravity_y_rate));
     assert_balance(&up);
     add(&moment, -g->moment[k]);
     add_product(&moment, 1.0, g->x, g->vy, k);
@@ -274,6 +316,8 @@ static void flight_varies_as_it_changes(void **state) {
     balanced = 0;
     for (int run = 0; run < RUNS; ++run) {
         flight_coefficients a, d, moved;
+        flight_forcing p, d_p, moved_p;
+        const bool forced = run % 2 == 1;
         double start[FLIGHT_START], d_start[FLIGHT_START], moved_start[FLIGHT_START];
         flight_series f, side[2];
         flight_variation t;
@@ -281,13 +325,16 @@ static void flight_varies_as_it_changes(void **state) {
         draw(&source, &d.mobility, FLIGHT_COEFFICIENTS);
         draw(&source, start, FLIGHT_START);
         draw(&source, d_start, FLIGHT_START);
-        expand_flight(&a, start, VARIED_ORDER, &f);
-        vary_flight(&a, &f, &d, d_start, VARIED_ORDER, &t);
+        draw(&source, &p.push_x, FLIGHT_FORCING);
+        draw(&source, &d_p.push_x, FLIGHT_FORCING);
+        expand_flight(&a, forced ? &p : NULL, start, VARIED_ORDER, &f);
+        vary_flight(&a, forced ? &p : NULL, &f, &d, &d_p, d_start, VARIED_ORDER, &t);
         for (int i = 0; i < 2; ++i) {
             const double share = i == 0 ? little : -little;
             move(&a.mobility, &d.mobility, share, FLIGHT_COEFFICIENTS, &moved.mobility);
             move(start, d_start, share, FLIGHT_START, moved_start);
-            expand_flight(&moved, moved_start, VARIED_ORDER, &side[i]);
+            move(&p.push_x, &d_p.push_x, share, FLIGHT_FORCING, &moved_p.push_x);
+            expand_flight(&moved, forced ? &moved_p : NULL, moved_start, VARIED_ORDER, &side[i]);
         }
         assert_derivative(t.length, side[0].length, side[1].length);
         assert_derivative(t.length_rate, side[0].length_rate, side[1].length_rate);
