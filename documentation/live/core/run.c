@@ -40,10 +40,10 @@ int live_samples_counted(void) {
     return sample_count;
 }
 
-/* Writes the state at the apex in the section; its foot is above x = 0. */
+/* Writes the state at the apex in the section; its foot is at x = 0. */
 LIVE_EXPORT(live_state_at_section)
 void live_state_at_section(void) {
-    tdmf_section_state(&live.model, live.section, start_state);
+    tdmf_section_state(&live.model, &live.inputs, live.section, start_state);
 }
 
 /* Writes the section that has the height above the ground, the forward speed and the leg of the state. */
@@ -92,13 +92,12 @@ static void sample(double time, const tdmf_mode *mode, const double state[TDMF_S
         return;
     }
     const tdmf_ground_force force = tdmf_contact_force(&live.model, &live.inputs, mode, state);
-    const tdmf_ground_line *line = &mode->ground;
     double *row = samples[sample_count++];
     row[SAMPLE_TIME] = time;
     row[SAMPLE_FOOT_X] = state[TDMF_FOOT_X];
-    row[SAMPLE_VELOCITY] = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
-    row[SAMPLE_TANGENTIAL] = line->cosine * force.fx + line->sine * force.fy;
-    row[SAMPLE_NORMAL] = line->cosine * force.fy - line->sine * force.fx;
+    row[SAMPLE_VELOCITY] = tdmf_foot_over_ground(&mode->ground, state).vx;
+    row[SAMPLE_TANGENTIAL] = force.tangential;
+    row[SAMPLE_NORMAL] = force.normal;
     row[SAMPLE_MODE] = mode->contact;
 }
 
