@@ -1,5 +1,7 @@
 from .analysis.basin import basin
 from .analysis.branch import Branch
+from .analysis.curve import Curve
+from .analysis.curves import continue_curves
 from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
@@ -18,6 +20,7 @@ from .version import __version__
 
 __all__ = [
     "Branch",
+    "Curve",
     "InputError",
     "Orbit",
     "Profile",
@@ -31,6 +34,7 @@ __all__ = [
     "__version__",
     "basin",
     "continue_branch",
+    "continue_curves",
     "find_orbit",
     "fmu_path",
     "load",

@@ -1,16 +1,19 @@
 """The command `continue`: a branch of gaits along a parameter, with all that happens on it."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
 
 from ..analysis.bifurcations import Special
 from ..analysis.branch import Branch
+from ..analysis.curves import continue_curves
 from ..analysis.steps import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MOST_POINTS, continue_branch
 from ..errors import InputError
 from ..files.whole import check_place
 from ..library.members import check_varied
+from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.unit import Unit, load
 from .options import (
@@ -37,7 +40,7 @@ from .runner import runner_of
     multiple=True,
     metavar="NAME=A:B",
     help="Parameter or input that is varied, as in ground.friction=0.6:0.2 or "
-    "hip.touchdown_angle='40 deg:60 deg'.",
+    "hip.touchdown_angle='40 deg:60 deg'. Given twice: curves of special points over two parameters.",
 )
 @FRICTION_OPTION
 @click.option(
@@ -90,22 +93,28 @@ def continue_command(
 
     Folds, period doublings, Neimark-Sacker points and borders between words are located; a point that cannot
     be judged is told as such. From period doublings the gaits of two strides are followed, too. Where there
-    is no gait at A, the branch begins where there is one and is followed both ways.
+    is no gait at A, the branch begins where there is one and is followed both ways. Over two parameters, the
+    special points that the branch over the first one has are followed as curves.
     """
     unit = load()
     given = values_given(friction, settings)
     spans = dict(_span(unit, text) for text in ranges)
     for name in spans:
         refuse_given(given, name, "--over")
-    if len(spans) != 1 or len(ranges) != 1:
-        raise InputError(f"--over: given {len(ranges)} times; allowed: once")
+    if len(spans) != len(ranges) or len(spans) > 2:
+        raise InputError(f"--over is given {len(ranges)} times; allowed: once, or twice for two parameters")
     if output is not None:
         check_place(output, (".nc",), "--output")
     if plot is not None:
-        from ..pictures import branch_diagram, overview  # matplotlib is slow to load
+        from ..pictures import overview  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
     runner = runner_of(unit, parameters, given, model)
+    if len(spans) == 2:
+        if output is not None:
+            raise InputError("--output: curves over two parameters have no file; allowed: with one --over")
+        _curves(runner, spans, points, plot, as_json_object, unit)
+        return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
         runner,
@@ -123,8 +132,32 @@ def continue_command(
 
         write_dataset(output, branch.to_xarray(unit))
     if plot is not None:
+        from ..pictures import branch_diagram
+
         branch_diagram.draw(plot, branch, quantity)
     print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, unit))
+
+
+def _curves(
+    runner: Runner,
+    spans: Mapping[str, tuple[float, float]],
+    points: int,
+    plot: Path | None,
+    as_json_object: bool,
+    unit: Unit,
+) -> None:
+    found = continue_curves(runner, spans, most_points=points, show_progress=True, unit=unit)
+    if plot is not None:
+        from ..pictures import curve_diagram
+
+        curve_diagram.draw(plot, found, tuple(spans))
+    if as_json_object:
+        print(json_text({"over": list(spans), "curves": [curve.as_json() for curve in found]}))
+        return
+    for curve in found:
+        words = f" {' to '.join(curve.words)}" if curve.words else ""
+        print(f"{curve.kind}{words}: {len(curve.points)} points ({curve.began}; {curve.ended})")
+        print(table(tuple(spans), [tuple(f"{v:.10g}" for v in pair) for pair in curve.points]))
 
 
 def _span(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:

@@ -1,0 +1,60 @@
+"""A curve of special points over two parameters, and the ranges that it is followed in."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+LONGEST = 1 / 15
+"""Of the ranges: a step along a curve."""
+SHORTEST = 1e-4
+"""Likewise: where no step of this length finds the next point, the curve ends."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Special points of one kind over two parameters."""
+
+    kind: str
+    """fold, period doubling, Neimark-Sacker, or word border."""
+    names: tuple[str, str]
+    """Of the parameters or inputs."""
+    points: NDArray[np.float64]
+    """Both parameters at each point, shape (points, 2), in the curve's order."""
+    began: str
+    """Why it has no earlier points."""
+    ended: str
+    """Why it has no more."""
+    words: tuple[str, str] | None = None
+    """On both sides of a word border."""
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object; a point is a pair in the order of `over`."""
+        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
+        ends = {"began": self.began, "ended": self.ended}
+        return {"kind": self.kind, **words, "points": self.points.tolist(), **ends}
+
+
+@dataclass(frozen=True)
+class Box:
+    """The ranges of two parameters, over their scales."""
+
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    @property
+    def size(self) -> NDArray[np.float64]:
+        """Of both sides."""
+        return self.high - self.low
+
+    def outside(self, pair: NDArray[np.float64]) -> bool:
+        """Beyond one of the ranges."""
+        return bool(np.any(pair < self.low) or np.any(pair > self.high))
+
+    def share(self, begin: NDArray[np.float64], end: NDArray[np.float64]) -> float:
+        """Which part of the way from a pair inside to one outside leads to the edge."""
+        way = end - begin
+        edges = np.where(way > 0.0, self.high, self.low)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = np.where(way == 0.0, np.inf, (edges - begin) / way)
+        return float(np.clip(np.min(shares), 0.0, 1.0))

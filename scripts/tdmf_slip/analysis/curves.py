@@ -1,0 +1,219 @@
+"""Curves of special points of gaits over two parameters: bifurcations, and borders between words."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import checked_whole
+from ..errors import InputError, RunError
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
+from .curve import LONGEST, SHORTEST, Box, Curve
+from .lines import border_curve
+from .plane import Place, Plane
+from .tracing import continue_branch
+
+FARTHEST = 0.5
+"""How far a point may be from where it was predicted, over the step."""
+ON_CURVE = 0.02
+"""Of the ranges: a special point as near to a curve of its kind is on it."""
+MOST_POINTS = 10_000
+"""Of a curve, in each direction."""
+
+
+def continue_curves(
+    runner: Runner | Mapping[str, Given] | None,
+    over: Mapping[str, tuple[float, float]],
+    *,
+    most_points: int = 200,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> tuple[Curve, ...]:
+    """Curves of special points over two parameters, each followed both ways to the ranges' edges.
+
+    They begin at the special points of the branch over the first parameter, at the runner's value of the
+    second, or where that is beyond its range at the range's beginning.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float, optional
+        Whose gaits.
+    over : mapping of str to pair of float
+        By name of two parameters or inputs: the ends of their ranges.
+    most_points : int, default 200
+        Of a curve in each direction.
+    show_progress : bool, default False
+        A count of points on stderr.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    tuple of Curve
+        Of folds, period doublings, Neimark-Sacker points and word borders.
+
+    Raises
+    ------
+    InputError
+        No such parameter, a value that is not allowed, or a range without length.
+    RunError
+        There is no gait to begin with.
+    """
+    unit = load(unit)
+    runner = Runner.of(runner, unit)
+    checked_whole("most_points", most_points, 1, MOST_POINTS)
+    if len(over) != 2:
+        raise InputError(f"over {', '.join(over)}: allowed: two parameters or inputs")
+    first, second = over
+    names = (first, second)
+    spans = np.array([[unit.find(n, "over").value_of(v, f"over {n}") for v in over[n]] for n in names])
+    if np.any(spans[:, 0] == spans[:, 1]):
+        raise InputError(f"over {first} and {second}: allowed: ranges whose ends differ")
+    home = runner.values[second]
+    if not spans[1].min() <= home <= spans[1].max():
+        runner = runner.but(second, float(spans[1, 0]))
+    branch = continue_branch(runner, first, *map(float, spans[0]), switch=False, unit=unit)
+    sizes = np.array([abs(runner.values[name]) or 1.0 for name in names])
+    box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
+    found: list[Curve] = []
+    with progress.bar("curves", None, "points", show_progress) as bar:
+
+        def tell() -> None:
+            bar.update()
+
+        for special in branch.specials:
+            at = np.array([special.value, runner.values[second]]) / sizes
+            if special.kind == NOT_JUDGED or _is_on(found, special, at, sizes, box):
+                continue
+            if special.kind == WORD_BORDER:
+                curve = border_curve(runner, names, sizes, box, branch, special, most_points, tell)
+            elif special.words is None:
+                place = np.append(special.orbit.apex / runner.scales, at)
+                curve = curve_through(Plane(runner, names, special.kind), box, place, most_points, tell)
+            else:
+                continue  # on a word border, whose curve has it
+            found.append(curve)
+    return tuple(found)
+
+
+def _is_on(
+    found: Sequence[Curve],
+    special: Special,
+    at: NDArray[np.float64],
+    sizes: NDArray[np.float64],
+    box: Box,
+) -> bool:
+    """A curve that has been followed goes through a special point."""
+    for curve in found:
+        if (curve.kind, curve.words) != (special.kind, special.words) or len(curve.points) < 2:
+            continue
+        points = (curve.points / sizes - at) / box.size
+        begin, way = points[:-1], np.diff(points, axis=0)
+        share = np.clip(-np.sum(begin * way, axis=1) / np.sum(way**2, axis=1), 0.0, 1.0)
+        if np.min(np.linalg.norm(begin + share[:, None] * way, axis=1)) < ON_CURVE:
+            return True
+    return False
+
+
+def curve_through(
+    plane: Plane,
+    box: Box,
+    at: NDArray[np.float64],
+    most_points: int,
+    tell: Callable[[], None] = lambda: None,
+) -> Curve:
+    """The curve of bifurcations through one of them, both ways.
+
+    Parameters
+    ----------
+    plane : Plane
+        Whose gaits, and which kind.
+    box : Box
+        The ranges.
+    at : ndarray of float, shape (n + 2,)
+        Apex and both parameters there, over the plane's scales.
+    most_points : int
+        In each direction.
+    tell : callable, optional
+        Called after each point.
+
+    Returns
+    -------
+    Curve
+        In its order.
+    """
+    here = plane.place(at)
+    ways = [_followed(plane, box, here, sign * here.tangent, most_points, tell) for sign in (-1.0, 1.0)]
+    (back, began), (forth, ended) = ways
+    places = [*back[::-1], here, *forth]
+    points = np.array([(place.at * plane.scales)[-2:] for place in places])
+    return Curve(plane.kind, plane.names, points, began, ended)
+
+
+def _followed(
+    plane: Plane,
+    box: Box,
+    first: Place,
+    direction: NDArray[np.float64],
+    most_points: int,
+    tell: Callable[[], None],
+) -> tuple[list[Place], str]:
+    """The curve from a place on, without it, and why it stops."""
+    found: list[Place] = []
+    last, step = first, 1.0
+    while len(found) < most_points:
+        longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
+        try:
+            goal = last.at + step * longest * direction
+            following = plane.corrected(goal, direction)
+            if np.linalg.norm(following.at - goal) > FARTHEST * step * longest:
+                raise RunError("the curve turns sharply")
+        except (InputError, RunError) as problem:
+            step *= 0.5
+            if step * LONGEST < SHORTEST:
+                return found, _lost(plane, last, direction, problem)
+            continue
+        tell()
+        if box.outside(following.at[-2:]):
+            share = box.share(last.at[-2:], following.at[-2:])
+            return [*found, _at_edge(plane, box, last, following, share)], "edge of the ranges"
+        found.append(following)
+        if plane.kind == NEIMARK_SACKER and not _is_complex(following):
+            return found, "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
+        tangent = following.tangent
+        last, direction = following, tangent if tangent @ direction > 0.0 else -tangent
+        step = min(1.0, 1.5 * step)
+    return found, f"number of points: {most_points}"
+
+
+def _at_edge(plane: Plane, box: Box, last: Place, following: Place, share: float) -> Place:
+    """The place of the curve on the edge of the ranges; the last one within where it is not found."""
+    goal = last.at + share * (following.at - last.at)
+    across = np.zeros(len(goal))
+    beyond = np.maximum(box.low - following.at[-2:], following.at[-2:] - box.high) / box.size
+    across[-2 + int(np.argmax(beyond))] = 1.0
+    try:
+        return plane.corrected(goal, across)
+    except (InputError, RunError):
+        return last
+
+
+def _is_complex(place: Place) -> bool:
+    values = place.orbit.eigenvalues
+    on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
+    return bool(on_circle.imag != 0.0)
+
+
+def _lost(plane: Plane, last: Place, direction: NDArray[np.float64], problem: Exception) -> str:
+    """Why a curve cannot be followed on."""
+    try:
+        beyond = plane.strides_at(last.at + 1e-3 * direction, plane.names[0])
+    except (InputError, RunError) as fate:
+        return f"lost: just beyond, {fate}"
+    if beyond.sequence != last.orbit.sequence:
+        return f"at a word border: {last.orbit.word} becomes {beyond.word}"
+    return f"lost: {problem}"

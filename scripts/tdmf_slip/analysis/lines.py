@@ -1,0 +1,199 @@
+"""Borders between words over two parameters: located on lines across their curve."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit
+from ..library.runner import Runner
+from .bifurcations import WORD_BORDER, Special
+from .borders import Crossing, crossings
+from .branch import Branch
+from .continuation import walk
+from .curve import LONGEST, SHORTEST, Box, Curve
+from .family import Family
+
+Pair = NDArray[np.float64]
+"""Two parameters over their scales."""
+WIDTHS = (0.25, 0.5, 1.0)
+"""Of the lines to both sides of where a border is expected, over the step to there."""
+
+
+class Line(Family):
+    """Gaits of one runner on a line through the plane of two parameters, by how far they are along it."""
+
+    def __init__(
+        self, runner: Runner, names: tuple[str, str], sizes: Pair, origin: Pair, way: Pair, strides: int = 1
+    ) -> None:
+        """Origin and unit direction are over the parameters' scales `sizes`."""
+        self.runner, self.names, self.sizes, self.strides = runner, names, sizes, strides
+        self.name = " and ".join(names)
+        self.origin, self.way = origin, way
+        self.along = dict(zip(names, map(float, way * sizes), strict=True))
+        self.scales = np.append(runner.scales, 1.0)
+
+    def runner_at(self, value: float) -> Runner:
+        """The runner at a distance along the line."""
+        runner = self.runner
+        for name, at in zip(self.names, (self.origin + value * self.way) * self.sizes, strict=True):
+            runner = runner.but(name, float(at))
+        return runner
+
+    def value_of(self, orbit: Orbit) -> float:
+        """How far along the line a gait is."""
+        return float((self.pair(orbit) - self.origin) @ self.way)
+
+    def pair(self, orbit: Orbit) -> Pair:
+        """The parameters of a gait over their scales."""
+        return np.array([orbit.runner.values[name] for name in self.names]) / self.sizes
+
+
+def border_near(
+    runner: Runner,
+    names: tuple[str, str],
+    sizes: Pair,
+    known: Crossing,
+    step: Pair,
+) -> tuple[Pair, Crossing]:
+    """The point of a curve of word borders a step away from one that is known.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+    names : pair of str
+        The parameters.
+    sizes : ndarray of float, shape (2,)
+        Their scales.
+    known : Crossing
+        A border, with the gaits on both sides.
+    step : ndarray of float, shape (2,)
+        To where the next one is expected, over the scales.
+
+    Returns
+    -------
+    pair of ndarray of float, shape (2,), and Crossing
+        Where the border is over the scales, and the gaits on both sides.
+
+    Raises
+    ------
+    RunError
+        No such border is found there.
+    """
+    length = float(np.linalg.norm(step))
+    across = np.array([-step[1], step[0]]) / length
+    gaits = [known.short.orbit, known.beyond.orbit]
+    plain = Line(runner, names, sizes, np.zeros(2), across)
+    here, goal = plain.pair(gaits[0]), plain.pair(gaits[0]) + step
+    if (plain.pair(gaits[1]) - here) @ across < 0.0:
+        across = -across
+    words = known.border.before, known.border.after
+    for width in WIDTHS:
+        line = Line(runner, names, sizes, goal, across)
+        try:
+            ends = [
+                _walked(line, gait, goal + way * width * length * across)
+                for gait, way in zip(gaits, (-1.0, 1.0), strict=True)
+            ]
+            if (ends[0].word, ends[1].word) != words and width < WIDTHS[-1]:
+                continue
+            for crossing in crossings(line, *line.points(*ends)):
+                if (crossing.border.before, crossing.border.after) == words:
+                    return goal + crossing.border.value * across, crossing
+        except (InputError, RunError):
+            continue
+    raise RunError(f"no border from {words[0]} to {words[1]} goes on")
+
+
+def _walked(line: Line, gait: Orbit, end: Pair) -> Orbit:
+    """The gait at other parameters, by steps on the straight way there; differentiated along the line."""
+    begin = line.pair(gait)
+    length = float(np.linalg.norm(end - begin))
+    way = Line(line.runner, line.names, line.sizes, begin, (end - begin) / length, line.strides)
+    first = way.orbit(0.0, gait.apex)
+    *_, last = walk(way, first, 0.0, length)
+    return line.orbit(line.value_of(last), last.apex)
+
+
+def border_curve(
+    runner: Runner,
+    names: tuple[str, str],
+    sizes: NDArray[np.float64],
+    box: Box,
+    branch: Branch,
+    special: Special,
+    most_points: int,
+    tell: Callable[[], None],
+) -> Curve:
+    """The curve of a word border, both ways.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+    names : pair of str
+        The parameters.
+    sizes : ndarray of float, shape (2,)
+        Their scales.
+    box : Box
+        Their ranges.
+    branch : Branch
+        Over the first of them, which meets the border.
+    special : Special
+        Where.
+    most_points : int
+        In each direction.
+    tell : callable
+        Called after each point.
+
+    Returns
+    -------
+    Curve
+        In its order.
+    """
+    family = Family(branch.orbits[0].runner, names[0])
+    around = family.points(*branch.orbits[special.index : special.index + 2])
+    known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
+    here = np.array([special.value, runner.values[names[1]]]) / sizes
+    ways = []
+    for sign in (-1.0, 1.0):
+        found, why = _border_followed(runner, names, sizes, box, known, (here, sign), most_points, tell)
+        ways.append((found, why))
+    (back, began), (forth, ended) = ways
+    points = np.array([*back[::-1], here, *forth]) * sizes
+    return Curve(WORD_BORDER, names, points, began, ended, special.words)
+
+
+def _border_followed(
+    runner: Runner,
+    names: tuple[str, str],
+    sizes: NDArray[np.float64],
+    box: Box,
+    known: Crossing,
+    begin: tuple[NDArray[np.float64], float],
+    most_points: int,
+    tell: Callable[[], None],
+) -> tuple[list[NDArray[np.float64]], str]:
+    """The curve of a border from a point on, without it, and why it stops."""
+    last, sign = begin
+    way = np.array([0.0, sign])
+    found: list[NDArray[np.float64]] = []
+    step = 0.1
+    while len(found) < most_points:
+        longest = LONGEST / np.max(np.abs(way) / box.size)
+        try:
+            pair, crossing = border_near(runner, names, sizes, known, step * longest * way)
+        except (InputError, RunError) as problem:
+            step *= 0.5
+            if step * LONGEST < SHORTEST:
+                return found, f"lost: {problem}"
+            continue
+        tell()
+        if box.outside(pair):
+            return [*found, last + box.share(last, pair) * (pair - last)], "edge of the ranges"
+        way = (pair - last) / np.linalg.norm(pair - last)
+        found.append(pair)
+        last, known, step = pair, crossing, min(1.0, 2.0 * step)
+    return found, f"number of points: {most_points}"

@@ -1,0 +1,154 @@
+"""Gaits over two parameters at which an eigenvalue is where a bifurcation puts it.
+
+With a gait's place u, its apex z and both parameters, the equations are P(u) - z = 0 and g(u) = 0. On a curve
+of folds g is det(J - I), on one of period doublings det(J + I), and on one of Neimark-Sacker points the
+determinant of J's bialternate product less I: the product of all (a b - 1) over pairs of eigenvalues.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from ..library.members import check_varied
+from ..library.orbit import Orbit
+from ..library.runner import Runner
+from ..library.strides import strides_from
+from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
+
+DIFFERENCE = 1e-6
+"""Over the scales: by how much places differ by which g is differentiated."""
+ITERATIONS = 12
+REFRESHED = 4
+"""After so many the derivatives are made anew."""
+CONVERGED, GOOD_ENOUGH = 1e-10, 1e-11
+"""Of the last change of the place, and of the apex and the next."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A gait over two parameters, with the derivatives of its equations."""
+
+    at: NDArray[np.float64]
+    """Apex and parameters, over the scales."""
+    orbit: Orbit
+    matrix: NDArray[np.float64]
+    """Derivatives of the equations, shape (n + 1, n + 2)."""
+
+    @property
+    def tangent(self) -> NDArray[np.float64]:
+        """Unit tangent of the curve."""
+        tangent: NDArray[np.float64] = np.linalg.svd(self.matrix)[2][-1]
+        return tangent
+
+
+def bialternate(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The bialternate product of a matrix with itself: its eigenvalues are the products of pairs.
+
+    Parameters
+    ----------
+    matrix : ndarray of float, shape (n, n)
+        Any matrix.
+
+    Returns
+    -------
+    ndarray of float, shape (n (n - 1) / 2, n (n - 1) / 2)
+        Of the minors of order two.
+    """
+    pairs = list(combinations(range(len(matrix)), 2))
+    rows = [[matrix[i, k] * matrix[j, m] - matrix[i, m] * matrix[j, k] for k, m in pairs] for i, j in pairs]
+    return np.array(rows)
+
+
+def _determinant(matrix: NDArray[np.float64], number: float) -> float:
+    return float(np.linalg.det(matrix - number * np.eye(len(matrix))))
+
+
+TESTS: Mapping[str, Callable[[NDArray[np.float64]], float]] = {
+    FOLD: lambda jacobian: _determinant(jacobian, 1.0),
+    PERIOD_DOUBLING: lambda jacobian: _determinant(jacobian, -1.0),
+    NEIMARK_SACKER: lambda jacobian: _determinant(bialternate(jacobian), 1.0),
+}
+"""Functions of the Jacobian that are zero on a curve, by its kind."""
+
+
+class Plane:
+    """Gaits of one runner over two parameters."""
+
+    def __init__(self, runner: Runner, names: tuple[str, str], kind: str, strides: int = 1) -> None:
+        """Whose gaits, over which parameters or inputs, and which bifurcation is looked for.
+
+        Raises
+        ------
+        InputError
+            No such parameter or input.
+        """
+        for name in names:
+            check_varied(name, "name")
+        self.runner, self.names, self.kind, self.strides = runner, names, kind, strides
+        self.scales = np.append(runner.scales, [abs(runner.values[name]) or 1.0 for name in names])
+
+    def strides_at(self, at: NDArray[np.float64], along: str) -> Orbit:
+        """The strides from a place over the scales, differentiated by one of the parameters, too."""
+        values = at * self.scales
+        runner = self.runner
+        for name, value in zip(self.names, values[-2:], strict=True):
+            runner = runner.but(name, float(value))
+        return strides_from(runner, values[:-2], self.strides, along=along)
+
+    def zero(self, orbit: Orbit) -> float:
+        """The function that is zero on the curve."""
+        return TESTS[self.kind](orbit.jacobian)
+
+    def place(self, at: NDArray[np.float64]) -> Place:
+        """A place with all derivatives: those of g by differences.
+
+        Raises
+        ------
+        RunError
+            A stride does not close near it.
+        """
+        both = [self.strides_at(at, name) for name in self.names]
+        scales, dimension = self.scales[:-2], len(at) - 2
+        by_parameters = np.array([orbit.by_parameter for orbit in both]).T
+        rows = (
+            np.hstack([both[0].jacobian - np.eye(dimension), by_parameters]) * self.scales / scales[:, None]
+        )
+        steps = DIFFERENCE * np.eye(len(at))
+        sides = [[self.zero(self.strides_at(at + s * e, self.names[0])) for e in steps] for s in (1.0, -1.0)]
+        gradient = (np.array(sides[0]) - np.array(sides[1])) / (2.0 * DIFFERENCE)
+        matrix = np.vstack([rows, gradient])
+        if not np.isfinite(matrix).all():
+            raise RunError("a gait has no derivatives")
+        return Place(at, both[0], matrix)
+
+    def corrected(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Place:
+        """The place of the curve near a goal on the plane across a direction.
+
+        Raises
+        ------
+        InputError
+            A value is not allowed.
+        RunError
+            There is none.
+        """
+        at, place = goal, None
+        for number in range(ITERATIONS):
+            if place is None or number % REFRESHED == 0:
+                place = self.place(at)
+            orbit = self.strides_at(at, self.names[0])
+            off = np.append(orbit.left_over / self.scales[:-2], self.zero(orbit))
+            rows = np.vstack([place.matrix, normal])
+            try:
+                change = np.linalg.solve(rows, -np.append(off, (at - goal) @ normal))
+            except np.linalg.LinAlgError:
+                break
+            at = at + change
+            if np.max(np.abs(change)) < CONVERGED:
+                found = self.place(at)
+                if found.orbit.error <= GOOD_ENOUGH:
+                    return found
+        raise RunError("no convergence")

@@ -1,0 +1,109 @@
+"""Curves of special points over two parameters: in closed form, and against branches over one of them."""
+
+import json
+from itertools import combinations
+
+import numpy as np
+import pytest
+from closed_form_maps import MapFamily, henon
+from tdmf_slip import InputError, Runner, continue_branch, continue_curves
+from tdmf_slip.analysis.curve import Box
+from tdmf_slip.analysis.curves import curve_through
+from tdmf_slip.analysis.plane import Plane, bialternate
+
+TORQUE, DAMPING, FRICTION = "hip.stance_torque", "leg.damping", "ground.friction"
+
+
+class HenonPlane(Plane):
+    """Fixed points of the Henon map over a and b."""
+
+    def __init__(self, kind):
+        self.names, self.kind, self.scales = ("a", "b"), kind, np.ones(4)
+
+    def strides_at(self, at, along):
+        *place, a, b = at
+        family = MapFamily(lambda place, a: self.step(place, a, b, along), 2)
+        return family.strides_at(a, place)
+
+    def step(self, place, a, b, along):
+        image, jacobian, by_a, word = henon(place, a, b)
+        return image, jacobian, by_a if along == "a" else np.array([0.0, place[0]]), word
+
+
+def fixed_point(a, b, sign=1.0):
+    x = (b - 1 + sign * np.sqrt((1 - b) ** 2 + 4 * a)) / (2 * a)
+    return np.array([x, b * x, a, b])
+
+
+@pytest.mark.parametrize(
+    ("kind", "a_of", "start"),
+    [
+        ("fold", lambda b: -((1 - b) ** 2) / 4, 0.3),
+        ("period doubling", lambda b: 3 * (1 - b) ** 2 / 4, 0.3),
+    ],
+)
+def test_curves_of_the_henon_map_are_parabolas(kind, a_of, start):
+    box = Box(np.array([-1.0, -0.5]), np.array([1.0, 0.5]))
+    curve = curve_through(HenonPlane(kind), box, fixed_point(a_of(start), start), 200)
+    a, b = curve.points.T
+    np.testing.assert_allclose(a, a_of(b), atol=1e-9)
+    assert len(b) > 10 and curve.began == curve.ended == "edge of the ranges"
+    on_edge = np.isclose(np.abs(b[[0, -1]]), 0.5, atol=1e-9) | np.isclose(np.abs(a[[0, -1]]), 1.0, atol=1e-9)
+    assert on_edge.all()
+
+
+def test_a_curve_of_neimark_sacker_points_ends_where_the_pair_becomes_real():
+    """The Henon map has one at b = -1, between the double eigenvalues 1 at a = -1 and -1 at a = 3."""
+    box = Box(np.array([-2.0, -1.5]), np.array([4.0, -0.5]))
+    curve = curve_through(HenonPlane("Neimark-Sacker"), box, fixed_point(1.0, -1.0), 200)
+    np.testing.assert_allclose(curve.points[:, 1], -1.0, atol=1e-9)
+    low, high = sorted(curve.points[[0, -1], 0])
+    assert -1.3 < low < -0.6 and 2.6 < high < 3.4
+    ends = (curve.began, curve.ended)
+    assert all(end.startswith(("the eigenvalues become real", "lost")) for end in ends), ends
+
+
+def test_the_bialternate_product_has_the_products_of_pairs():
+    matrix = np.random.default_rng(0).normal(size=(5, 5))
+    values = np.linalg.eigvals(matrix)
+    wanted = np.sort_complex([a * b for a, b in combinations(values, 2)])
+    np.testing.assert_allclose(np.sort_complex(np.linalg.eigvals(bialternate(matrix))), wanted, atol=1e-12)
+
+
+def test_period_doublings_over_two_parameters(command, unit, tmp_path):
+    options = ("--over", f"{TORQUE}=0.57:0.58", "--over", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
+    status, out, _ = command("continue", *options, "--json")
+    told = json.loads(out)
+    assert status == 0 and told["over"] == [TORQUE, DAMPING]
+    (curve,) = told["curves"]
+    assert curve["kind"] == "period doubling" and curve["ended"] == "edge of the ranges"
+    dampings = [point[1] for point in curve["points"]]
+    assert [min(dampings), max(dampings)] == pytest.approx([0.199, 0.201])
+    torque, damping = curve["points"][len(curve["points"]) // 4]
+    runner = Runner.of({DAMPING: damping}, unit)
+    branch = continue_branch(runner, TORQUE, torque - 2e-3, torque + 2e-3, switch=False, unit=unit)
+    (doubling,) = branch.specials
+    assert doubling.value == pytest.approx(torque, rel=1e-8)
+    assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_word_borders_over_two_parameters(unit):
+    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, unit=unit)
+    assert (curve.kind, curve.words) == ("word border", ("+0+", "+0-0+"))
+    assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
+    friction, damping = curve.points[len(curve.points) // 4]
+    runner = Runner.of({DAMPING: damping}, unit)
+    branch = continue_branch(runner, FRICTION, friction + 0.01, friction - 0.01, switch=False, unit=unit)
+    (border,) = branch.borders
+    assert border.value == pytest.approx(friction, rel=1e-8)
+
+
+def test_two_parameters_are_two(unit, command):
+    with pytest.raises(InputError, match="two parameters"):
+        continue_curves({}, {FRICTION: (0.6, 0.5)}, unit=unit)
+    with pytest.raises(InputError, match="ends differ"):
+        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, unit=unit)
+    over = ("--over", "leg.damping=0.1:0.2", "--over", "ground.friction=0.5:0.6")
+    for more in (("--over", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
+        status, out, said = command("continue", *over, *more)
+        assert (status, out) == (2, "") and ("--over" in said or "--output" in said)
