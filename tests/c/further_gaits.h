@@ -1,24 +1,24 @@
-/* Periodic gaits of runners that go beyond the paper: with swing-leg retraction, with a static friction
- * larger than the sliding one, with a thrust of the leg, and pushed by a force; Table 1 otherwise. They were
- * computed independently of this project, in extended precision, and are good to 1e-12; their Jacobians, by
- * differences, to 3e-9. */
+/* Periodic gaits of runners that go beyond the paper: on slopes, with swing-leg retraction, with a static
+ * friction larger than the sliding one, with a thrust of the leg, and pushed by a force; Table 1 otherwise.
+ * They were computed independently of this project, in extended precision, and are good to 1e-12; their
+ * Jacobians, by differences, to 3e-9. */
 #ifndef TDMF_TESTS_FURTHER_GAITS_H
 #define TDMF_TESTS_FURTHER_GAITS_H
 
 #include "reference_gaits.h"
 
 typedef struct {
-    double touchdown_angle; /* degrees */
+    double slope, touchdown_angle; /* degrees */
     double retraction_rate, static_friction_ratio;
     double thrust;
     double external_fx, external_fy;
     reference_gait gait; /* its work is that of hip and leg */
-    double leg_work, external_work;
+    double rise, leg_work, external_work;
     double damper_loss, friction_loss, impact_loss; /* of a stride */
     double jacobian[6][6];                          /* of the return map, in the order of the apex */
 } further_gait;
 
-enum { FURTHER_GAITS = 15 };
+enum { FURTHER_GAITS = 22 };
 
 extern const further_gait further_gaits[FURTHER_GAITS];
 

@@ -1,5 +1,5 @@
-/* Gaits with swing-leg retraction and with static friction, from apex to apex by every solver, and the return
- * map's derivatives there, by the section and by what the two laws depend on. */
+/* Gaits on slopes, with swing-leg retraction and with static friction, from apex to apex by every solver, and
+ * the return map's derivatives there, by the section and by what the two laws depend on. */
 #include "further_gaits.h"
 
 #include "compare.h"
@@ -16,7 +16,7 @@
 static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 static const double tight = 1e-12;
 static const double clamp_time =
-    1.2e-8; /* it is due at twice its dead band of 1e-10: 1.1e-8 at the slowest */
+    1.3e-8; /* it is due at twice its dead band of 1e-10: 1.1e-8 at the slowest */
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -41,9 +41,11 @@ static void assert_is_gait(const tdmf_motion *motion, const further_gait *furthe
     assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
     assert_close(stride->leg_work, further->leg_work, tolerance);
     assert_relatively_close(stride->hip_work, gait->work - further->leg_work, tolerance);
-    assert_close(stride->rise, 0.0, tolerance);
+    assert_close(stride->rise, further->rise, tolerance);
     assert_relatively_close(motion->state[TDMF_ENERGY_DAMPER_LOSS], further->damper_loss, tolerance);
-    assert_relatively_close(motion->state[TDMF_ENERGY_FRICTION_LOSS], further->friction_loss, tolerance);
+    /* A foot that slips in the last moment of its stance loses no more than rounding. */
+    assert_close(motion->state[TDMF_ENERGY_FRICTION_LOSS], further->friction_loss,
+                 tolerance * fmax(further->friction_loss, 1e-3));
     assert_relatively_close(motion->record.impact_loss, further->impact_loss, tolerance);
     assert_reference_apex(&motion->record.apex, gait, tolerance);
 }
@@ -105,7 +107,7 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         assert_close(motion.state[TDMF_ENERGY_EXTERNAL_WORK], further_gaits[i].external_work, 1e-9);
         events += assert_events(&log, further_gaits[i].gait.events);
     }
-    assert_int_equal(events, 8 * 10 + 3 * 11 + 9 + 2 * 8 + 7);
+    assert_int_equal(events, 11 * 10 + 3 * 11 + 2 * 9 + 3 * 8 + 3 * 7);
 }
 
 /* ---- by lanes ------------------------------------------------------------------------------------------ */
@@ -230,7 +232,7 @@ static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members
 /* By central differences; at the least static friction and thrust by one that looks ahead, of second order as
  * well. */
 static void by_parameters_the_gaits_are_differentiated(void **state) {
-    const double step = 1e-5;
+    const double step = 3e-6;
     int compared = 0, one_sided = 0;
     (void)state;
     for (int i = 0; i < FURTHER_GAITS; ++i) {
@@ -264,7 +266,7 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
         }
     }
     assert_int_equal(compared, FURTHER_GAITS * 5 * TDMF_SECTION_COUNT);
-    assert_int_equal(one_sided, 10 + 11);
+    assert_int_equal(one_sided, 16 + 17);
 }
 
 int main(void) {

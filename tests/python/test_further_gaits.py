@@ -1,4 +1,4 @@
-"""Gaits with swing-leg retraction and static friction, a stride from apex to apex through both interfaces."""
+"""Gaits on slopes, with retraction, static friction and thrust: a stride each, through both interfaces."""
 
 import json
 import pathlib
@@ -7,7 +7,6 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import apex_start
 from tdmf_slip.library.orbit import orbit_near
 
 GAITS = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
@@ -28,10 +27,10 @@ OUTPUT = (
 
 def start_of(gait):
     given = dict(gait["start_values"])
-    angle = given.get("hip.touchdown_angle")
-    if angle is not None:
-        given["hip.touchdown_angle"] = np.radians(float(angle.removesuffix(" deg")))
-    return apex_start(gait["apex"]) | given
+    for name in ("hip.touchdown_angle", "ground.slope"):
+        if name in given:
+            given[name] = np.radians(float(given[name].removesuffix(" deg")))
+    return tdmf_slip.Runner.of(given).state_at(gait["apex"]) | given
 
 
 def assert_is_gait(last, gait, tolerance):
@@ -52,8 +51,8 @@ def gait(request):
     return request.param
 
 
-def test_there_are_nine():
-    assert len(GAITS) == 9
+def test_there_are_sixteen():
+    assert len(GAITS) == 16
 
 
 @pytest.mark.parametrize("method", [1, 2], ids=["native", "cvode"])
