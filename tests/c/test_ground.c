@@ -1,0 +1,393 @@
+/* The line that the runner runs on: when a new one is in force, and what does not depend on where it is. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static const double forever = 1e9;
+
+/* ---- runs by the native solver ------------------------------------------------------------------------- */
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_solver solver;
+    tdmf_motion motion;
+    tdmf_event_log log;
+} run;
+
+/* At the apex of the gait at friction 0.6, over a line. */
+static run run_at_apex(double height, double slope) {
+    run run = {.inputs = tdmf_default_inputs(), .solver = tdmf_solver_default()};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    double section[TDMF_SECTION_COUNT];
+    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    run.inputs.ground.friction = 0.6;
+    run.inputs.ground.height = height;
+    run.inputs.ground.slope = slope;
+    tdmf_section_state(&run.model, &run.inputs, section, run.motion.state);
+    assert_null(
+        tdmf_start(&run.model, &run.inputs, 0.0, run.motion.state, &run.motion.mode, &run.motion.record)
+            .variable);
+    return run;
+}
+
+static tdmf_outcome go_to(run *run, double time) {
+    return tdmf_native_advance(&run->solver, &run->model, &run->inputs, NULL, time, &run->motion);
+}
+
+/* Events until the next apex. */
+static void stride(run *run) {
+    run->log.count = 0;
+    run->solver.log = &run->log;
+    assert_true(
+        tdmf_native_stride(&run->solver, &run->model, &run->inputs, run->motion.time + forever, &run->motion)
+            .closed);
+}
+
+static void set_line(run *run, double height, double slope) {
+    run->inputs.ground.height = height;
+    run->inputs.ground.slope = slope;
+    tdmf_resolve(&run->model, &run->inputs, run->motion.time, run->motion.state, &run->motion.mode,
+                 &run->motion.record);
+}
+
+static bool waits(const run *run) {
+    const tdmf_outputs outputs =
+        tdmf_outputs_of(&run->model, &run->inputs, &run->motion.mode, &run->motion.record, run->motion.state);
+    return outputs.ground.pending;
+}
+
+static const tdmf_event *event_of(const run *run, tdmf_guard guard) {
+    for (int i = 0; i < run->log.count; ++i) {
+        if (run->log.events[i].guard == (int)guard) {
+            return &run->log.events[i];
+        }
+    }
+    return NULL;
+}
+
+/* ---- when a new line is in force ----------------------------------------------------------------------- */
+
+static void a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event(void **state) {
+    run run = run_at_apex(0.0, 0.0);
+    const int events = run.motion.record.event_count;
+    (void)state;
+    set_line(&run, -0.1, 0.02);
+    assert_false(waits(&run));
+    assert_true(run.motion.mode.ground.height == -0.1 && run.motion.mode.ground.slope == 0.02);
+    assert_int_equal(run.motion.record.event_count, events + 1);
+    stride(&run);
+    const tdmf_event *touchdown = event_of(&run, TDMF_GUARD_TOUCHDOWN);
+    assert_non_null(touchdown);
+    assert_close(touchdown->state[TDMF_FOOT_Y], -0.1 + touchdown->state[TDMF_FOOT_X] * tan(0.02), 1e-12);
+}
+
+static void the_same_line_set_again_is_no_event(void **state) {
+    run run = run_at_apex(0.3, 0.01);
+    const int events = run.motion.record.event_count;
+    (void)state;
+    set_line(&run, 0.3, 0.01);
+    assert_false(waits(&run));
+    assert_int_equal(run.motion.record.event_count, events);
+}
+
+/* A step under a stance: until lift-off the old ground is the ground. */
+static void a_foot_that_stands_keeps_its_ground(void **state) {
+    run run = run_at_apex(0.0, 0.0);
+    (void)state;
+    assert_int_equal(go_to(&run, 12.5), TDMF_ARRIVED);
+    assert_true(tdmf_in_contact(&run.motion.mode));
+    set_line(&run, -0.05, 0.0);
+    assert_true(waits(&run));
+    assert_true(run.motion.mode.ground.height == 0.0 && run.motion.state[TDMF_FOOT_Y] == 0.0);
+    stride(&run);
+    const tdmf_event *lift_off = event_of(&run, TDMF_GUARD_LIFT_OFF);
+    const tdmf_event *graze_end = event_of(&run, TDMF_GUARD_GRAZE_TO_FLIGHT);
+    assert_true(lift_off->after.contact == TDMF_CONTACT_GRAZE && lift_off->after.ground.height == 0.0);
+    assert_true(graze_end->before.ground.height == 0.0 && graze_end->after.ground.height == -0.05);
+    assert_close(run.motion.record.apex.com_height,
+                 tdmf_center_of_mass(&run.model, run.motion.state).y + 0.05, 1e-15);
+    assert_false(waits(&run));
+}
+
+/* A step up under a stance: the foot leaves from below it, and passes it on its way up. */
+static void a_foot_below_a_new_step_passes_it_on_its_way_up(void **state) {
+    static const double step = 0.03;
+    run run = run_at_apex(0.0, 0.0);
+    (void)state;
+    assert_int_equal(go_to(&run, 12.5), TDMF_ARRIVED);
+    set_line(&run, step, 0.0);
+    stride(&run);
+    const tdmf_event *graze_end = event_of(&run, TDMF_GUARD_GRAZE_TO_FLIGHT);
+    const tdmf_event *passed = event_of(&run, TDMF_GUARD_NEW_GROUND);
+    assert_true(graze_end->after.ground.height == 0.0);
+    assert_close(passed->state[TDMF_FOOT_Y], step, 1e-11);
+    assert_true(passed->state[TDMF_FOOT_VY] > 0.0 && passed->time > graze_end->time);
+    assert_true(passed->before.ground.height == 0.0 && passed->after.ground.height == step);
+    stride(&run);
+    assert_close(event_of(&run, TDMF_GUARD_TOUCHDOWN)->state[TDMF_FOOT_Y], step, 1e-11);
+}
+
+/* Never above it, the foot lands on the old ground, fall and section included. */
+static void a_foot_that_stays_below_a_new_step_runs_on_the_old_ground(void **state) {
+    run high = run_at_apex(0.0, 0.0), plain = run_at_apex(0.0, 0.0);
+    (void)state;
+    set_line(&high, 100.0, 0.3);
+    for (int i = 0; i < 3; ++i) {
+        stride(&high);
+        stride(&plain);
+        assert_true(waits(&high));
+        assert_true(memcmp(&high.motion.record.apex, &plain.motion.record.apex, sizeof(tdmf_apex)) == 0 ||
+                    fabs(high.motion.record.apex.com_height - plain.motion.record.apex.com_height) < 1e-11);
+        assert_int_equal(high.motion.record.event_count, plain.motion.record.event_count);
+    }
+}
+
+static void the_last_line_set_replaces_one_that_waits(void **state) {
+    run run = run_at_apex(0.0, 0.0);
+    const int events = run.motion.record.event_count;
+    (void)state;
+    set_line(&run, 50.0, 0.1);
+    assert_true(waits(&run));
+    set_line(&run, 60.0, -0.1);
+    assert_true(waits(&run));
+    set_line(&run, 0.0, 0.0);
+    assert_false(waits(&run));
+    assert_int_equal(run.motion.record.event_count, events);
+    set_line(&run, 50.0, 0.1);
+    set_line(&run, 0.01, 0.01);
+    assert_false(waits(&run));
+    assert_int_equal(run.motion.record.event_count, events + 1);
+}
+
+/* The next apex is that of a runner that is lower by the step. */
+static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void **state) {
+    static const double step = 0.02;
+    run stepped = run_at_apex(0.0, 0.0), lower = run_at_apex(0.0, 0.0);
+    double section[TDMF_SECTION_COUNT];
+    (void)state;
+    set_line(&stepped, step, 0.0);
+    stride(&stepped);
+    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    section[TDMF_SECTION_COM_HEIGHT] -= step;
+    const tdmf_return next =
+        tdmf_return_map(&lower.solver, &lower.model, &lower.inputs, section, forever, false, NULL, 0);
+    const tdmf_apex *apex = &stepped.motion.record.apex;
+    const double reached[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
+                                                apex->leg_length,      apex->leg_angle,
+                                                apex->leg_length_rate, apex->leg_angle_rate};
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_close(reached[i], next.apex[i], 1e-11);
+    }
+    assert_close(stepped.motion.record.stride.rise, next.apex[0] + step - reference_gaits[2].apex.com_height,
+                 1e-11);
+}
+
+/* Within 1e-12 l0 of a line the foot's side is not asked for, but whether it moves into it. */
+static void beside_a_new_line_its_motion_decides(void **state) {
+    static const double beside = 0.9e-12, apart = 2e-12;
+    static const struct {
+        double height, rate;
+        bool in_force;
+    } cases[] = {{-beside, 1.0, true}, {-beside, 0.0, true}, {-beside, -1.0, false}, {beside, -1.0, false},
+                 {beside, 1.0, true},  {apart, -1.0, true},  {-apart, 1.0, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
+        runner.state[TDMF_FOOT_VY] = 0.01 * cases[i].rate;
+        runner.inputs.ground.height = runner.state[TDMF_FOOT_Y] - cases[i].height;
+        const tdmf_resolution taken =
+            tdmf_resolve(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+        assert_false(taken.unresolved);
+        assert_true((runner.mode.ground.height != 0.0) == cases[i].in_force);
+    }
+}
+
+/* ---- start --------------------------------------------------------------------------------------------- */
+
+static runner standing_on(double height, double slope) {
+    runner runner = runner_default(0.6);
+    memset(runner.state, 0, sizeof runner.state);
+    runner.inputs.ground.height = height;
+    runner.inputs.ground.slope = slope;
+    runner.state[TDMF_FOOT_X] = 2.0;
+    runner.state[TDMF_FOOT_Y] = height + 2.0 * tan(slope);
+    runner.state[TDMF_LEG_LENGTH] = 0.95;
+    return runner;
+}
+
+static void a_start_beside_the_ground_is_one_on_it(void **state) {
+    static const double off[] = {0.0, 0.9e-12, -0.9e-12};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        runner runner = standing_on(0.4, 0.1);
+        runner.state[TDMF_FOOT_Y] += off[i];
+        runner.state[TDMF_FOOT_VY] = off[(i + 1) % 3];
+        runner_start(&runner);
+        const tdmf_point foot = tdmf_foot_over_ground(&runner.mode.ground, runner.state);
+        assert_true(tdmf_in_contact(&runner.mode));
+        assert_close(foot.y, 0.0, 4.0 * DBL_EPSILON);
+        assert_close(foot.vy, 0.0, DBL_EPSILON * 1e-12);
+        assert_int_equal(runner.record.open.touchdowns, 0);
+    }
+}
+
+static void a_start_below_the_ground_is_refused(void **state) {
+    runner runner = standing_on(0.4, 0.1);
+    (void)state;
+    runner.state[TDMF_FOOT_Y] -= 2e-12;
+    const tdmf_refusal foot =
+        tdmf_start(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+    assert_string_equal(foot.variable, "foot.y");
+    assert_close(foot.minimum, 0.4 + 2.0 * tan(0.1), 1e-15);
+    runner.state[TDMF_FOOT_Y] += 0.1;
+    runner.state[TDMF_LEG_ANGLE] = 2.0;
+    const tdmf_refusal body =
+        tdmf_start(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+    assert_string_equal(body.variable, "body.y");
+}
+
+/* ---- impact -------------------------------------------------------------------------------------------- */
+
+static double kinetic_energy(const runner *runner) {
+    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).kinetic;
+}
+
+static void at_no_impact_on_any_slope_does_kinetic_energy_rise(void **state) {
+    random_source source = {31};
+    (void)state;
+    for (int i = 0; i < 10000; ++i) {
+        runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
+        runner.mode.ground = tdmf_ground_line_of(0.0, random_uniform(&source, -0.99, 0.99));
+        const tdmf_ground_line *ground = &runner.mode.ground;
+        tdmf_point foot = tdmf_foot_over_ground(ground, runner.state);
+        foot.vy = -fabs(foot.vy);
+        tdmf_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
+                               foot.vx * ground->sine + foot.vy * ground->cosine, runner.state);
+        const double before = kinetic_energy(&runner);
+        const double loss = tdmf_impact(&runner.model, &runner.inputs, ground, runner.state);
+        assert_true(loss >= 0.0);
+        assert_close(kinetic_energy(&runner), before - loss, 1e-13 * before);
+    }
+}
+
+/* ---- what does not depend on where the ground is ------------------------------------------------------- */
+
+static void assert_same_strides(const tdmf_stride *a, const tdmf_stride *b, double tolerance) {
+    assert_string_equal(a->word, b->word);
+    assert_relatively_close(a->period, b->period, tolerance);
+    assert_relatively_close(a->length, b->length, tolerance);
+    assert_relatively_close(a->work, b->work, tolerance);
+    assert_close(a->rise, b->rise, tolerance);
+    assert_close(a->slip_distance, b->slip_distance, tolerance);
+    assert_relatively_close(a->peak_force, b->peak_force, tolerance);
+}
+
+/* Up with the ground, or along it: the pivot of a line is no place on it. */
+static void a_runner_that_is_moved_with_its_ground_runs_alike(void **state) {
+    static const double slopes[] = {-0.07, 0.0, 0.02};
+    static const double shifts[][2] = {{0.0, 0.7}, {40.0, 0.0}, {-3.0, 10.0}};
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            run here = run_at_apex(0.0, slopes[i]), there = run_at_apex(0.0, slopes[i]);
+            there.motion.state[TDMF_FOOT_X] += shifts[k][0];
+            there.motion.state[TDMF_FOOT_Y] += shifts[k][1];
+            there.inputs.ground.height = shifts[k][1] - shifts[k][0] * tan(slopes[i]);
+            assert_null(tdmf_start(&there.model, &there.inputs, 0.0, there.motion.state, &there.motion.mode,
+                                   &there.motion.record)
+                            .variable);
+            for (int n = 0; n < 3; ++n, ++compared) {
+                stride(&here);
+                stride(&there);
+                assert_same_strides(&here.motion.record.stride, &there.motion.record.stride, 1e-9);
+                assert_close(here.motion.record.apex.com_height, there.motion.record.apex.com_height, 1e-9);
+            }
+        }
+    }
+    assert_int_equal(compared, 27);
+}
+
+/* ---- random runs --------------------------------------------------------------------------------------- */
+
+/* Near the runner, above or below its foot, steep or level. */
+static void set_random_line(random_source *source, run *run) {
+    const double *state = run->motion.state;
+    const double slope = random_chance(source, 0.3) ? 0.0 : random_uniform(source, -0.4, 0.4);
+    const double step = random_uniform(source, -0.3, 0.3);
+    run->inputs.ground.slope = slope;
+    run->inputs.ground.height = state[TDMF_FOOT_Y] - state[TDMF_FOOT_X] * tan(slope) + step;
+}
+
+static double total_energy(const run *run) {
+    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
+}
+
+static void assert_is_sound(const run *run, double start_energy) {
+    const double *state = run->motion.state;
+    const tdmf_point foot = tdmf_foot_over_ground(&run->motion.mode.ground, state);
+    double turnover = fabs(start_energy);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        assert_true(isfinite(state[i]));
+    }
+    assert_true(foot.y >= -1e-9);
+    if (run->motion.mode.contact != TDMF_CONTACT_FLIGHT) {
+        assert_close(foot.y, 0.0, 1e-12);
+    }
+    const double booked = state[TDMF_HIP_WORK] + state[TDMF_LEG_WORK] - state[TDMF_ENERGY_DAMPER_LOSS] -
+                          state[TDMF_ENERGY_FRICTION_LOSS] - run->motion.record.impact_loss;
+    turnover += state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + 1.0;
+    assert_close(total_energy(run) - start_energy, booked, 1e-8 * turnover);
+}
+
+/* At friction low and high, with lines that change at any moment. */
+static void random_runs_over_lines_that_change_stay_on_or_above_them(void **state) {
+    enum { RUNS = 400, PIECES = 60 };
+    int in_force[2] = {0, 0}, waited = 0, fell = 0, touchdowns = 0;
+    (void)state;
+    for (uint64_t seed = 0; seed < RUNS; ++seed) {
+        random_source source = {seed};
+        run run = run_at_apex(0.0, 0.0);
+        run.inputs.ground.friction = random_magnitude(&source, 0.05, 10.0);
+        const double start_energy = total_energy(&run);
+        tdmf_outcome outcome = TDMF_ARRIVED;
+        for (int i = 0; i < PIECES && outcome == TDMF_ARRIVED; ++i) {
+            if (random_chance(&source, 0.3)) {
+                set_random_line(&source, &run);
+            }
+            outcome = go_to(&run, run.motion.time + random_magnitude(&source, 0.01, 10.0));
+            assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
+            assert_is_sound(&run, start_energy);
+            waited += waits(&run);
+            ++in_force[run.motion.mode.ground.slope != 0.0];
+            touchdowns += run.motion.record.open.touchdowns > 0;
+        }
+        fell += outcome == TDMF_FELL;
+    }
+    assert_true(in_force[0] > 500 && in_force[1] > 500 && waited > 500 && fell > 50 && touchdowns > 500);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event),
+        cmocka_unit_test(the_same_line_set_again_is_no_event),
+        cmocka_unit_test(a_foot_that_stands_keeps_its_ground),
+        cmocka_unit_test(a_foot_below_a_new_step_passes_it_on_its_way_up),
+        cmocka_unit_test(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground),
+        cmocka_unit_test(the_last_line_set_replaces_one_that_waits),
+        cmocka_unit_test(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more),
+        cmocka_unit_test(beside_a_new_line_its_motion_decides),
+        cmocka_unit_test(a_start_beside_the_ground_is_one_on_it),
+        cmocka_unit_test(a_start_below_the_ground_is_refused),
+        cmocka_unit_test(at_no_impact_on_any_slope_does_kinetic_energy_rise),
+        cmocka_unit_test(a_runner_that_is_moved_with_its_ground_runs_alike),
+        cmocka_unit_test(random_runs_over_lines_that_change_stay_on_or_above_them),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
