@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { EDGES = 60, STRIDES = 20 };
+enum { EDGES = 80, STRIDES = 20 };
 static const double first_edge = 15.0, tread = 7.0; /* m */
 static const double look = 0.05;                    /* s between two looks at what is below the foot */
 

@@ -46,3 +46,14 @@ def test_a_batch_over_a_table(load, monkeypatch, capsys, tmp_path):
     example.main()
     assert [line.split()[2] for line in capsys.readouterr().out.splitlines()[1:]] == ["+0-0+", "+0+"]
     assert (tmp_path / "runs.nc").exists()
+
+
+def test_the_runner_crosses_rough_ground(load, tmp_path):
+    example = load("rough_ground")
+    rows = example.run()
+    assert rows["stride.count"][-1] == example.STRIDES and not rows["status.fallen"][-1]
+    loaded = rows["contact.normal"] > 0
+    heights = rows["foot.y"][loaded]
+    assert heights.max() > 0.9 and heights[0] == pytest.approx(0.0, abs=1e-12)
+    example.draw(tmp_path / "run.png", example.ground(), rows)
+    assert (tmp_path / "run.png").stat().st_size > 10_000

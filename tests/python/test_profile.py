@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Profile, simulate_over
+from tdmf_slip import InputError, Profile, simulate, simulate_over
 
 
 def test_a_profile_has_the_height_of_its_lines():
@@ -18,7 +18,8 @@ def test_a_profile_has_the_height_of_its_lines():
 
 def test_steps_have_a_riser_at_each_edge():
     profile = Profile.steps([1.0, 2.0, 4.0], [0.0, 0.1, -0.2, 0.3])
-    assert list(profile.height([0.5, 1.0, 1.99, 2.0, 3.9, 4.0, 5.0])) == [0.0, 0.1, 0.1, -0.2, -0.2, 0.3, 0.3]
+    heights = profile.height([0.5, 1.0, 1.99, 2.0, 3.9, 4.0, 5.0])
+    assert list(heights) == [0.0, 0.1, 0.1, -0.2, -0.2, 0.3, 0.3]
     assert profile.steepest == 0.0
 
 
@@ -53,3 +54,27 @@ def test_level_ground_is_the_ground_of_the_gait():
     rows = simulate_over(Profile([0.0], [0.0]), strides=2, variables=["stride.period", "foot.y"])
     assert rows["stride.count"][-1] == 2 and rows["stride.period"][-1] == pytest.approx(24.76444922801218)
     assert not rows["status.fallen"].any() and rows["foot.y"].min() >= 0.0
+
+
+def test_each_stance_is_on_the_line_that_was_below_the_foot():
+    """But near an edge, where a look may come too late for it."""
+    step, profile = 0.05, Profile.random_steps(12, 7.0, 0.05, seed=3, begin=20.0)
+    variables = ["foot.x", "foot.y", "foot.vx", "contact.normal", "com.x"]
+    rows = simulate_over(profile, strides=4, communication_step=step, variables=variables)
+    standing = rows[rows["contact.normal"] > 0]
+    assert rows["stride.count"][-1] == 4 and len(standing) > 60
+    away = np.min(np.abs(standing["foot.x"][:, None] - profile.x), axis=1) > 0.3
+    assert np.sum(away) > 40
+    assert standing["foot.y"][away] == pytest.approx(profile.height(standing["foot.x"][away]), abs=1e-12)
+    assert np.ptp(standing["foot.y"]) > 0.05
+
+
+def test_a_gait_climbs_a_slope_as_a_line():
+    """A profile that is one line is the line that the unit can be given itself."""
+    slope = 0.01
+    profile = Profile([-1e3, 1e3], [-1e3 * math.tan(slope), 1e3 * math.tan(slope)])
+    over = simulate_over(profile, strides=3, variables=["stride.speed", "stride.rise"])
+    run = simulate({"ground.slope": slope}, strides=3, interface="cs", output_interval=0.05)
+    assert over["stride.rise"][-1] > 0.2
+    for name in ("speed", "rise"):
+        assert over[f"stride.{name}"][-1] == pytest.approx(run.stride[name], rel=1e-8), name

@@ -1,0 +1,62 @@
+"""A runner on rough ground: up a slope, over steps of random height, and down again.
+
+    python examples/rough_ground.py [picture]
+
+`tdmf_slip.simulate_over` gives the unit, at each communication point, the line of the profile below the foot.
+The picture shows the ground, where foot and centre of mass go, and the leg wherever it carries the body.
+"""
+
+import sys
+
+import matplotlib.pyplot as plt
+import numpy as np
+from tdmf_slip import Profile, simulate_over
+
+STRIDES = 8
+RECORDED = ("foot.x", "foot.y", "body.x", "body.y", "com.x", "com.y", "contact.normal")
+
+
+def ground():
+    """A slope of 1.7 degrees from 40 to 60 leg lengths, random steps up to 170, and the way down."""
+    walk = Profile.random_steps(count=16, tread=7.0, roughness=0.12, seed=5, begin=62.0)
+    x = np.array([40.0, 60.0, *walk.x, 185.0, 205.0])
+    y = np.array([0.0, 0.6, *(0.6 + walk.y), 0.6 + walk.y[-1], 0.0])
+    return Profile(x, y)
+
+
+def run():
+    """The rows of the run."""
+    return simulate_over(ground(), strides=STRIDES, variables=RECORDED)
+
+
+def draw(path, profile, rows):
+    """Draw the run."""
+    figure, axes = plt.subplots(figsize=(11, 3.6), layout="constrained")
+    end = rows["com.x"][-1]
+    inside = (profile.x > 0) & (profile.x < end)
+    x = np.concatenate([[0.0], profile.x[inside], [end]])
+    y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
+    axes.fill_between(x, y, y.min() - 0.4, color="0.85", linewidth=0)
+    axes.plot(x, y, color="0.4", linewidth=1)
+    axes.plot(rows["com.x"], rows["com.y"], color="tab:blue", label="centre of mass")
+    axes.plot(rows["foot.x"], rows["foot.y"], color="tab:orange", linewidth=0.8, label="foot")
+    loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
+    places = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
+    legs = [np.array([foot[loaded], body[loaded]]) for foot, body in places]
+    axes.plot(*legs, color="black", linewidth=0.7, alpha=0.6)
+    axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.0), xlabel="x (l0)", ylabel="height (l0)")
+    axes.legend(loc="upper right", ncols=2)
+    figure.savefig(path, dpi=130)
+    plt.close(figure)
+
+
+def main():
+    """Run, tell and draw."""
+    rows = run()
+    fate = "fell" if rows["status.fallen"][-1] else "ran on"
+    print(f"{fate} after {rows['stride.count'][-1]} strides and {rows['com.x'][-1]:.1f} leg lengths")
+    draw(sys.argv[1] if len(sys.argv) > 1 else "rough_ground.png", ground(), rows)
+
+
+if __name__ == "__main__":
+    main()
