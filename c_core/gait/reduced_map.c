@@ -93,8 +93,10 @@ typedef struct {
     bundle bundle;
 } run;
 
+/* Less what the external force has given: over a flight it is kept. */
 static double energy_of(const run *run, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_mechanical_energy(run->model, run->inputs, mode, state).total;
+    return tdmf_mechanical_energy(run->model, run->inputs, mode, state).total -
+           state[TDMF_ENERGY_EXTERNAL_WORK];
 }
 
 static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard guard,
@@ -166,6 +168,7 @@ static void note_stride(const run *run, tdmf_reduced_return *result) {
     result->apex[TDMF_REDUCED_COM_SPEED] = record->apex.com_speed;
     result->stride = record->stride;
     result->liftoff_angle = run->lift_off[TDMF_LEG_ANGLE];
+    result->external_work = run->motion.state[TDMF_ENERGY_EXTERNAL_WORK];
     result->damper_loss = run->lift_off[TDMF_ENERGY_DAMPER_LOSS];
     result->friction_loss = run->lift_off[TDMF_ENERGY_FRICTION_LOSS];
     result->impact_loss = record->impact_loss;

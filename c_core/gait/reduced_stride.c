@@ -32,6 +32,12 @@ static tdmf_run run_of(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_
     return run;
 }
 
+/* In flight the external force works on the way of the centre of mass. */
+static void push_along(const tdmf_inputs *inputs, tdmf_point from, tdmf_motion *motion, tdmf_point to) {
+    motion->state[TDMF_ENERGY_EXTERNAL_WORK] +=
+        inputs->body.external_fx * (to.x - from.x) + inputs->body.external_fy * (to.y - from.y);
+}
+
 static void move_time(tdmf_motion *motion, double elapsed) {
     motion->record.now = tdmf_instant_after(motion->record.now, elapsed);
     motion->time = motion->record.now.time;
@@ -72,6 +78,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
         return TDMF_REDUCED_NO_TOUCHDOWN;
     }
     move_time(motion, descent.time);
+    push_along(inputs, apex, motion, tdmf_ballistic(model, inputs, apex, descent.time));
     tdmf_prescribed_state(model, inputs, apex, descent.time, motion->state);
     if (descent.body_first) {
         return TDMF_REDUCED_FELL;
@@ -95,11 +102,12 @@ tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs
     tdmf_run standing = run_of(model, inputs, motion);
     tdmf_end_thrust(&standing);
     const double time = tdmf_time_to_apex(model, inputs, lift_off);
-    if (!(lift_off.vy > 0.0)) {
+    if (!(lift_off.vy > 0.0) || isinf(time)) {
         return TDMF_REDUCED_NO_APEX;
     }
     tdmf_point apex = tdmf_ballistic(model, inputs, lift_off, time);
     apex.vy = 0.0;
+    push_along(inputs, lift_off, motion, apex);
     write_apex(model, inputs, apex, motion->state);
     move_time(motion, time);
     motion->mode.contact = TDMF_CONTACT_FLIGHT; /* also where the full model would graze */

@@ -32,6 +32,8 @@ static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs)
     p->ground.static_friction_ratio = random_uniform(source, 1.0, 1.5);
     inputs->ground.friction = random_magnitude(source, 0.05, 5.0);
     inputs->ground.slope = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.1, 0.1);
+    inputs->body.external_fx = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -1e-3, 1e-3);
+    inputs->body.external_fy = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -1e-3, 1e-3);
     inputs->leg.extension = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.03, 0.03);
     p->leg.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 0.03);
     inputs->hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
@@ -108,6 +110,7 @@ static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const doubl
             end.time += stride.stride.period;
             end.distance += stride.stride.length;
             end.work += stride.stride.work;
+            end.external_work += stride.external_work;
             end.damper_loss += stride.damper_loss;
             end.friction_loss += stride.friction_loss;
             end.impact_loss += stride.impact_loss;
@@ -129,6 +132,7 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
     assert_close(a->time, b->time, 1e2 * tolerance);
     assert_close(a->distance, b->distance, 1e2 * tolerance);
     assert_close(a->work, b->work, tolerance);
+    assert_close(a->external_work, b->external_work, tolerance);
     assert_close(a->damper_loss, b->damper_loss, tolerance);
     assert_close(a->friction_loss, b->friction_loss, tolerance);
     assert_close(a->impact_loss, b->impact_loss, tolerance);

@@ -213,6 +213,8 @@ static apex_scene random_scene(random_source *source) {
     scene.parameters.leg.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 0.05);
     scene.inputs.leg.extension = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.05, 0.05);
     scene.inputs.control.stance_torque = random_uniform(source, -0.05, 0.05);
+    scene.inputs.body.external_fx = random_uniform(source, -1e-3, 1e-3);
+    scene.inputs.body.external_fy = random_uniform(source, -2e-3, 2e-3);
     scene.inputs.ground.height = random_uniform(source, -1.0, 1.0);
     scene.inputs.ground.slope = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.2, 0.2);
     scene.apex[0] = random_uniform(source, 0.8, 3.0);
@@ -234,8 +236,8 @@ static void the_energy_of_the_centre_of_mass_closes(void **state) {
         }
         ++compared;
         assert_close(energy_gained(&model, &stride, scene.apex[TDMF_REDUCED_COM_SPEED]),
-                     stride.stride.work - stride.damper_loss - stride.friction_loss - stride.impact_loss -
-                         stride.leg_loss,
+                     stride.stride.work + stride.external_work - stride.damper_loss - stride.friction_loss -
+                         stride.impact_loss - stride.leg_loss,
                      1e-12);
         assert_true(stride.damper_loss >= 0.0 && stride.friction_loss >= 0.0 && stride.impact_loss >= 0.0);
     }
@@ -271,6 +273,8 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         p->leg.thrust *= length;
         scaled.inputs.leg.extension *= length;
         scaled.inputs.ground.height *= length;
+        scaled.inputs.body.external_fx *= stiffness * length;
+        scaled.inputs.body.external_fy *= stiffness * length;
         scaled.inputs.control.stance_torque *= energy;
         scaled.inputs.hip.external_torque *= energy;
         scaled.apex[0] *= length;
@@ -359,6 +363,16 @@ static void a_stride_that_does_not_close_says_why(void **state) {
     scene.apex[0] = 0.6;
     scene.apex[1] = -2.0;
     assert_int_equal(outcome_from(&scene), TDMF_REDUCED_NO_STANCE);
+}
+
+/* Nothing brings a runner down, or back, who is pushed up by his weight. */
+static void a_runner_that_is_held_up_has_no_stride(void **state) {
+    apex_scene scene = at_gait(&reduced_gaits[2]);
+    const tdmf_model model = model_of(&scene);
+    (void)state;
+    scene.inputs.body.external_fy = 1.5 * model.total_mass * model.parameters.gravity;
+    const tdmf_reduced_outcome outcome = outcome_from(&scene);
+    assert_true(outcome == TDMF_REDUCED_NO_TOUCHDOWN || outcome == TDMF_REDUCED_REFUSED);
 }
 
 static void what_is_no_number_or_out_of_range_is_refused(void **state) {
@@ -491,6 +505,7 @@ int main(void) {
         cmocka_unit_test(a_scaled_runner_makes_the_scaled_stride),
         cmocka_unit_test(control_and_extension_are_settings),
         cmocka_unit_test(a_stride_that_does_not_close_says_why),
+        cmocka_unit_test(a_runner_that_is_held_up_has_no_stride),
         cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
         cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),

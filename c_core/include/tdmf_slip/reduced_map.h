@@ -47,13 +47,15 @@ typedef struct {
 enum { TDMF_REDUCED_CHANGES = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
 
 /* A stride; where it has not closed, all but the outcomes is zero. The derivatives are there if they were
- * asked for. The energy of the centre of mass changes by the work less the four losses. */
+ * asked for. The energy of the centre of mass changes by the work and the external work less the four losses.
+ */
 typedef struct {
     tdmf_reduced_outcome outcome;    /* whether it closed, and else why not */
     tdmf_outcome solver;             /* how the solver's call for the stance ended; else TDMF_ARRIVED */
     double apex[TDMF_REDUCED_COUNT]; /* the next */
     tdmf_stride stride;              /* its quantities; the work is that of the stance */
     double liftoff_angle;            /* theta at lift-off, rad */
+    double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double leg_loss; /* J, left in the leg at lift-off less what it is given for touchdown */
     tdmf_reduced_change by_section[TDMF_REDUCED_COUNT];     /* by each coordinate of the start */

@@ -34,6 +34,8 @@ static scene near_gait(int number) {
     scene.inputs.ground.friction = near_gaits[number][0];
     scene.parameters.leg.thrust = 0.01L;
     scene.inputs.hip.external_torque = -0.003L;
+    scene.inputs.body.external_fx = 3e-4L;
+    scene.inputs.body.external_fy = -2e-4L;
     scene.inputs.ground.height = 0.3L;
     scene.inputs.ground.slope = 0.02L;
     scene.inputs.leg.extension = 0.02L;
