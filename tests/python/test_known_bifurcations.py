@@ -17,6 +17,7 @@ from closed_form_maps import (
 from tdmf_slip.analysis.steps import Limits
 from tdmf_slip.analysis.switching import doubled_branches
 from tdmf_slip.analysis.tracing import whole_branch
+from tdmf_slip.library import classic_slip
 
 
 def followed(family, first, low, high, largest_step=0.1, most_points=400):
@@ -62,6 +63,32 @@ def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
     assert told(branch) == [("Neimark-Sacker", 2.0)]
     values = branch.specials[0].orbit.eigenvalues
     assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
+
+
+def classic_slip_step(height, angle):
+    """The paper's SLIP from apex to apex; by the angle it is differentiated by differences."""
+
+    def made(at):
+        return classic_slip.step(classic_slip.slip(at), height[0])
+
+    here, off = made(angle), 1e-6
+    by_angle = (made(angle + off).next_height - made(angle - off).next_height) / (2.0 * off)
+    return np.array([here.next_height]), np.array([[here.slope]]), np.array([by_angle]), "0"
+
+
+def test_the_classic_slip_folds_where_its_own_slope_says():
+    """At 44.59 degrees, where the paper's stable and unstable gaits meet."""
+    family = MapFamily(classic_slip_step, 1)
+    low = np.radians(43.0)
+    stable = next(gait for gait in classic_slip.fixed_points(low) if gait.stable)
+    branch, _ = followed(family, family.beginning(low, stable.height), low, np.radians(46.0))
+    (fold,) = branch.specials
+    known = classic_slip.fold()
+    assert fold.kind == "fold" and np.degrees(fold.value) == pytest.approx(44.59, abs=5e-3)
+    assert fold.value == pytest.approx(known.angle, abs=1e-8)
+    assert fold.orbit.apex[0] == pytest.approx(known.height, abs=1e-5)
+    assert (branch.orbits[0].stable, branch.orbits[-1].stable) == (True, False)
+    assert branch.values[-1] == low
 
 
 def test_a_neutral_saddle_is_nothing():

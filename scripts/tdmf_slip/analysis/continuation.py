@@ -12,6 +12,8 @@ from ..library.runner import Runner
 from ..unit.variable import Given, Values
 from .family import Family
 
+SHORTEST = 1e-9
+"""Of steps, over the larger of the values at both ends of the way."""
 FARTHEST = 0.7
 """How far a gait may be from where it was predicted, over how far it is from the one before."""
 SAME = 1e-6
@@ -64,7 +66,7 @@ def gaits_over(
         step_finished()
 
 
-def walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
+def walk(family: Family, orbit: Orbit, at: float, to: float, shortest: float = SHORTEST) -> Iterator[Orbit]:
     """Gaits from one value to another, by predictions along the branch, shorter where they fail.
 
     Parameters
@@ -77,6 +79,8 @@ def walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
         Its value.
     to : float
         The last value.
+    shortest : float, default 1e-9
+        Of steps, over the larger of the two values.
 
     Yields
     ------
@@ -92,7 +96,7 @@ def walk(family: Family, orbit: Orbit, at: float, to: float) -> Iterator[Orbit]:
     if step == 0.0:
         yield family.orbit(to, orbit.apex)
         return
-    smallest = 1e-9 * max(abs(at), abs(to))
+    smallest = shortest * max(abs(at), abs(to))
     while at != to:
         step = np.clip(step, -abs(to - at), abs(to - at))
         value = to if abs(to - at - step) < smallest else at + step

@@ -17,6 +17,8 @@ from .family import Family
 
 Pair = NDArray[np.float64]
 """Two parameters over their scales."""
+SHORTEST_PART = 0.02
+"""Of the way from one line to the next: a shorter step shows that the gait does not go on."""
 WIDTHS = (0.25, 0.5, 1.0)
 """Of the lines to both sides of where a border is expected, over the step to there."""
 
@@ -113,7 +115,7 @@ def _walked(line: Line, gait: Orbit, end: Pair) -> Orbit:
     length = float(np.linalg.norm(end - begin))
     way = Line(line.runner, line.names, line.sizes, begin, (end - begin) / length, line.strides)
     first = way.orbit(0.0, gait.apex)
-    *_, last = walk(way, first, 0.0, length)
+    *_, last = walk(way, first, 0.0, length, SHORTEST_PART)
     return line.orbit(line.value_of(last), last.apex)
 
 
