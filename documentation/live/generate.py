@@ -136,11 +136,12 @@ def known_values(table, given):
 
 
 def own_presets(table):
-    """Those of presets.toml of which the model has all variables."""
+    """Those of presets.toml."""
     for given in tomllib.loads((HERE / "presets.toml").read_text(encoding="utf-8"))["preset"]:
         name, values = given.pop("name"), dict(flat(given))
-        if values.keys() <= table.by_name.keys():
-            yield {"name": name, "values": known_values(table, values)}
+        for value in values:
+            table.find(value, f"presets.toml, {name!r},")
+        yield {"name": name, "values": known_values(table, values)}
 
 
 def presets(table):

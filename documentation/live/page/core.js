@@ -12,7 +12,6 @@ export const FELL = 1;
 /** What a sample of a run has, in this order. */
 const SAMPLE = ["time", "footX", "velocity", "tangential", "normal", "mode"];
 
-const STATES = 32;
 const SECTION = 6;
 
 /** The core needs nothing of a system but a number for checking its stack. */

@@ -18,7 +18,7 @@ const ROWS = [
 ];
 const RING = 72; // px
 
-export const sizeOf = ([re, im]) => Math.hypot(re, im);
+const sizeOf = ([re, im]) => Math.hypot(re, im);
 export const lambdaMax = (gait) => sizeOf(gait.eigenvalues[0]);
 
 /** A list of named numbers that are written over, not made anew. */

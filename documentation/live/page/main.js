@@ -5,41 +5,29 @@
 import { Controls, fillPresets } from "./controls.js";
 import { compileCore, Core } from "./core.js";
 import { defaults, hasState } from "./address.js";
-import { hipPhases } from "./data.js";
 import { EnergyBars } from "./energy_bars.js";
 import { FrictionPlot } from "./friction_plot.js";
 import { FRICTION } from "./gaits.js";
-import { GaitPanel, lambdaMax, Numbers } from "./gait_panel.js";
+import { GaitPanel, lambdaMax } from "./gait_panel.js";
 import { listenToKeys } from "./keys.js";
-import { digits, shownWord, steady } from "./numbers.js";
+import { digits, shownWord } from "./numbers.js";
+import { changesAtTouchdown, paceOf } from "./pace.js";
 import { isStart, PageState } from "./page_state.js";
 import { Pool, processors } from "./pool.js";
-import { Region, apexText } from "./region.js";
-import { Run, isLoaded, modeName } from "./run.js";
-import { described, fillLegend, MODE_TEXT, Scene } from "./scene.js";
+import { described, Readout } from "./readout.js";
+import { apexText, Region } from "./region.js";
+import { Run } from "./run.js";
+import { fillLegend, Scene } from "./scene.js";
 import { GaitSearch } from "./search.js";
 import { StancePlots } from "./stance_plots.js";
 import { watchTheme } from "./theme.js";
 
-const FULL_SPEED = Math.sqrt(20000 / 80); // sqrt(m/k) in a second: real time for a runner of human scale
-const PACES = { full: [1, 1], stance: [1, 0.1], slow: [0.1, 0.1], slowest: [0.02, 0.02] }; // in flight, on the ground
 const LONGEST_FRAME = 0.05; // s; after a pause of the browser nothing is made up for
 const STEP = 0.01; // sqrt(m/k)
 const NEXT_EVENT_WITHIN = 100; // sqrt(m/k)
 const NUMBERS_EVERY = 120; // ms, while it runs
 const FRAMES_KEPT = 600;
 const SEARCHERS = 2; // a gait's curve goes both ways
-
-const NUMBERS = [
-  ["time", "time", "s"],
-  ["contact.mode", "contact", ""],
-  ["hip.phase", "hip", ""],
-  ["word", "gait word", ""],
-  ["stride.count", "strides", ""],
-  ["stride.speed", "speed", "m/s"],
-  ["stride.cost_of_transport", "cost of transport", ""],
-  ["stride.slip_distance", "slip in a stride", "m"],
-];
 
 const $ = (id) => document.getElementById(id);
 
@@ -55,7 +43,7 @@ class Page {
     this.scene = new Scene($("scene"), redraw);
     this.plots = new StancePlots($("velocity"), $("ratio"), redraw);
     this.bars = new EnergyBars($("energy"));
-    this.numbers = new Numbers($("numbers"), NUMBERS);
+    this.readout = new Readout($("numbers"));
     this.gaitPanel = new GaitPanel($("gait"), $("circle"), $("eigenvalues"));
     this.frictionPlot = new FrictionPlot($("friction"), (friction) => this.set(FRICTION, friction));
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
@@ -225,9 +213,7 @@ class Page {
     this.frictionPlot.mark(this.state.values[FRICTION], gait);
     $("start-gait").disabled = !gait;
     $("friction-hint").hidden = Boolean(gait);
-    const text = gait
-      ? `Gait ${shownWord(gait.word)}, ${lambdaMax(gait) < 1 ? "stable" : "unstable"}: speed ${digits(gait.stride["stride.speed"])} m/s, largest eigenvalue ${digits(lambdaMax(gait))}.`
-      : message;
+    const text = gait ? gaitText(gait) : message;
     $("gait-hint").textContent = text;
     this.announce(text);
   }
@@ -254,7 +240,8 @@ class Page {
       $("region-hint").textContent = "Painting …";
       const done = await this.region.paint(this.painters, given, gait, this.core.sectionScales, () => {});
       if (done) {
-        $("region-hint").textContent = `${digits(100 * this.region.settledShare, 3)} % of these starts settle on the gait.`;
+        const share = digits(100 * this.region.settledShare, 3);
+        $("region-hint").textContent = `${share} % of these starts settle on the gait.`;
       }
     });
   }
@@ -295,13 +282,6 @@ class Page {
     $("pace").selectedIndex = (selectedIndex + 1) % options.length;
   }
 
-  /** Simulated seconds to a second, in flight or on the ground. */
-  get pace() {
-    const [flight, ground] = PACES[$("pace").value];
-    const touches = isLoaded(this.run.outputs["contact.mode"]) || modeName(this.run.outputs["contact.mode"]) === "graze";
-    return (touches ? ground : flight) * FULL_SPEED * this.core.timeScale;
-  }
-
   frame(now) {
     const before = performance.now();
     const elapsed = Math.min((now - (this.last ?? now)) / 1000, LONGEST_FRAME);
@@ -318,9 +298,9 @@ class Page {
 
   /** In slow motion on the ground only, flight ends at touchdown. */
   advance(elapsed) {
-    const slowsDown = $("pace").value === "stance";
-    const duration = this.pace * elapsed;
-    if (slowsDown) {
+    const pace = $("pace").value;
+    const duration = paceOf(pace, this.run) * elapsed;
+    if (changesAtTouchdown(pace)) {
       this.run.advanceToEvent(duration);
     } else {
       this.run.advance(duration);
@@ -348,29 +328,14 @@ class Page {
     if (!this.running || now - (this.told ?? 0) > NUMBERS_EVERY) {
       this.told = now;
       this.bars.draw(this.run);
-      this.showNumbers();
-    }
-  }
-
-  showNumbers() {
-    const { outputs, time, word } = this.run;
-    const show = (name, exact, text) => this.numbers.show(name, exact, text);
-    show("time", time, steady(time, this.core.timeScale < 0.3 ? 2 : 1));
-    const mode = modeName(outputs["contact.mode"]);
-    show("contact.mode", mode, this.run.fallen ? "fallen" : MODE_TEXT[mode]);
-    const phase = hipPhases[outputs["hip.phase"]].name;
-    show("hip.phase", phase, phase);
-    show("word", word, shownWord(word));
-    show("stride.count", outputs["stride.count"], String(outputs["stride.count"]));
-    for (const name of ["stride.speed", "stride.cost_of_transport", "stride.slip_distance"]) {
-      show(name, outputs[name], outputs["stride.count"] ? digits(outputs[name]) : "–");
+      this.readout.show(this.run);
     }
   }
 
   /** The present numbers, for a screen reader: when something was asked for, not at every frame. */
   tell() {
-    $("scene").setAttribute("aria-label", `The runner: ${described(this.run.outputs)}`);
-    this.announce(`Time ${digits(this.run.time)} s: ${described(this.run.outputs)}`);
+    $("scene").setAttribute("aria-label", `The runner: ${described(this.run)}`);
+    this.announce(`Time ${digits(this.run.time)} s: ${described(this.run)}`);
   }
 
   redrawAll() {
@@ -382,6 +347,13 @@ class Page {
     }
     this.region.draw();
   }
+}
+
+/** A gait in a sentence. */
+function gaitText(gait) {
+  const stability = lambdaMax(gait) < 1 ? "stable" : "unstable";
+  const speed = `speed ${digits(gait.stride["stride.speed"])} m/s`;
+  return `Gait ${shownWord(gait.word)}, ${stability}: ${speed}, largest eigenvalue ${digits(lambdaMax(gait))}.`;
 }
 
 async function main() {

@@ -9,8 +9,6 @@ const FIXED = new Set(values.filter(({ variability }) => variability === "fixed"
 const STARTS = new Set(starts.map(({ name }) => name));
 const ADDRESS_DELAY = 250; // ms; browsers limit how often an address may change
 
-/** Whether a value stays the same while the unit runs: here it may change, but the energy ledger knows nothing of it. */
-export const isFixed = (name) => FIXED.has(name);
 export const isStart = (name) => STARTS.has(name);
 
 export class PageState {
@@ -56,7 +54,7 @@ export class PageState {
       return this.core.message;
     }
     this.values = next;
-    this.run.change(isFixed(name));
+    this.run.change(FIXED.has(name)); // of these changes the energy ledger knows nothing
     this.writeAddress();
     return "";
   }

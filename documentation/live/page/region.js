@@ -28,7 +28,7 @@ const rounded = (value) => (value ? Number(value.toPrecision(6)) : 0);
  * Ends of a range of a coordinate that has the gait in it.
  * @param {number} width 1 for the range of `tdmf-slip basin`.
  */
-export function rangeAround(apex, scales, index, width) {
+function rangeAround(apex, scales, index, width) {
   const here = apex[index];
   if (index > LEG_LENGTH) {
     return [here - 0.5 * width * scales[index], here + 0.5 * width * scales[index]].map(rounded);
@@ -241,5 +241,5 @@ function legendItem(text, colour) {
 
 /** An apex in words. */
 export function apexText(apex) {
-  return coordinates.map(({ name, unit }, i) => `${name.replace("apex.", "")} ${digits(apex[i], 4)} ${unit}`).join(", ");
+  return coordinates.map(({ unit }, i) => `${NAMES[i]} ${digits(apex[i], 4)} ${unit}`).join(", ");
 }

@@ -5,7 +5,7 @@
 import { contactModes } from "./data.js";
 import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
-import { digits, printed } from "./numbers.js";
+import { digits } from "./numbers.js";
 import { palette } from "./theme.js";
 
 const COILS = 7;
@@ -196,7 +196,8 @@ export class Scene {
     context.fillStyle = cone;
     context.beginPath();
     context.moveTo(x(outputs["foot.x"]), y(outputs["foot.y"]));
-    context.arc(x(outputs["foot.x"]), y(outputs["foot.y"]), CONE_LENGTH * length * scale, upright - half, upright + half);
+    const radius = CONE_LENGTH * length * scale;
+    context.arc(x(outputs["foot.x"]), y(outputs["foot.y"]), radius, upright - half, upright + half);
     context.fill();
   }
 
@@ -290,11 +291,4 @@ function spring(context, from, to, width, colour) {
     context.lineTo(from[0] + share * along[0] + side * across[0], from[1] + share * along[1] + side * across[1]);
   }
   context.stroke();
-}
-
-/** What the drawing shows, in words. */
-export function described(outputs) {
-  const force = Math.hypot(outputs["contact.fx"], outputs["contact.fy"]);
-  const mode = MODE_TEXT[modeName(outputs["contact.mode"])];
-  return `${mode}; centre of mass ${digits(outputs["com.y"], 3)} m high, ${digits(outputs["com.vx"], 3)} ${printed("m/s")}; ground force ${digits(force, 3)} N`;
 }

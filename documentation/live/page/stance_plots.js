@@ -34,7 +34,8 @@ export class StancePlots {
     this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true });
     const cone = resting <= MOST_CONE ? { friction, resting } : null;
     const labelX = "time since touchdown, s";
-    this.panel(this.ratio, present, last, ratio, { x, title: "force ratio, along over across the ground", cone, labelX });
+    const title = "force ratio, along over across the ground";
+    this.panel(this.ratio, present, last, ratio, { x, title, cone, labelX });
   }
 
   panel(surface, present, last, value, { x, title, labelX, cone, zero }) {

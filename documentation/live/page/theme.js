@@ -21,7 +21,7 @@ export function palette() {
 }
 
 /** Whether the page is dark now. */
-export function isDark() {
+function isDark() {
   const { theme } = document.documentElement.dataset;
   return theme ? theme === "dark" : dark.matches;
 }

@@ -1,0 +1,53 @@
+/**
+ * The run in numbers, and in a sentence for who does not see it.
+ * @module
+ */
+import { hipPhases } from "./data.js";
+import { Numbers } from "./gait_panel.js";
+import { digits, printed, shownWord, steady } from "./numbers.js";
+import { modeName } from "./run.js";
+import { MODE_TEXT } from "./scene.js";
+
+const ROWS = [
+  ["time", "time", "s"],
+  ["contact.mode", "contact", ""],
+  ["hip.phase", "hip", ""],
+  ["word", "gait word", ""],
+  ["stride.count", "strides", ""],
+  ["stride.speed", "speed", "m/s"],
+  ["stride.cost_of_transport", "cost of transport", ""],
+  ["stride.slip_distance", "slip in a stride", "m"],
+];
+const OF_A_STRIDE = ["stride.speed", "stride.cost_of_transport", "stride.slip_distance"];
+const FAST = 0.3; // s; with a shorter sqrt(m/k) time needs more decimals
+
+export class Readout {
+  /** @param {HTMLElement} list A dl. */
+  constructor(list) {
+    this.numbers = new Numbers(list, ROWS);
+  }
+
+  /** @param {Run} run */
+  show(run) {
+    const { outputs, time, word } = run;
+    const mode = modeName(outputs["contact.mode"]);
+    const phase = hipPhases[outputs["hip.phase"]].name;
+    const strides = outputs["stride.count"];
+    this.numbers.show("time", time, steady(time, run.core.timeScale < FAST ? 2 : 1));
+    this.numbers.show("contact.mode", mode, run.fallen ? "fallen" : MODE_TEXT[mode]);
+    this.numbers.show("hip.phase", phase, phase);
+    this.numbers.show("word", word, shownWord(word));
+    this.numbers.show("stride.count", strides, String(strides));
+    for (const name of OF_A_STRIDE) {
+      this.numbers.show(name, outputs[name], strides ? digits(outputs[name]) : "–");
+    }
+  }
+}
+
+/** What there is to see, in words. */
+export function described({ outputs }) {
+  const force = Math.hypot(outputs["contact.fx"], outputs["contact.fy"]);
+  const mode = MODE_TEXT[modeName(outputs["contact.mode"])];
+  const com = `${digits(outputs["com.y"], 3)} m high, ${digits(outputs["com.vx"], 3)} ${printed("m/s")}`;
+  return `${mode}; centre of mass ${com}; ground force ${digits(force, 3)} N`;
+}
