@@ -316,6 +316,65 @@ static void a_runner_that_is_moved_with_its_ground_runs_alike(void **state) {
 
 /* ---- random runs --------------------------------------------------------------------------------------- */
 
+/* Of Table 1's runner with all numbers off, over a slope, from an apex off its gait's. */
+static bool begin_random(random_source *source, run *run) {
+    tdmf_parameters p = tdmf_default_parameters();
+    double section[TDMF_SECTION_COUNT];
+    p.foot.mass = random_magnitude(source, 0.02, 0.5);
+    p.leg.damping = random_magnitude(source, 0.03, 1.0);
+    p.gravity *= random_magnitude(source, 0.7, 3.0);
+    p.hip.stance_torque = random_uniform(source, -0.1, 0.3);
+    p.hip.touchdown_angle += random_uniform(source, -0.4, 0.2);
+    p.hip.kp = random_magnitude(source, 0.03, 1.0);
+    p.hip.kd = random_magnitude(source, 0.03, 1.0);
+    p.hip.liftoff_angle_factor = random_uniform(source, 0.5, 1.5);
+    *run = run_at_apex(random_uniform(source, -1.0, 1.0), random_uniform(source, -0.3, 0.2));
+    run->inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
+    assert_null(tdmf_model_create(&run->model, &p).variable);
+    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    section[TDMF_SECTION_COM_HEIGHT] += random_uniform(source, -0.2, 0.2);
+    section[TDMF_SECTION_COM_SPEED] *= random_uniform(source, 0.3, 1.3);
+    tdmf_section_state(&run->model, &run->inputs, section, run->motion.state);
+    return tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode,
+                      &run->motion.record)
+               .variable == NULL;
+}
+
+/* The guard that has fired is at zero, and none is below it: what the series find is what the model says. */
+static void assert_no_guard_is_missed(const run *run, const tdmf_event *event) {
+    double guards[TDMF_GUARD_COUNT];
+    tdmf_guards(&run->model, &run->inputs, &event->before, event->state, guards);
+    assert_close(guards[event->guard], 0.0, 1e-9);
+    for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
+        assert_true(g == TDMF_GUARD_FORCE_PEAK || guards[g] > -1e-9);
+    }
+}
+
+static void every_event_on_a_slope_is_where_its_guard_is_zero(void **state) {
+    enum { RUNS = 600 };
+    int seen[TDMF_GUARD_COUNT] = {0}, apexes_in_graze = 0;
+    (void)state;
+    for (uint64_t seed = 0; seed < RUNS; ++seed) {
+        random_source source = {seed};
+        run run;
+        if (!begin_random(&source, &run)) {
+            continue;
+        }
+        run.solver.log = &run.log;
+        go_to(&run, 60.0);
+        for (int i = 0; i < run.log.count && i < TDMF_EVENT_CAPACITY; ++i) {
+            const tdmf_event *event = &run.log.events[i];
+            assert_no_guard_is_missed(&run, event);
+            ++seen[event->guard];
+            apexes_in_graze += event->guard == TDMF_GUARD_APEX && event->before.contact == TDMF_CONTACT_GRAZE;
+        }
+    }
+    assert_true(seen[TDMF_GUARD_TOUCHDOWN] > 300 && seen[TDMF_GUARD_APEX] > 300);
+    assert_true(seen[TDMF_GUARD_MID_STANCE] > 300 && seen[TDMF_GUARD_GRAZE_TO_FLIGHT] > 300);
+    assert_true(seen[TDMF_GUARD_BODY_DOWN] > 20 && seen[TDMF_GUARD_SLIP_VELOCITY_ZERO] > 300);
+    assert_true(apexes_in_graze > 5);
+}
+
 /* Near the runner, above or below its foot, steep or level. */
 static void set_random_line(random_source *source, run *run) {
     const double *state = run->motion.state;
@@ -387,6 +446,7 @@ int main(void) {
         cmocka_unit_test(a_start_below_the_ground_is_refused),
         cmocka_unit_test(at_no_impact_on_any_slope_does_kinetic_energy_rise),
         cmocka_unit_test(a_runner_that_is_moved_with_its_ground_runs_alike),
+        cmocka_unit_test(every_event_on_a_slope_is_where_its_guard_is_zero),
         cmocka_unit_test(random_runs_over_lines_that_change_stay_on_or_above_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
