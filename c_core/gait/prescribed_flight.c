@@ -126,16 +126,20 @@ static double time_to_level(double above, double rate, double curvature) {
     return rate > 0.0 ? (rate + root) / -curvature : 2.0 * above / (root - rate);
 }
 
-/* The first zero; not a number where the steps do not find it. */
+/* The first zero; not a number where the steps do not find it. While the parabola is beyond the reach of the
+ * swing, its own fall is what to wait for. */
 static double first_zero(const height *h) {
     const double reach = fabs(h->swing);
     const double lowest = h->curvature - reach * h->turning * h->turning;
-    double t = time_to_level(h->start - reach, h->rate, h->curvature);
+    double t = 0.0;
     for (int i = 0; i < STEP_LIMIT; ++i) {
         const double angle = h->angle - h->turning * t;
-        const double above = h->start + t * (h->rate + 0.5 * t * h->curvature) - h->swing * cos(angle);
-        const double rate = h->rate + t * h->curvature - h->swing * h->turning * sin(angle);
-        const double next = t + time_to_level(above, rate, lowest);
+        const double parabola = h->start + t * (h->rate + 0.5 * t * h->curvature);
+        const double its_rate = h->rate + t * h->curvature;
+        const double beyond = time_to_level(parabola - reach, its_rate, h->curvature);
+        const double within = time_to_level(parabola - h->swing * cos(angle),
+                                            its_rate - h->swing * h->turning * sin(angle), lowest);
+        const double next = t + fmax(beyond, within);
         if (!(next > t)) {
             return next == t ? t : NAN;
         }

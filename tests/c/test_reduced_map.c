@@ -2,6 +2,7 @@
  * becomes of a stride that has no next apex. */
 #include "compare.h"
 #include "differentiate.h"
+#include "ground_line.h"
 #include "prescribed_flight.h"
 #include "random.h"
 #include "reduced_gaits.h"
@@ -495,6 +496,24 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
     assert_true(landed > 150);
 }
 
+/* Its leg turns fast and just misses the ground at first, which then falls away beneath it for long. */
+static void a_runner_off_a_slope_comes_down_much_later(void **state) {
+    apex_scene scene = at_gait(&reduced_gaits[2]);
+    (void)state;
+    scene.parameters.hip.touchdown_angle = -0.8;
+    scene.parameters.hip.retraction_rate = -400.0;
+    scene.parameters.gravity = 1e-3;
+    scene.inputs.ground.slope = 0.7;
+    scene.apex[0] = 1.1;
+    scene.apex[1] = -80.0;
+    const tdmf_model model = model_of(&scene);
+    const tdmf_ground_line ground = tdmf_ground_line_set(&scene.inputs);
+    const tdmf_point apex = {0.0, scene.apex[0], scene.apex[1], 0.0};
+    const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, &ground, apex);
+    /* A stone would take so long; the leg is as short as nothing beside the way. */
+    assert_relatively_close(descent.time, 2.0 * 80.0 * tan(0.7) / 1e-3, 1e-4);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_map_leaves_the_gaits_of_the_reference_where_they_are),
@@ -509,6 +528,7 @@ int main(void) {
         cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
         cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),
+        cmocka_unit_test(a_runner_off_a_slope_comes_down_much_later),
         cmocka_unit_test(a_log_has_the_events_of_a_stride),
         cmocka_unit_test(the_first_touchdown_is_found_however_the_leg_turns),
     };
