@@ -56,9 +56,7 @@ static void begin_another(integration *integration, int index) {
     const tdmf_ensemble *ensemble = integration->ensemble;
     for (int64_t next = tdmf_next_start(integration->starts); next >= 0;
          next = tdmf_next_start(integration->starts)) {
-        const int number = ensemble->case_of ? ensemble->case_of[next] : 0;
-        if (tdmf_runner_begin(&integration->runners[index], ensemble->map, &ensemble->cases[number],
-                              ensemble->starts[next], &integration->ends[next])) {
+        if (tdmf_runner_begin(&integration->runners[index], ensemble, next, &integration->ends[next])) {
             wait_in(integration, index);
             return;
         }

@@ -73,9 +73,8 @@ static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, i
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
     for (int64_t i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
-        const tdmf_ensemble_case *its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[i] : 0];
         tdmf_runner runner;
-        bool goes_on = tdmf_runner_begin(&runner, ensemble->map, its_case, ensemble->starts[i], &ends[i]);
+        bool goes_on = tdmf_runner_begin(&runner, ensemble, i, &ends[i]);
         while (goes_on) {
             goes_on = tdmf_runner_stride(&runner, &solver);
         }
@@ -116,6 +115,11 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
     sum->evaluations += part->evaluations;
 }
 
+static bool has_ground(const tdmf_ensemble_rules *rules, tdmf_ensemble_map map) {
+    return rules->roughness == 0.0 ||
+           (isfinite(rules->roughness) && rules->roughness > 0.0 && map == TDMF_RETURN_MAP);
+}
+
 static bool is_sound(const tdmf_ensemble *ensemble) {
     if (ensemble->threads <= 0 || !tdmf_is_tolerance(ensemble->relative_tolerance) ||
         !tdmf_has_instructions(ensemble->instructions) ||
@@ -125,6 +129,11 @@ static bool is_sound(const tdmf_ensemble *ensemble) {
     }
     for (int64_t i = 0; ensemble->case_of && i < ensemble->count; ++i) {
         if (ensemble->case_of[i] < 0 || ensemble->case_of[i] >= ensemble->case_count) {
+            return false;
+        }
+    }
+    for (int i = 0; i < ensemble->case_count; ++i) {
+        if (!has_ground(&ensemble->cases[i].rules, ensemble->map)) {
             return false;
         }
     }

@@ -41,7 +41,7 @@ static bool leave_apex(tdmf_runner *runner) {
         return true;
     }
     const tdmf_reduced_outcome outcome =
-        tdmf_reduced_touch_down(its_case->model, &its_case->inputs,
+        tdmf_reduced_touch_down(its_case->model, &runner->inputs,
                                 TDMF_LONGEST_STRIDE * its_case->model->scales.time, &runner->motion, NULL);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (outcome != TDMF_REDUCED_CLOSED) {
@@ -51,40 +51,63 @@ static bool leave_apex(tdmf_runner *runner) {
     return true;
 }
 
+/* At each apex of a runner on rough ground. False where the run has ended. */
+static bool step_ground(tdmf_runner *runner) {
+    const tdmf_ensemble_case *its_case = runner->its_case;
+    const tdmf_ensemble_rules *rules = &its_case->rules;
+    tdmf_motion *motion = &runner->motion;
+    if (rules->roughness == 0.0) {
+        return true;
+    }
+    const double step = tdmf_ground_step(rules->seed, runner->number, (uint32_t)runner->end->strides);
+    runner->inputs.ground.height += rules->roughness * step;
+    const tdmf_resolution resolution =
+        tdmf_resolve_along(its_case->model, &runner->inputs, motion->time, motion->state, runner->direction,
+                           &motion->mode, &motion->record);
+    if (motion->mode.fallen || resolution.unresolved) {
+        tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
+        return false;
+    }
+    return true;
+}
+
 /* At the apex that a runner starts from. False where it is none. */
-static bool start(tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
-                  const double section[TDMF_SECTION_COUNT], tdmf_motion *motion) {
-    if (map == TDMF_REDUCED_MAP) {
-        return tdmf_reduced_begin(its_case->model, &its_case->inputs, section, motion) == TDMF_REDUCED_CLOSED;
+static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT]) {
+    const tdmf_model *model = runner->its_case->model;
+    tdmf_motion *motion = &runner->motion;
+    if (runner->map == TDMF_REDUCED_MAP) {
+        return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_REDUCED_CLOSED;
     }
     motion->time = 0.0;
-    tdmf_section_state(its_case->model, &its_case->inputs, section, motion->state);
-    return !tdmf_start(its_case->model, &its_case->inputs, 0.0, motion->state, &motion->mode, &motion->record)
-                .variable &&
+    tdmf_section_state(model, &runner->inputs, section, motion->state);
+    return !tdmf_start(model, &runner->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable &&
            motion->record.open.began_at_apex;
 }
 
-bool tdmf_runner_begin(tdmf_runner *runner, tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
-                       const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end) {
+bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,
+                       tdmf_ensemble_end *end) {
     static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
-    runner->its_case = its_case;
-    runner->map = map;
+    const double *section = ensemble->starts[index];
+    runner->its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[index] : 0];
+    runner->map = ensemble->map;
+    runner->number = ensemble->first_number + (uint64_t)index;
+    runner->inputs = runner->its_case->inputs;
     runner->end = end;
     *end = nothing_yet;
     memcpy(end->apex, section, sizeof end->apex);
-    if (!start(map, its_case, section, &runner->motion)) {
+    if (!start(runner, section)) {
         end->fate = TDMF_FATE_NO_START;
         return false;
     }
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     open_stride(runner);
-    return its_case->rules.most_strides > 0 && leave_apex(runner);
+    return runner->its_case->rules.most_strides > 0 && step_ground(runner) && leave_apex(runner);
 }
 
 static bool coasts(const tdmf_runner *runner) {
     const tdmf_ensemble_case *its_case = runner->its_case;
     const tdmf_hip_law law =
-        tdmf_stance_law(its_case->model, &its_case->inputs, &tdmf_held_inputs, &runner->motion.mode);
+        tdmf_stance_law(its_case->model, &runner->inputs, &tdmf_held_inputs, &runner->motion.mode);
     return law.torque == 0.0;
 }
 
@@ -100,7 +123,7 @@ static batch_kind batch_in_forced_flight(const tdmf_mode *mode, bool waits) {
 
 static batch_kind batch_in_flight(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
-    const tdmf_inputs *inputs = &runner->its_case->inputs;
+    const tdmf_inputs *inputs = &runner->inputs;
     const bool waits = tdmf_ground_is_pending(inputs, mode);
     if (tdmf_is_pushed(inputs)) {
         return batch_in_forced_flight(mode, waits);
@@ -163,7 +186,7 @@ static standing_member standing_fields(const tdmf_runner *runner) {
 
 int tdmf_runner_load(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
-    tdmf_open_mode(&runner->equations, runner->its_case->model, &runner->its_case->inputs, &tdmf_held_inputs,
+    tdmf_open_mode(&runner->equations, runner->its_case->model, &runner->inputs, &tdmf_held_inputs,
                    &motion->mode, motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
@@ -252,7 +275,7 @@ static bool close_stride(tdmf_runner *runner) {
         end->fate = TDMF_FATE_SETTLED;
         return false;
     }
-    return end->strides < its_case->rules.most_strides && leave_apex(runner);
+    return end->strides < its_case->rules.most_strides && step_ground(runner) && leave_apex(runner);
 }
 
 /* Whether the runner is where the stance of the reduced map is over, and its flight to the next apex. */
@@ -262,8 +285,7 @@ static bool has_lifted_off(const tdmf_runner *runner) {
 
 static bool fly(tdmf_runner *runner) {
     const tdmf_ensemble_case *its_case = runner->its_case;
-    const tdmf_reduced_outcome outcome =
-        tdmf_reduced_fly(its_case->model, &its_case->inputs, &runner->motion);
+    const tdmf_reduced_outcome outcome = tdmf_reduced_fly(its_case->model, &runner->inputs, &runner->motion);
     if (outcome != TDMF_REDUCED_CLOSED) {
         tdmf_runner_give_up(runner, fate_of_reduced(outcome));
         return false;
@@ -275,8 +297,8 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
     store(runner, fields);
-    tdmf_run run = {runner->its_case->model, &runner->its_case->inputs, motion->time,     motion->state,
-                    &motion->mode,           &motion->record,           runner->direction};
+    tdmf_run run = {runner->its_case->model, &runner->inputs, motion->time,     motion->state,
+                    &motion->mode,           &motion->record, runner->direction};
     const bool resolved = tdmf_take_transitions(&run);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
@@ -309,9 +331,9 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const bool reduced = runner->map == TDMF_REDUCED_MAP;
     const double until = runner->stride_began + TDMF_LONGEST_STRIDE * its_case->model->scales.time;
     const tdmf_stride_outcome stride =
-        reduced ? tdmf_native_stance(solver, its_case->model, &its_case->inputs, until, &runner->motion, NULL,
+        reduced ? tdmf_native_stance(solver, its_case->model, &runner->inputs, until, &runner->motion, NULL,
                                      NULL, 0)
-                : tdmf_native_stride(solver, its_case->model, &its_case->inputs, until, &runner->motion);
+                : tdmf_native_stride(solver, its_case->model, &runner->inputs, until, &runner->motion);
     if (!stride.closed) {
         tdmf_runner_give_up(runner, fate_of(stride.outcome));
         return false;

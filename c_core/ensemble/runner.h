@@ -33,6 +33,8 @@ typedef enum {
 typedef struct {
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_map map;
+    uint64_t number;    /* by which its ground is drawn */
+    tdmf_inputs inputs; /* the case's, at the height that the ground has come to */
     tdmf_ensemble_end *end;
     tdmf_motion motion;
     tdmf_mode_equations equations;
@@ -43,9 +45,10 @@ typedef struct {
     int false_crossings; /* since the mode changed */
 } tdmf_runner;
 
-/* Begins at an apex. False where there is nothing to run: `end` says why. */
-bool tdmf_runner_begin(tdmf_runner *runner, tdmf_ensemble_map map, const tdmf_ensemble_case *its_case,
-                       const double section[TDMF_SECTION_COUNT], tdmf_ensemble_end *end);
+/* Begins at an apex, the start of a runner of the ensemble. False where there is nothing to run: `end` says
+ * why. */
+bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,
+                       tdmf_ensemble_end *end);
 
 /* Which batch the runner belongs to. */
 batch_kind tdmf_runner_batch(const tdmf_runner *runner);

@@ -319,8 +319,12 @@ static void runners_settle_fall_or_do_not_start(void **state) {
     starts[2][TDMF_SECTION_LEG_ANGLE] = -1.2;
     starts[2][TDMF_SECTION_COM_HEIGHT] = 0.6;
     starts[3][TDMF_SECTION_COM_HEIGHT] = 0.1;
-    const tdmf_ensemble_case its_case = {
-        &model, tdmf_default_inputs(), {(const double(*)[TDMF_SECTION_COUNT])gaits, 2, 1e-3, 400}};
+    const tdmf_ensemble_case its_case = {&model,
+                                         tdmf_default_inputs(),
+                                         {.gaits = (const double(*)[TDMF_SECTION_COUNT])gaits,
+                                          .gait_count = 2,
+                                          .distance = 1e-3,
+                                          .most_strides = 400}};
     tdmf_ensemble ensemble = {.cases = &its_case,
                               .case_count = 1,
                               .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
@@ -359,7 +363,7 @@ static void reference_gaits_are_kept(void **state) {
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
-        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 1}};
+        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 1}};
         cases[i] = its_case;
         cases[i].inputs.ground.friction = reference_gaits[i].friction;
         case_of[i] = i;
@@ -389,7 +393,7 @@ static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
     tdmf_model model;
     assert_null(tdmf_model_create(&model, parameters).variable);
     const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 10}};
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 10}};
     tdmf_ensemble ensemble = {.cases = &its_case,
                               .case_count = 1,
                               .starts = start,

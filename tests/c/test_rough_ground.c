@@ -1,7 +1,8 @@
-/* Rough ground: its generator gives the published numbers, and its steps are normal, and independent of one
- * another along strides, runners and seeds. */
+/* Rough ground: its generator gives the published numbers, its steps are normal, and independent of one
+ * another along strides, runners and seeds; and runners meet them, each its own. */
 #include "compare.h"
 #include "philox.h"
+#include "reference_gaits.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -107,6 +108,125 @@ static void a_step_is_the_same_whatever_was_drawn_before(void **unused) {
     assert_true(tdmf_ground_step(1, 2, 4) != first);
 }
 
+/* ---- runners ------------------------------------------------------------------------------------------ */
+
+enum { RUNNERS = 300, STRIDES = 12 };
+
+static const double roughness = 0.05;
+static const uint64_t seed = 7;
+
+typedef struct {
+    tdmf_model model;
+    tdmf_ensemble_case its_case;
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble ensemble;
+    tdmf_ensemble_end ends[RUNNERS];
+} crowd;
+
+static void gather(crowd *crowd) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
+    const tdmf_ensemble_case its_case = {&crowd->model,
+                                         tdmf_default_inputs(),
+                                         {.most_strides = STRIDES, .roughness = roughness, .seed = seed}};
+    crowd->its_case = its_case;
+    for (int i = 0; i < RUNNERS; ++i) {
+        memcpy(crowd->starts[i], &reference_gaits[2].apex, sizeof crowd->starts[i]);
+    }
+    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = 1e-11,
+                                    .threads = 1};
+    crowd->ensemble = ensemble;
+}
+
+/* The native solver with the ground set at each apex. Returns the strides made. */
+static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion) {
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_inputs inputs = crowd->its_case.inputs;
+    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
+    motion->time = 0.0;
+    tdmf_section_state(&crowd->model, &inputs, crowd->starts[number], motion->state);
+    assert_null(
+        tdmf_start(&crowd->model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
+    for (int stride = 0; stride < STRIDES; ++stride) {
+        inputs.ground.height += roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
+        tdmf_resolve(&crowd->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+        if (!tdmf_native_stride(&solver, &crowd->model, &inputs, motion->time + 1e4, motion).closed) {
+            return stride;
+        }
+    }
+    return STRIDES;
+}
+
+static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion *motion, int strides) {
+    assert_int_equal(end->strides, strides);
+    if (strides == STRIDES) {
+        assert_int_equal(end->word_code, motion->record.stride.word_code);
+        assert_close(end->time, motion->record.apex.time, 1e-5);
+        assert_close(end->apex[TDMF_SECTION_COM_HEIGHT], motion->record.apex.com_height, 1e-7);
+        assert_close(end->apex[TDMF_SECTION_COM_SPEED], motion->record.apex.com_speed, 1e-7);
+    } else {
+        assert_int_equal(end->fate, TDMF_FATE_FELL);
+    }
+}
+
+/* One by one and in all lanes there are; some of them fall. */
+static void runners_meet_the_steps_of_their_numbers(void **unused) {
+    (void)unused;
+    static crowd crowd;
+    static tdmf_motion motions[RUNNERS];
+    int strides[RUNNERS];
+    int compared = 0, up = 0;
+    gather(&crowd);
+    for (int i = 0; i < RUNNERS; ++i) {
+        strides[i] = run_over_steps(&crowd, i, &motions[i]);
+        up += strides[i] == STRIDES;
+    }
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        crowd.ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(crowd.ensemble.instructions)) {
+            assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+            for (int i = 0; i < RUNNERS; ++i, ++compared) {
+                assert_same_strides(&crowd.ends[i], &motions[i], strides[i]);
+            }
+        }
+    }
+    assert_true(compared >= RUNNERS);
+    assert_in_range(up, 1, RUNNERS);
+}
+
+/* Bit for bit. */
+static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
+    (void)unused;
+    enum { FIRST = 113, PART = 71 };
+    static crowd all, part;
+    gather(&all);
+    assert_true(tdmf_run_ensemble(&all.ensemble, all.ends, NULL));
+    gather(&part);
+    part.ensemble.threads = 2;
+    part.ensemble.first_number = FIRST;
+    part.ensemble.count = PART;
+    assert_true(tdmf_run_ensemble(&part.ensemble, part.ends, NULL));
+    assert_memory_equal(part.ends, &all.ends[FIRST], PART * sizeof *part.ends);
+}
+
+static void refuses_a_roughness_that_is_none(void **unused) {
+    (void)unused;
+    static crowd crowd;
+    static const double none[] = {-1e-300, NAN, INFINITY};
+    gather(&crowd);
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
+        crowd.its_case.rules.roughness = none[i];
+        assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    }
+    crowd.its_case.rules.roughness = roughness;
+    crowd.ensemble.map = TDMF_REDUCED_MAP;
+    assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(philox_gives_the_published_words),
@@ -114,6 +234,9 @@ int main(void) {
         cmocka_unit_test(steps_have_the_distribution_function_of_a_normal_one),
         cmocka_unit_test(steps_are_independent_along_strides_runners_and_seeds),
         cmocka_unit_test(a_step_is_the_same_whatever_was_drawn_before),
+        cmocka_unit_test(runners_meet_the_steps_of_their_numbers),
+        cmocka_unit_test(steps_depend_on_neither_threads_nor_neighbours),
+        cmocka_unit_test(refuses_a_roughness_that_is_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,10 +16,12 @@ static void limits_of_steps_go_along(void **state) {
     (void)state;
     const tdmf_parameters parameters = tdmf_default_parameters();
     assert_null(tdmf_model_create(&model, &parameters).variable);
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {NULL, 0, 0.0, 1}};
-    double apex[TDMF_SECTION_COUNT];
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 1}};
+    double apex[1][TDMF_SECTION_COUNT];
     memcpy(apex, &reference_gaits[2].apex, sizeof apex);
-    assert_true(tdmf_runner_begin(&runner, TDMF_RETURN_MAP, &its_case, apex, &end));
+    const tdmf_ensemble ensemble = {
+        .cases = &its_case, .case_count = 1, .starts = (const double(*)[TDMF_SECTION_COUNT])apex, .count = 1};
+    assert_true(tdmf_runner_begin(&runner, &ensemble, 0, &end));
     assert_int_equal(tdmf_runner_load(&runner, fields), FLYING_FIELDS);
     memcpy(&now, fields, sizeof now);
     assert_true(now.steps.left > 1e5 && now.steps.span == 0.0 && now.steps.in_span == 0.0);

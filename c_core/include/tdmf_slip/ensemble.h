@@ -30,13 +30,16 @@ typedef struct {
     int gait_count;                            /* how many */
     double distance;                           /* a pure number */
     int most_strides;                          /* then the runner is undecided */
+    double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
+                         0 and this standard deviation; see tdmf_ground_step. Of the return map only */
+    uint64_t seed;    /* of the steps */
 } tdmf_ensemble_rules;
 
 /* What takes a runner from apex to apex: the return map, or the reduced map, which goes by an apex's height
  * and speed alone and, so that the apices are of one shape, writes of the leg how it is placed there. */
 typedef enum { TDMF_RETURN_MAP, TDMF_REDUCED_MAP } tdmf_ensemble_map;
 
-/* What a runner is given, besides its start. Inputs are held. */
+/* What a runner is given, besides its start. Inputs are held, but for the height of rough ground. */
 typedef struct {
     const tdmf_model *model;   /* its parameters */
     tdmf_inputs inputs;        /* throughout */
@@ -50,6 +53,7 @@ typedef struct {
     const int *case_of;                         /* each runner's case; NULL: all the first */
     const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
     int64_t count;                              /* of runners */
+    uint64_t first_number;                      /* of the first; by their numbers rough ground is drawn */
     double relative_tolerance;                  /* as in tdmf_solver */
     int threads;                                /* at the most so many work at once */
     tdmf_instructions instructions;             /* how they are stepped */
@@ -90,7 +94,8 @@ typedef struct {
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
- * none of those given, the map is none, or there is no memory. */
+ * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, or
+ * there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
