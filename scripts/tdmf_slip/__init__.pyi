@@ -2,6 +2,7 @@ from .analysis.basin import basin
 from .analysis.branch import Branch
 from .analysis.curve import Curve
 from .analysis.curves import continue_curves
+from .analysis.first_passage import strides_to_fall
 from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
@@ -43,6 +44,7 @@ __all__ = [
     "run_ensemble",
     "simulate",
     "simulate_over",
+    "strides_to_fall",
     "sweep",
     "validate",
 ]

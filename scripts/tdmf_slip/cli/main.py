@@ -22,6 +22,7 @@ COMMANDS = (
     "continue",
     "figures",
     "gait",
+    "rough",
     "simulate",
     "sweep",
     "validate",

@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind, is_number
+from ..checks import check_kind, checked_whole, is_number
 from ..errors import InputError
 from ..unit.variable import Given
 from .binding import c, ffi
+from .rough_ground import LAST_RUNNER, RoughGround
 from .runner import Runner, text_of
 from .section import COORDINATES, Apex
 from .structs import Struct
@@ -50,9 +51,13 @@ class Case:
     gaits: Sequence[Apex] | NDArray[np.float64] = field(default=())
     """Apices, shape (gaits, n); without any, runners make the most strides or fall."""
 
+    ground: RoughGround = field(default_factory=RoughGround)
+    """Rough or, by default, level, or as the runner's inputs say."""
+
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none."""
         object.__setattr__(self, "runner", Runner.of(self.runner))
+        check_kind(self.ground, RoughGround, "ground", "a RoughGround")
         check_kind(self.gaits, (Sequence, np.ndarray), "gaits", f"rows of {', '.join(COORDINATES)}")
 
 
@@ -89,6 +94,7 @@ def run_ensemble(
     case_of: ArrayLike | None = None,
     *,
     most_strides: int,
+    first_number: int = 0,
     near: float = NEAR,
     tolerance: float = TOLERANCE,
     threads: int | None = None,
@@ -107,6 +113,8 @@ def run_ensemble(
         The number of each runner's case; by default all have the first.
     most_strides : int
         A runner that has closed as many is undecided, as is one whose stride takes longer than 1e4 sqrt(m/k).
+    first_number : int, default 0
+        Of the first runner; by their numbers rough ground is drawn.
     near : float, default 1e-2
         Distance from a gait's apex, over the scales, at which a runner counts as settled.
     tolerance : float, default 2e-10
@@ -138,11 +146,14 @@ def run_ensemble(
     reduced = all_cases[0].runner.reduced
     if any(case.runner.reduced != reduced for case in all_cases):
         raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
+    if reduced and any(case.ground.roughness for case in all_cases):
+        raise InputError("cases: on rough ground by the reduced map; allowed: by the full model")
     sections = _apices("starts", starts, all_cases[0].runner.coordinates)
     ensemble = ffi.new("tdmf_ensemble *")
     ensemble.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
     ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
     ensemble.count = len(sections)
+    ensemble.first_number = checked_whole("first_number", first_number, 0, LAST_RUNNER)
     ensemble.relative_tolerance = _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0)
     ensemble.threads = _whole("threads", (os.cpu_count() or 1) if threads is None else threads)
     ensemble.instructions = _number(instructions)
@@ -175,6 +186,7 @@ def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Str
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
         its.rules.distance, its.rules.most_strides = near, most_strides
+        its.rules.roughness, its.rules.seed = case.ground.roughness, case.ground.seed
         kept += [c_gaits, case.runner]
     return made, kept
 

@@ -1,0 +1,245 @@
+"""How long a runner stays up on rough ground: the mean number of strides until it falls.
+
+That is the mean first-passage time by which K. Byl and R. Tedrake, "Metastable walking machines", Int. J.
+Robot. Res. 28, 1040 (2009), measure the stability of what falls for certain, sooner or later.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..blocks.running import run_blocks
+from ..checks import checked_whole
+from ..errors import InputError
+from ..library import ensemble
+from ..library.orbit import Orbit
+from ..library.rough_ground import RoughGround
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit
+from ..unit.variable import Given
+from .fates import TOLERANCE
+from .search import find_orbit
+from .volume import CONFIDENCE, NORMAL_QUANTILE
+
+MOST_RUNNERS = 100_000_000
+MOST_STRIDES = 1_000_000
+STRIDES_IN_A_BLOCK = 200_000
+"""At the most, unless runners are few: the library hears of no interrupt until it returns."""
+LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
+"""Runners; fewer would leave lanes empty."""
+BISECTIONS = 60
+FELL, UNSOLVED = ensemble.FATES.index("fell"), ensemble.FATES.index("unsolved")
+
+
+@dataclass(frozen=True)
+class FirstPassage:
+    """Strides until the fall, estimated from runners of whom some are still up at the end.
+
+    The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then
+    that of maximum likelihood, strides begun over falls: a runner still up is censored, its strides count and
+    it has no fall (J. F. Lawless, Statistical Models and Methods for Lifetime Data, 2nd ed., 2003, ch. 2-4).
+    """
+
+    word: str
+    """Of the gait on level ground that the runners start from."""
+    roughness: float
+    """Standard deviation of a step, m."""
+    runners: int
+    """How many ran."""
+    falls: int
+    """So many of them fell."""
+    strides: int
+    """Begun by all, those that end in a fall included."""
+    unsolved: int = 0
+    """Runners that the solver did not get through; they count as censored."""
+
+    @property
+    def censored(self) -> int:
+        """Runners still up at the end."""
+        return self.runners - self.falls
+
+    @property
+    def mean_strides(self) -> float:
+        """Until the fall, the stride that ends in it included; infinite where none fell."""
+        return self.strides / self.falls if self.falls else math.inf
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Confidence interval of the mean, by the likelihood ratio; above, it is open where none fell."""
+        half = 0.5 * NORMAL_QUANTILE**2
+        if self.falls == 0:
+            return -1.0 / math.expm1(-half / self.strides), math.inf
+        least = self._likelihood(self.mean_strides) - half
+        low = 1.0 if self.mean_strides == 1.0 else self._mean_of(least, 0.5)
+        return low, self._mean_of(least, 2.0)
+
+    def _likelihood(self, mean: float) -> float:
+        """Its logarithm: each stride is a trial that ends in a fall with probability 1/mean."""
+        if mean <= 1.0:
+            return 0.0 if self.falls == self.strides else -math.inf
+        return (self.strides - self.falls) * math.log1p(-1.0 / mean) - self.falls * math.log(mean)
+
+    def _mean_of(self, likelihood: float, factor: float) -> float:
+        """The mean of a likelihood, on one side of the estimate."""
+        inside = outside = self.mean_strides
+        while self._likelihood(outside) > likelihood:
+            inside, outside = outside, outside * factor
+        for _ in range(BISECTIONS):
+            middle = math.sqrt(inside * outside)
+            if self._likelihood(middle) > likelihood:
+                inside = middle
+            else:
+                outside = middle
+        return inside
+
+    def as_json(self) -> dict[str, object]:
+        """The estimate as a plain object."""
+        return {
+            "word": self.word,
+            "roughness": self.roughness,
+            "runners": self.runners,
+            "strides": self.strides,
+            "mean_strides": self.mean_strides,
+            "interval": list(self.interval),
+            "confidence": CONFIDENCE,
+            "falls": self.falls,
+            "censored": self.censored,
+            "unsolved": self.unsolved,
+        }
+
+
+@dataclass(frozen=True)
+class Share:
+    """Some of the runners: a block of work."""
+
+    runner: Runner
+    """Parameters and inputs."""
+    apex: tuple[float, ...]
+    """That all start from, shape (6,)."""
+    ground: RoughGround
+    """What they run on."""
+    first: int
+    """Number of the first runner."""
+    count: int
+    """Runners."""
+    most_strides: int
+    """Of each."""
+
+
+def count_falls(share: Share) -> NDArray[np.int64]:
+    """What becomes of a block's runners, by one thread.
+
+    Parameters
+    ----------
+    share : Share
+        The block.
+
+    Returns
+    -------
+    ndarray of int, shape (3,)
+        Falls, strides begun, and runners that the solver did not get through.
+    """
+    case = ensemble.Case(share.runner, ground=share.ground)
+    ends, _ = ensemble.run_ensemble(
+        [case],
+        np.tile(share.apex, (share.count, 1)),
+        most_strides=share.most_strides,
+        first_number=share.first,
+        tolerance=TOLERANCE,
+        threads=1,
+    )
+    falls = np.count_nonzero(ends["fate"] == FELL)
+    unsolved = np.count_nonzero(ends["fate"] == UNSOLVED)
+    return np.array([falls, ends["strides"].sum(dtype=np.int64) + falls, unsolved])
+
+
+def strides_to_fall(
+    runner: Runner | Mapping[str, Given],
+    roughness: float,
+    runners: int = 1000,
+    seed: int = 0,
+    most_strides: int = 10_000,
+    *,
+    gait: Orbit | None = None,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> FirstPassage:
+    """The mean number of strides until a runner falls on rough ground.
+
+    At each apex, the start's too, the height of the ground gains a random step; `RoughGround.steps` tells
+    those of each runner, which are numbered from 0. Runners start from the gait on level ground. The fall is
+    that of the library's solver at a relative tolerance of 1e-5 a step.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
+    roughness : float
+        Standard deviation of a step, m.
+    runners : int, default 1000
+        How many run, each on ground of its own.
+    seed : int, default 0
+        Of the ground.
+    most_strides : int, default 10000
+        A runner that has made as many is still up: it is counted as censored, not dropped.
+    gait : Orbit, optional
+        What they start from; by default the gait that `find_orbit` finds.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    workers : int, optional
+        Processes on this machine, by default one for each processor.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    FirstPassage
+        The mean by maximum likelihood, with its confidence interval.
+
+    Raises
+    ------
+    InputError
+        A value is not allowed, or the runner goes by the reduced map.
+    RunError
+        There is no gait to start from, or see `run_blocks`.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> rough = tdmf_slip.strides_to_fall({"ground.friction": 0.6}, 0.3, runners=100, most_strides=200)
+    >>> rough.falls + rough.censored
+    100
+    """
+    runner = Runner.of(runner, unit)
+    if runner.reduced:
+        raise InputError(
+            "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
+        )
+    ground = RoughGround(roughness, seed)
+    runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
+    most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
+    start = find_orbit(runner, unit=unit) if gait is None else gait
+    runner, apex = Runner(runner.values), tuple(start.apex)
+    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // most_strides))
+    shares = [
+        Share(runner, apex, ground, first, min(size, runners - first), most_strides)
+        for first in range(0, runners, size)
+    ]
+    counted = np.zeros(3, dtype=np.int64)
+    with (
+        progress.bar("rough", runners, "runners", show_progress) as bar,
+        run_blocks(count_falls, shares, scheduler=scheduler, workers=workers) as results,
+    ):
+        for number, found in results:
+            counted += found
+            bar.update(shares[number].count)
+    falls, strides, unsolved = map(int, counted)
+    return FirstPassage(start.word, ground.roughness, runners, falls, strides, unsolved)

@@ -1,0 +1,109 @@
+"""The command `rough`: how long a runner stays up on rough ground."""
+
+import math
+
+import click
+
+from ..analysis.first_passage import MOST_RUNNERS, MOST_STRIDES, FirstPassage, strides_to_fall
+from ..analysis.volume import CONFIDENCE
+from ..library.rough_ground import LARGEST, LAST_SEED
+from ..terminal.text import columns, quantity
+from ..unit.unit import Unit, load
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SCHEDULER_OPTION,
+    SET_OPTION,
+    WORKERS_OPTION,
+    Command,
+    Number,
+    values_given,
+)
+from .output import json_text
+from .runner import runner_of
+
+
+@click.command("rough", cls=Command)
+@FRICTION_OPTION
+@click.option(
+    "--roughness",
+    type=Number(0.0, LARGEST),
+    required=True,
+    metavar="S",
+    help="Standard deviation, in m, of the steps that the ground takes at each apex.",
+)
+@click.option(
+    "--runners",
+    type=Number(1, MOST_RUNNERS, whole=True),
+    default=1000,
+    show_default=True,
+    metavar="N",
+    help="How many run, each on ground of its own.",
+)
+@click.option(
+    "--seed",
+    type=Number(0, LAST_SEED, whole=True),
+    default=0,
+    show_default=True,
+    metavar="K",
+    help="Of the ground: a whole number.",
+)
+@click.option(
+    "--most-strides",
+    type=Number(1, MOST_STRIDES, whole=True),
+    default=10_000,
+    show_default=True,
+    metavar="M",
+    help="A runner that has made as many is still up, and counted as censored.",
+)
+@SCHEDULER_OPTION
+@WORKERS_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def rough_command(
+    friction: float | None,
+    roughness: float,
+    runners: int,
+    seed: int,
+    most_strides: int,
+    scheduler: str | None,
+    workers: int | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """The mean number of strides until a runner falls on rough ground, with its confidence interval.
+
+    Runners start from the gait on level ground. Those still up at the end are censored: their strides count.
+    """
+    unit = load()
+    found = strides_to_fall(
+        runner_of(unit, parameters, values_given(friction, settings)),
+        roughness,
+        runners,
+        seed,
+        most_strides,
+        scheduler=scheduler,
+        workers=workers,
+        show_progress=True,
+        unit=unit,
+    )
+    print(json_text(found.as_json()) if as_json_object else _text(found, unit))
+
+
+def _text(found: FirstPassage, unit: Unit) -> str:
+    low, high = found.interval
+    ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
+    rows = {
+        "word": found.word,
+        "roughness": quantity(found.roughness, unit.variables["ground.height"].unit, 12),
+        "runners": str(found.runners),
+        "strides": str(found.strides),
+        "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
+        "falls": str(found.falls),
+        "censored": str(found.censored),
+        "unsolved": str(found.unsolved),
+    }
+    return columns(rows)
