@@ -200,7 +200,10 @@ static void runners_settle_on_the_gaits_of_the_reference(void **state) {
                                                       {gait->apex[0] + 0.03, gait->apex[1] - 0.03}};
         tdmf_model model;
         assert_null(tdmf_model_create(&model, &parameters).variable);
-        const tdmf_ensemble_case its_case = {&model, inputs_of_reduced_gait(gait), {gaits, 1, 1e-9, 2000}};
+        const tdmf_ensemble_case its_case = {
+            &model,
+            inputs_of_reduced_gait(gait),
+            {.gaits = gaits, .gait_count = 1, .distance = 1e-9, .most_strides = 2000}};
         const tdmf_ensemble ensemble = {.cases = &its_case,
                                         .case_count = 1,
                                         .starts = starts,
