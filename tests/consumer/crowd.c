@@ -21,7 +21,10 @@ int main(void) {
         }
         starts[i][TDMF_SECTION_COM_SPEED] += 0.5 * (i - RUNNERS / 2) / RUNNERS;
     }
-    const tdmf_ensemble_case runner = {&model, tdmf_default_inputs(), {gait, 1, 1e-2, 400}};
+    const tdmf_ensemble_case runner = {
+        &model,
+        tdmf_default_inputs(),
+        {.gaits = gait, .gait_count = 1, .distance = 1e-2, .most_strides = 400}};
     const tdmf_ensemble ensemble = {.cases = &runner,
                                     .case_count = 1,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,

@@ -32,7 +32,7 @@ STRIDES_IN_A_BLOCK = 200_000
 LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 BISECTIONS = 60
-FELL, UNSOLVED = ensemble.FATES.index("fell"), ensemble.FATES.index("unsolved")
+FELL, UNDECIDED, UNSOLVED = (ensemble.FATES.index(name) for name in ("fell", "undecided", "unsolved"))
 
 
 @dataclass(frozen=True)
@@ -54,12 +54,14 @@ class FirstPassage:
     """So many of them fell."""
     strides: int
     """Begun by all, those that end in a fall included."""
+    stopped: int = 0
+    """Runners that came to stand, so that no further stride closed; they count as censored there."""
     unsolved: int = 0
-    """Runners that the solver did not get through; they count as censored."""
+    """Runners that the solver did not get through; they count as censored, too."""
 
     @property
     def censored(self) -> int:
-        """Runners still up at the end."""
+        """Runners that have not fallen."""
         return self.runners - self.falls
 
     @property
@@ -108,6 +110,7 @@ class FirstPassage:
             "confidence": CONFIDENCE,
             "falls": self.falls,
             "censored": self.censored,
+            "stopped": self.stopped,
             "unsolved": self.unsolved,
         }
 
@@ -140,8 +143,8 @@ def count_falls(share: Share) -> NDArray[np.int64]:
 
     Returns
     -------
-    ndarray of int, shape (3,)
-        Falls, strides begun, and runners that the solver did not get through.
+    ndarray of int, shape (4,)
+        Falls, strides begun, runners that stopped, and runners that the solver did not get through.
     """
     case = ensemble.Case(share.runner, ground=share.ground)
     ends, _ = ensemble.run_ensemble(
@@ -153,8 +156,10 @@ def count_falls(share: Share) -> NDArray[np.int64]:
         threads=1,
     )
     falls = np.count_nonzero(ends["fate"] == FELL)
+    strides = ends["strides"].sum(dtype=np.int64) + falls
+    stopped = np.count_nonzero((ends["fate"] == UNDECIDED) & (ends["strides"] < share.most_strides))
     unsolved = np.count_nonzero(ends["fate"] == UNSOLVED)
-    return np.array([falls, ends["strides"].sum(dtype=np.int64) + falls, unsolved])
+    return np.array([falls, strides, stopped, unsolved])
 
 
 def strides_to_fall(
@@ -233,7 +238,7 @@ def strides_to_fall(
         Share(runner, apex, ground, first, min(size, runners - first), most_strides)
         for first in range(0, runners, size)
     ]
-    counted = np.zeros(3, dtype=np.int64)
+    counted = np.zeros(4, dtype=np.int64)
     with (
         progress.bar("rough", runners, "runners", show_progress) as bar,
         run_blocks(count_falls, shares, scheduler=scheduler, workers=workers) as results,
@@ -241,5 +246,4 @@ def strides_to_fall(
         for number, found in results:
             counted += found
             bar.update(shares[number].count)
-    falls, strides, unsolved = map(int, counted)
-    return FirstPassage(start.word, ground.roughness, runners, falls, strides, unsolved)
+    return FirstPassage(start.word, ground.roughness, runners, *map(int, counted))

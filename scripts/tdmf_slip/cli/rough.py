@@ -104,6 +104,7 @@ def _text(found: FirstPassage, unit: Unit) -> str:
         "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
         "falls": str(found.falls),
         "censored": str(found.censored),
+        "stopped": str(found.stopped),
         "unsolved": str(found.unsolved),
     }
     return columns(rows)
