@@ -151,6 +151,10 @@ static inline void tdmf_shift_law(tdmf_hip_law *law, double elapsed) {
     law->torque += elapsed * law->torque_rate;
 }
 
+static inline bool tdmf_law_drifts(const tdmf_hip_law *law) {
+    return law->target_rate != 0.0 || law->torque_rate != 0.0;
+}
+
 /* How fast the torque of a law changes while the leg stands still, N.m/s, and its change. */
 static inline double tdmf_law_drift(const tdmf_hip_law *law) {
     return law->torque_rate + law->gain * law->target_rate;

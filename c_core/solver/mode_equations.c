@@ -106,6 +106,13 @@ static void open_forcing(tdmf_mode_equations *equations, const tdmf_inputs *inpu
     }
 }
 
+static bool drifts(const tdmf_mode_equations *equations) {
+    return tdmf_law_drifts(&equations->law) || tdmf_law_drifts(&equations->servo) ||
+           tdmf_law_drifts(&equations->stance_law) || equations->friction_rate != 0.0 ||
+           equations->static_friction_rate != 0.0 || equations->rest_length_rate != 0.0 ||
+           equations->push_rate.x != 0.0 || equations->push_rate.y != 0.0;
+}
+
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
@@ -126,6 +133,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->awaits_thrust =
         tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
     open_forcing(equations, inputs, rates, state, direction);
+    equations->drifts = drifts(equations);
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations, state, direction);
         open_new_ground(equations, inputs, mode);

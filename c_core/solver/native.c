@@ -319,6 +319,16 @@ static void expand_variations(integration *integration) {
     }
 }
 
+/* What the laws make of the step is the same in a whole mode, unless they drift. */
+static void open_step(integration *integration) {
+    const tdmf_mode_equations *equations = &integration->equations;
+    const double margin_factor = tdmf_margin_factor(integration->false_crossings);
+    if (!integration->equations_are_ahead || equations->drifts ||
+        integration->step.margin_factor != margin_factor) {
+        tdmf_step_open(&integration->step, equations, &integration->motion->mode, margin_factor);
+    }
+}
+
 static tdmf_outcome advance_once(integration *integration) {
     tdmf_motion *motion = integration->motion;
     tdmf_step *step = &integration->step;
@@ -328,9 +338,8 @@ static tdmf_outcome advance_once(integration *integration) {
     }
     ++integration->solver->steps;
     note_rise(integration);
-    tdmf_step_expand(step, &integration->equations, &motion->mode,
-                     tdmf_margin_factor(integration->false_crossings), integration->order,
-                     integration->solver->relative_tolerance);
+    open_step(integration);
+    tdmf_step_expand(step, integration->order, integration->solver->relative_tolerance);
     integration->solver->evaluations += step->order;
     if (mode_is_too_stiff(integration)) {
         return TDMF_TOO_STIFF;

@@ -40,18 +40,21 @@ static double expand_standing_leg(tdmf_step *step) {
                               step->tolerance, &step->series.ground, &step->longest);
 }
 
-void tdmf_step_expand(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
-                      double margin_factor, int order, double tolerance) {
+void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
+                    double margin_factor) {
     step->equations = equations;
-    step->order = order;
-    step->tolerance = tolerance;
+    step->margin_factor = margin_factor;
     if (flies(step)) {
         step->constants.flight = tdmf_step_flight_constants(equations, mode, margin_factor);
-        step->size = expand_leg_in_flight(step);
     } else {
         step->constants.ground = tdmf_step_ground_constants(equations, mode, margin_factor);
-        step->size = expand_standing_leg(step);
     }
+}
+
+void tdmf_step_expand(tdmf_step *step, int order, double tolerance) {
+    step->order = order;
+    step->tolerance = tolerance;
+    step->size = flies(step) ? expand_leg_in_flight(step) : expand_standing_leg(step);
 }
 
 void tdmf_step_shorten(tdmf_step *step, double longest) {

@@ -8,6 +8,7 @@
 
 typedef struct {
     const tdmf_mode_equations *equations;
+    double margin_factor;
     int order;
     double tolerance;
     double longest; /* that the law of the mode allows */
@@ -37,10 +38,13 @@ int tdmf_step_order(double tolerance);
 /* Which terms the series of a step on the ground have. */
 ground_case tdmf_step_ground_case(const tdmf_step *step);
 
-/* Expands the motion of a mode and finds how long its series may be trusted: step->size, not a number
+/* Makes a step ready for a mode that has just been opened, or whose laws have drifted since. */
+void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
+                    double margin_factor);
+
+/* Expands the motion of the mode and finds how long its series may be trusted: step->size, not a number
  * where they are not finite. */
-void tdmf_step_expand(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
-                      double margin_factor, int order, double tolerance);
+void tdmf_step_expand(tdmf_step *step, int order, double tolerance);
 
 /* Shortens the step to `longest` and so that the leg keeps its length nearly enough. Before this a step is
  * only expanded. */

@@ -19,7 +19,8 @@ static bool is_a_leg(const tdmf_mode_equations *equations) {
 
 static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations, int order,
                    double tolerance) {
-    tdmf_step_expand(step, equations, &runner->mode, 1.0, order, tolerance);
+    tdmf_step_open(step, equations, &runner->mode, 1.0);
+    tdmf_step_expand(step, order, tolerance);
     tdmf_step_shorten(step, INFINITY);
 }
 
