@@ -80,7 +80,7 @@ def continue_branch(
     >>> import tdmf_slip
     >>> branch = tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.2)
     >>> branch.ended, [special.kind for special in branch.specials]
-    ('end of the range', ['word border', 'word border'])
+    ('end of the range', ['word border', 'word border', 'word border'])
     """
     unit = load(unit)
     runner = Runner.of(runner, unit)
