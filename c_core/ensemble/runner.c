@@ -51,13 +51,18 @@ static bool leave_apex(tdmf_runner *runner) {
     return true;
 }
 
-/* At each apex of a runner on rough ground. False where the run has ended. */
+/* At each apex of a runner on rough ground. False where the run has ended: one that has not got onto its last
+ * step in a whole stride is below the ground. */
 static bool step_ground(tdmf_runner *runner) {
     const tdmf_ensemble_case *its_case = runner->its_case;
     const tdmf_ensemble_rules *rules = &its_case->rules;
     tdmf_motion *motion = &runner->motion;
     if (rules->roughness == 0.0) {
         return true;
+    }
+    if (tdmf_ground_is_pending(&runner->inputs, &motion->mode)) {
+        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
     }
     const double step = tdmf_ground_step(rules->seed, runner->number, (uint32_t)runner->end->strides);
     runner->inputs.ground.height += rules->roughness * step;

@@ -157,6 +157,9 @@ static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion) {
         if (!tdmf_native_stride(&solver, &crowd->model, &inputs, motion->time + 1e4, motion).closed) {
             return stride;
         }
+        if (motion->mode.ground.height != inputs.ground.height) {
+            return stride + 1;
+        }
     }
     return STRIDES;
 }

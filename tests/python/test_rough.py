@@ -67,7 +67,10 @@ class Slave:
             self.unit.enterEventMode()
             self.unit.updateDiscreteStates()
             if self.count() > len(found):
+                below = self.unit.getBoolean([self.references["ground.pending"]])[0]
                 found.append([self.get(f"apex.{name}") for name in ("time", "com_height", "com_speed")])
+                if below:
+                    break
                 self.set("ground.height", steps[: len(found) + 1].sum())
                 self.unit.updateDiscreteStates()
             self.unit.enterStepMode()

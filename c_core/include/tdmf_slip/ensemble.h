@@ -31,7 +31,8 @@ typedef struct {
     double distance;                           /* a pure number */
     int most_strides;                          /* then the runner is undecided */
     double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
-                         0 and this standard deviation; see tdmf_ground_step. Of the return map only */
+                         0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
+                         whole stride has fallen. Of the return map only */
     uint64_t seed;    /* of the steps */
 } tdmf_ensemble_rules;
 

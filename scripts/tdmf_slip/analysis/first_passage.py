@@ -178,7 +178,8 @@ def strides_to_fall(
     """The mean number of strides until a runner falls on rough ground.
 
     At each apex, the start's too, the height of the ground gains a random step; `RoughGround.steps` tells
-    those of each runner, which are numbered from 0. Runners start from the gait on level ground. The fall is
+    those of each runner, which are numbered from 0. A runner whose foot is below its step for a whole stride
+    has fallen, too. Runners start from the gait on level ground. The fall is
     that of the library's solver at a relative tolerance of 1e-5 a step.
 
     Parameters
