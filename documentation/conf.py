@@ -29,6 +29,7 @@ extensions = [
 ]
 exclude_patterns = ["data", "extensions", "live", "templates"]
 templates_path = ["templates"]
+viewcode_follow_imported_members = False
 default_role = "literal"
 suppress_warnings = ["ref.python"]  # of two attributes with one name
 
