@@ -40,7 +40,9 @@ class Box:
     """The ranges of two parameters, over their scales."""
 
     low: NDArray[np.float64]
+    """Least value of each, shape (2,)."""
     high: NDArray[np.float64]
+    """Largest value of each, shape (2,)."""
 
     @property
     def size(self) -> NDArray[np.float64]:

@@ -35,6 +35,7 @@ class Place:
     at: NDArray[np.float64]
     """Apex and parameters, over the scales."""
     orbit: Orbit
+    """The gait."""
     matrix: NDArray[np.float64]
     """Derivatives of the equations, shape (n + 1, n + 2)."""
 
