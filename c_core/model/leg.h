@@ -27,9 +27,32 @@ static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_S
     return direction;
 }
 
-/* What the rest length grows by at the greatest compression. */
+/* What the rest length grows by at the greatest compression: no less than 0, whatever the control asks for. A
+ * leg that grew shorter would leave a ground that it comes down to at once, for ever. */
 static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return model->parameters.leg.thrust + inputs->control.thrust;
+    const double thrust = model->parameters.leg.thrust + inputs->control.thrust;
+    return thrust > 0.0 ? thrust : 0.0;
+}
+
+/* Of the spring: l0, the extension and, from the greatest compression to the end of the stance, the thrust.
+ */
+static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode) {
+    const double thrust = mode->thrusts ? tdmf_leg_thrust(model, inputs) : 0.0;
+    return model->parameters.leg.free_length + inputs->leg.extension + thrust;
+}
+
+/* Whether a thrust that grows changes the rest length: it is on and not held at 0. */
+static inline bool tdmf_thrust_acts(const tdmf_model *model, const tdmf_inputs *inputs,
+                                    const tdmf_mode *mode) {
+    return mode->thrusts && model->parameters.leg.thrust + inputs->control.thrust >= 0.0;
+}
+
+/* The change of the rest length. */
+static inline double tdmf_vary_rest_length(bool thrust_acts, const tdmf_model *d,
+                                           const tdmf_inputs *d_inputs) {
+    return d->parameters.leg.free_length + d_inputs->leg.extension +
+           (thrust_acts ? d->parameters.leg.thrust + d_inputs->control.thrust : 0.0);
 }
 
 /* From the normal of the ground. */
@@ -38,14 +61,6 @@ static inline tdmf_leg_direction tdmf_direction_over(const tdmf_ground_line *lin
     const tdmf_leg_direction over = {direction.sine * line->cosine - direction.cosine * line->sine,
                                      direction.cosine * line->cosine + direction.sine * line->sine};
     return over;
-}
-
-/* Of the spring: l0, the extension and, from the greatest compression to the end of the stance, the thrust.
- * Linear in model and inputs, so that it serves their changes too. */
-static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      const tdmf_mode *mode) {
-    const double thrust = mode->thrusts ? tdmf_leg_thrust(model, inputs) : 0.0;
-    return model->parameters.leg.free_length + inputs->leg.extension + thrust;
 }
 
 /* The leg, where its direction is at hand. A solver may try lengths at or below zero on its

@@ -37,7 +37,7 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
     const flight_coefficients by_mobility =
         times_mobility(d->model.mobility, &model->parameters, equations->rest_length, &equations->law);
     flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters,
-                                                tdmf_rest_length(&d->model, &d->inputs, mode), &d_law);
+                                                tdmf_vary_rest_length(false, &d->model, &d->inputs), &d_law);
     varied.mobility = d->model.mobility;
     varied.stiffness += by_mobility.stiffness;
     varied.damping += by_mobility.damping;
@@ -106,7 +106,7 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
     const ground_coefficients varied = {
         .stiffness = d_p->leg.stiffness,
         .damping = d_p->leg.damping,
-        .rest_length = tdmf_rest_length(&d->model, &d->inputs, mode),
+        .rest_length = tdmf_vary_rest_length(equations->thrust_acts, &d->model, &d->inputs),
         .inverse_body_mass = d->model.inverse_body_mass,
         .inverse_foot_mass = d->model.inverse_foot_mass,
         .foot_weight_x = d_weight * ground->sine + weight * ground->cosine * d_slope,

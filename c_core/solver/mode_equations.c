@@ -130,6 +130,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->start.leg_work = state[TDMF_LEG_WORK];
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     equations->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
+    equations->thrust_acts = tdmf_thrust_acts(model, inputs, mode);
     equations->awaits_thrust =
         tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
     open_forcing(equations, inputs, rates, state, direction);

@@ -37,6 +37,7 @@ typedef struct {
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
     double rest_length, rest_length_rate; /* of the leg */
+    bool thrust_acts;                     /* see tdmf_thrust_acts */
     bool awaits_thrust;                   /* contact: its greatest compression is an event to come */
     tdmf_fall push, push_rate;            /* of the body by the external force */
     bool is_forced;                       /* pushed, or inputs ramp that push or lengthen the leg */

@@ -59,8 +59,8 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, 
     return tdmf_vary_leg_work_of_jump(
         model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
         tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
-        tdmf_rest_length(&d->model, &d->inputs, &before->mode),
-        tdmf_rest_length(&d->model, &d->inputs, &after->mode));
+        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, &before->mode), &d->model, &d->inputs),
+        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, &after->mode), &d->model, &d->inputs));
 }
 
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,

@@ -32,6 +32,12 @@ runner line_at(const line *line, double t) {
     moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
     moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
     moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
+    moved.inputs.leg.extension += t * line->change.inputs.leg.extension;
+    moved.inputs.body.external_fx += t * line->change.inputs.body.external_fx;
+    moved.inputs.body.external_fy += t * line->change.inputs.body.external_fy;
+    moved.inputs.control.thrust += t * line->change.inputs.control.thrust;
+    moved.inputs.control.stance_torque += t * line->change.inputs.control.stance_torque;
+    moved.inputs.control.touchdown_angle += t * line->change.inputs.control.touchdown_angle;
     moved.inputs.ground.height += t * line->change.inputs.ground.height;
     moved.inputs.ground.slope += t * line->change.inputs.ground.slope;
     /* The line in force changes with the one that is set, which may be another. */
@@ -79,5 +85,11 @@ line line_random(random_source *source, const runner *runner) {
     random_source copy = *source; /* all else is as it would be on ground that is held */
     line.change.inputs.ground.height = scales->length * random_uniform(&copy, -1.0, 1.0);
     line.change.inputs.ground.slope = random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.leg.extension = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.body.external_fx = scales->force * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.body.external_fy = scales->force * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.control.thrust = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.control.stance_torque = scales->energy * random_uniform(&copy, -1.0, 1.0);
+    line.change.inputs.control.touchdown_angle = random_uniform(&copy, -1.0, 1.0);
     return line;
 }

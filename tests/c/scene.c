@@ -70,7 +70,8 @@ void scene_set_vertical_force(runner *runner, double vertical_force) {
 }
 
 double scene_stance_law(const runner *runner) {
-    return runner->mode.mid_stance_pending ? -runner->model.parameters.hip.stance_torque : 0.0;
+    const double torque = runner->model.parameters.hip.stance_torque + runner->inputs.control.stance_torque;
+    return runner->mode.mid_stance_pending ? -torque : 0.0;
 }
 
 double scene_retract_law(const runner *runner) {
@@ -83,7 +84,8 @@ double scene_retract_law(const runner *runner) {
 double scene_place_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double omega = p->hip.retraction_rate;
-    const double reference = p->hip.touchdown_angle - omega * runner->state[TDMF_HIP_PLACE_TIME];
+    const double touchdown_angle = p->hip.touchdown_angle + runner->inputs.control.touchdown_angle;
+    const double reference = touchdown_angle - omega * runner->state[TDMF_HIP_PLACE_TIME];
     return -p->hip.kp * (runner->state[TDMF_LEG_ANGLE] - reference) -
            p->hip.kd * (runner->state[TDMF_LEG_ANGLE_RATE] + omega);
 }

@@ -27,6 +27,8 @@ static void places(const long double q[FREEDOMS], long double place[PLACES]) {
 
 typedef struct {
     const tdmf_parameters *parameters;
+    double rest_length;      /* of the spring */
+    double force_x, force_y; /* on the body, from outside */
     long double q[FREEDOMS];
     long double rate[FREEDOMS];
     long double direction[FREEDOMS]; /* in which q is moved to differentiate */
@@ -72,12 +74,14 @@ static long double kinetic_energy(const motion *motion, const long double rate[F
 
 static long double potential_energy(const motion *motion) {
     const tdmf_parameters *p = motion->parameters;
-    const long double compression = (long double)p->leg.free_length - motion->q[R];
+    const long double compression = (long double)motion->rest_length - motion->q[R];
     long double place[PLACES];
     places(motion->q, place);
     return (long double)p->gravity * ((long double)p->foot.mass * place[FOOT_ALONG_Y] +
                                       (long double)p->body.mass * place[BODY_ALONG_Y]) +
-           0.5L * (long double)p->leg.stiffness * compression * compression;
+           0.5L * (long double)p->leg.stiffness * compression * compression -
+           (long double)motion->force_x * place[BODY_ALONG_X] -
+           (long double)motion->force_y * place[BODY_ALONG_Y];
 }
 
 /* dT/d(rate_i). T is a quadratic form of the rates, for which this difference is exact. */
@@ -226,7 +230,12 @@ static void solve(equation rows[UNKNOWNS]) {
 }
 
 static void solve_lagrange(const runner *runner, double solution[UNKNOWNS]) {
-    motion motion = {.parameters = &runner->model.parameters};
+    const tdmf_parameters *p = &runner->model.parameters;
+    const tdmf_inputs *inputs = &runner->inputs;
+    motion motion = {
+        .parameters = p, .force_x = inputs->body.external_fx, .force_y = inputs->body.external_fy};
+    motion.rest_length = p->leg.free_length + inputs->leg.extension +
+                         (runner->mode.thrusts ? p->leg.thrust + inputs->control.thrust : 0.0);
     equation rows[UNKNOWNS];
     memset(rows, 0, sizeof rows);
     for (int i = 0; i < FREEDOMS; ++i) {
@@ -283,10 +292,23 @@ static void compare_with_lagrange(const runner *runner) {
     assert_close(torque, expected[TAU], 1e-11 * fmax(fabs(expected[TAU]), scales->energy));
 }
 
+/* A leg that thrusts and is extended, a body that is pushed. */
+static void actuate(random_source *source, runner *runner) {
+    const tdmf_scales *scales = &runner->model.scales;
+    runner->mode.thrusts = tdmf_in_contact(&runner->mode) && random_chance(source, 0.5);
+    runner->model.parameters.leg.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
+    runner->inputs.control.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
+    runner->inputs.leg.extension = random_uniform(source, -0.3, 0.3) * scales->length;
+    runner->inputs.body.external_fx = random_uniform(source, -1.0, 1.0) * scales->force;
+    runner->inputs.body.external_fy = random_uniform(source, -1.0, 1.0) * scales->force;
+}
+
 static void compare_in_mode(tdmf_contact_mode contact) {
     random_source source = {1000 + (uint64_t)contact};
     for (int i = 0; i < 200; ++i) {
-        const runner runner = scene_random(&source, contact);
+        runner runner = scene_random(&source, contact);
+        compare_with_lagrange(&runner);
+        actuate(&source, &runner);
         compare_with_lagrange(&runner);
     }
 }

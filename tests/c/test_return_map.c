@@ -18,6 +18,7 @@ enum {
     STATIC_FRICTION_RATIO =
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
     THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double),
+    CONTROL_THRUST = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, control.thrust) / sizeof(double),
     GROUND_HEIGHT = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double)
 };
 
@@ -131,7 +132,7 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             if (k == STATIC_FRICTION_RATIO) { /* Table 1 has the least that there is */
                 scene.parameters.ground.static_friction_ratio = 1.1;
             }
-            if (k == THRUST) {
+            if (k == THRUST || k == CONTROL_THRUST) { /* no less than 0 */
                 scene.parameters.leg.thrust = 0.01;
             }
             /* Nothing depends on where the ground is, so that its height may move far. */

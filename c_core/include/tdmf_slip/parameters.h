@@ -58,7 +58,7 @@ typedef struct {
     struct {                    /* added to the settings of these names */
         double touchdown_angle; /* rad */
         double stance_torque;   /* N.m */
-        double thrust;          /* m */
+        double thrust;          /* m; the sum is never below 0 */
     } control;
 } tdmf_inputs;
 

@@ -1,0 +1,440 @@
+/* Thrust of the leg, changes of its rest length and pushes on the body: their rules, and their place in the
+ * energy ledger, by the native solver, CVODE and lanes. */
+#include "compare.h"
+#include "scene.h"
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- a run --------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_motion motion;
+    tdmf_solver solver;
+    double start_energy;
+} run;
+
+static double energy_of(const run *run) {
+    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
+}
+
+static run begin(double thrust, double tolerance) {
+    run run;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    memset(&run, 0, sizeof run);
+    parameters.leg.thrust = thrust;
+    assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    run.inputs = tdmf_default_inputs();
+    run.solver = tdmf_solver_default();
+    run.solver.relative_tolerance = tolerance;
+    tdmf_default_state(run.motion.state);
+    assert_null(
+        tdmf_start(&run.model, &run.inputs, 0.0, run.motion.state, &run.motion.mode, &run.motion.record)
+            .variable);
+    run.start_energy = energy_of(&run);
+    return run;
+}
+
+/* What the ledger does not account for. */
+static double error_of_ledger(const run *run) {
+    const double *state = run->motion.state;
+    return energy_of(run) - run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
+           state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
+           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
+}
+
+static void set_thrust(run *run, double thrust) {
+    tdmf_parameters parameters = run->model.parameters;
+    parameters.leg.thrust = thrust;
+    assert_null(tdmf_model_create(&run->model, &parameters).variable);
+}
+
+/* ---- ramps --------------------------------------------------------------------------------------------- */
+
+enum { PIECES = 24 };
+static const double piece = 3.1;
+
+static tdmf_inputs random_rates(random_source *source) {
+    tdmf_inputs rates = {.ground = {.friction = random_uniform(source, -0.02, 0.02)}};
+    rates.hip.external_torque = random_uniform(source, -2e-3, 2e-3);
+    rates.leg.extension = random_uniform(source, -5e-3, 5e-3);
+    rates.body.external_fx = random_uniform(source, -1e-3, 1e-3);
+    rates.body.external_fy = random_uniform(source, -1e-3, 1e-3);
+    return rates;
+}
+
+typedef tdmf_outcome (*solver_call)(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                    const tdmf_inputs *rates, double until, tdmf_motion *motion);
+
+/* Up and down again, so that the runner runs on. */
+static run ramped(uint64_t seed, solver_call advance, double tolerance, double ledger_tolerance) {
+    random_source source = {seed};
+    run run = begin(0.03, tolerance);
+    tdmf_inputs rates = {.ground = {.friction = 0.0}};
+    for (int i = 0; i < PIECES; ++i) {
+        const double until = run.motion.time + piece;
+        if (i % 2 == 0) {
+            rates = random_rates(&source);
+        } else {
+            double *values = (double *)&rates;
+            for (size_t k = 0; k < sizeof rates / sizeof *values; ++k) {
+                values[k] = -values[k];
+            }
+        }
+        assert_int_equal(advance(&run.solver, &run.model, &run.inputs, &rates, until, &run.motion),
+                         TDMF_ARRIVED);
+        run.inputs = tdmf_inputs_after(&run.inputs, &rates, piece);
+        assert_close(error_of_ledger(&run), 0.0, ledger_tolerance);
+    }
+    return run;
+}
+
+static void ramps_of_every_input_close_the_ledger_and_agree_with_cvode(void **state) {
+    (void)state;
+    for (uint64_t seed = 1; seed <= 6; ++seed) {
+        const run native = ramped(seed, tdmf_native_advance, 1e-12, 1e-11);
+        assert_true(native.motion.record.stride.count >= 1);
+        assert_true(native.motion.state[TDMF_LEG_WORK] != 0.0);
+        if (tdmf_cvode_is_available()) {
+            const run other = ramped(seed, tdmf_cvode_advance, 1e-11, 1e-8);
+            for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+                assert_close(native.motion.state[i], other.motion.state[i], 1e-6);
+            }
+            assert_int_equal(native.motion.record.event_count, other.motion.record.event_count);
+        }
+    }
+}
+
+/* ---- jumps --------------------------------------------------------------------------------------------- */
+
+static void jump(random_source *source, run *run, double most) {
+    tdmf_inputs *inputs = &run->inputs;
+    tdmf_observe(&run->model, inputs, run->motion.state, &run->motion.mode, &run->motion.record);
+    set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, most));
+    inputs->leg.extension = random_uniform(source, -0.5, 0.5) * most;
+    inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -most, most);
+    inputs->control.stance_torque = random_uniform(source, -0.1, 0.1);
+    inputs->control.touchdown_angle = random_uniform(source, -0.1, 0.1);
+    inputs->body.external_fx = random_uniform(source, -0.01, 0.01);
+    inputs->body.external_fy = random_uniform(source, -0.03, 0.03);
+    inputs->ground.slope = random_uniform(source, -0.1, 0.1);
+    inputs->ground.height = random_uniform(source, -0.1, 0.1);
+}
+
+static void whatever_jumps_the_ledger_closes_and_chains_end(void **state) {
+    enum { RUNS = 400, JUMPS = 12 };
+    random_source source = {20};
+    int thrusts = 0, fell = 0, apices = 0;
+    (void)state;
+    for (int i = 0; i < RUNS; ++i) {
+        run run = begin(0.02, 1e-11);
+        tdmf_outcome outcome = TDMF_ARRIVED;
+        const double most = i % 2 == 0 ? 0.1 : 0.6;
+        double turnover = 1.0;
+        for (int k = 0; k < JUMPS && outcome == TDMF_ARRIVED; ++k) {
+            jump(&source, &run, most);
+            outcome = tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL,
+                                          run.motion.time + random_uniform(&source, 0.1, 6.0), &run.motion);
+            assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
+            turnover = fmax(turnover, fabs(energy_of(&run)) + fabs(run.motion.state[TDMF_LEG_WORK]));
+            assert_close(error_of_ledger(&run), 0.0, 1e-9 * turnover);
+            thrusts += run.motion.mode.thrusts;
+        }
+        fell += outcome == TDMF_FELL;
+        apices += run.motion.record.stride.count;
+    }
+    assert_true(thrusts > 60 && fell > 3 && apices > 200);
+}
+
+/* ---- the rules of thrust ------------------------------------------------------------------------------- */
+
+static const double thrust = 0.05;
+
+static runner standing_leg(double length_rate, double leg_thrust) {
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.2);
+    tdmf_parameters parameters = runner.model.parameters;
+    parameters.leg.thrust = leg_thrust;
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.state[TDMF_LEG_LENGTH_RATE] = length_rate;
+    return runner;
+}
+
+static double work_of_thrust(const runner *runner, double by) {
+    const tdmf_parameters *p = &runner->model.parameters;
+    const double compression = p->leg.free_length - runner->state[TDMF_LEG_LENGTH];
+    return 0.5 * p->leg.stiffness * by * (by + 2.0 * compression);
+}
+
+static void thrust_begins_where_the_leg_stops_shortening_and_outlasts_it(void **state) {
+    runner runner = standing_leg(-1e-3, thrust);
+    (void)state;
+    scene_resolve(&runner);
+    assert_false(runner.mode.thrusts);
+    runner.state[TDMF_LEG_LENGTH_RATE] = 1e-9;
+    assert_true(scene_resolve(&runner).mode_changed);
+    assert_true(runner.mode.thrusts);
+    assert_int_equal(runner.record.event_count, 1);
+    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
+    runner.state[TDMF_LEG_LENGTH_RATE] = -0.1;
+    scene_resolve(&runner);
+    runner.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    scene_resolve(&runner);
+    assert_true(runner.mode.thrusts);
+    assert_int_equal(runner.record.event_count, 1);
+}
+
+static void a_thrust_of_zero_is_noted_and_acts_where_it_is_set(void **state) {
+    runner runner = standing_leg(1e-3, 0.0);
+    (void)state;
+    assert_false(scene_resolve(&runner).mode_changed);
+    assert_true(runner.mode.thrusts);
+    assert_int_equal(runner.record.event_count, 0);
+    assert_true(runner.state[TDMF_LEG_WORK] == 0.0);
+    runner.inputs.control.thrust = thrust;
+    const tdmf_resolution resolution = scene_resolve(&runner);
+    assert_true(resolution.state_changed && resolution.mode_changed);
+    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
+    runner.inputs.leg.extension = 0.01;
+    scene_resolve(&runner);
+    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust + 0.01), 1e-15);
+}
+
+/* Along a stance of the native solver, in which nothing asks for the flag. */
+static void the_native_solver_notes_a_thrust_of_zero(void **state) {
+    run run = begin(0.0, 1e-11);
+    (void)state;
+    while (!tdmf_in_contact(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
+        assert_false(run.motion.mode.thrusts);
+        assert_int_equal(tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL,
+                                             run.motion.time + 0.05, &run.motion),
+                         TDMF_ARRIVED);
+    }
+    assert_true(run.motion.mode.thrusts);
+    while (tdmf_in_contact(&run.motion.mode)) {
+        tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, run.motion.time + 0.01, &run.motion);
+    }
+    assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_GRAZE);
+    assert_true(run.motion.mode.thrusts);
+    while (run.motion.mode.contact == TDMF_CONTACT_GRAZE) {
+        tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, run.motion.time + 0.01, &run.motion);
+    }
+    assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
+    assert_false(run.motion.mode.thrusts);
+}
+
+static void an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays(void **state) {
+    runner held = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = held;
+    tdmf_parameters parameters = held.model.parameters;
+    (void)state;
+    parameters.leg.thrust = 0.5;
+    assert_null(tdmf_model_create(&held.model, &parameters).variable);
+    held.state[TDMF_LEG_LENGTH_RATE] += 0.3;
+    free.state[TDMF_LEG_LENGTH_RATE] += 0.3;
+    scene_resolve(&held);
+    scene_resolve(&free);
+    assert_true(tdmf_in_contact(&held.mode) && held.mode.thrusts);
+    assert_int_equal(held.record.event_count, 2);
+    assert_false(tdmf_in_contact(&free.mode));
+}
+
+static void graze_keeps_thrust_and_does_not_start_it(void **state) {
+    (void)state;
+    for (int on = 0; on < 2; ++on) {
+        runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
+        runner.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+        runner.state[TDMF_LEG_ANGLE_RATE] = -2.0;
+        scene_set_vertical_force(&runner, -0.01);
+        runner.mode.thrusts = on == 1;
+        scene_resolve(&runner);
+        assert_int_equal(runner.mode.contact, TDMF_CONTACT_GRAZE);
+        assert_int_equal(runner.mode.thrusts, on);
+        scene_set_vertical_force(&runner, 0.1);
+        scene_resolve(&runner);
+        assert_true(tdmf_in_contact(&runner.mode) && runner.mode.thrusts);
+    }
+}
+
+/* ---- pushes -------------------------------------------------------------------------------------------- */
+
+/* Lifted in place, the runner rises; let go, it passes a second apex, with a word that is empty. */
+static void who_is_lifted_in_place_passes_a_second_apex(void **state) {
+    run run = begin(0.0, 1e-11);
+    (void)state;
+    run.inputs.body.external_fy = 0.05;
+    tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 6.0, &run.motion);
+    assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
+    assert_true(tdmf_center_of_mass(&run.model, run.motion.state).vy > 0.1);
+    assert_int_equal(run.motion.record.stride.count, 0);
+    run.inputs.body.external_fy = 0.0;
+    tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 30.0, &run.motion);
+    assert_int_equal(run.motion.record.stride.count, 1);
+    assert_string_equal(run.motion.record.stride.word, "");
+    assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], 30.0 - run.motion.record.apex.time, 1e-12);
+    assert_close(error_of_ledger(&run), 0.0, 1e-12);
+}
+
+/* By a push that grows and fades, within one call: the solver has to see the rise and the apex itself. */
+static void a_push_that_ramps_may_lift_and_drop_in_place(void **state) {
+    const tdmf_inputs grows = {.body = {.external_fy = 0.02}}, fades = {.body = {.external_fy = -0.02}};
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        run run = begin(0.0, 1e-11);
+        const solver_call advance = i == 0 ? tdmf_native_advance : tdmf_cvode_advance;
+        if (i == 1 && !tdmf_cvode_is_available()) {
+            continue;
+        }
+        advance(&run.solver, &run.model, &run.inputs, &grows, 3.0, &run.motion);
+        run.inputs.body.external_fy = 0.06;
+        advance(&run.solver, &run.model, &run.inputs, &fades, 12.0, &run.motion);
+        assert_int_equal(run.motion.record.stride.count, 1);
+        /* vy(t) = integral of F/M - g, with F = 0.02 t to 3, then 0.06 - 0.02 (t - 3). */
+        const double mass = 1.1, g = 0.01, peak = 0.09 / mass - 3.0 * g;
+        const double a = 0.01 / mass, b = 0.06 / mass - g;
+        const double apex = 3.0 + (b + sqrt(b * b + 4.0 * a * peak)) / (2.0 * a);
+        assert_close(run.motion.record.apex.time, apex, i == 0 ? 1e-9 : 1e-6);
+    }
+}
+
+/* No hang, and nothing that is not a number: the outcome says what became of it. */
+static void the_extremes_of_every_range_are_survived(void **state) {
+    static const double ends[] = {1e18, -1e18, 1e9, -1e9, 1e3};
+    int told[TDMF_REFUSED + 1] = {0};
+    (void)state;
+    for (int i = 0; i < 5 * 16; ++i) {
+        const double end = ends[i % 5], length = fmin(fabs(end), 1e6) * (end < 0.0 ? -1.0 : 1.0);
+        const int which = i / 5;
+        run run = begin(which & 8 ? fabs(length) : 0.0, 1e-10);
+        run.inputs.body.external_fx = which & 1 ? end : 0.0;
+        run.inputs.body.external_fy = which & 2 ? end : 0.0;
+        run.inputs.leg.extension = which & 4 ? length : 0.0;
+        run.solver.step_limit = run.solver.event_limit = 30000;
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 40.0, &run.motion);
+        ++told[outcome];
+        for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+            assert_true(isfinite(run.motion.state[k]));
+        }
+    }
+    assert_int_equal(told[TDMF_REFUSED], 0);
+    assert_true(told[TDMF_ARRIVED] + told[TDMF_FELL] > 5);
+}
+
+/* ---- stops --------------------------------------------------------------------------------------------- */
+
+static run actuated(void) {
+    run run = begin(0.05, 1e-12);
+    run.inputs.body.external_fx = -3e-4;
+    run.inputs.body.external_fy = 1e-3;
+    run.inputs.leg.extension = 0.01;
+    return run;
+}
+
+static void stops_make_no_difference(void **state) {
+    const double end = 60.0;
+    run whole = actuated(), pieces = actuated(), events = actuated();
+    tdmf_event_log log = {0};
+    (void)state;
+    whole.solver.log = &log;
+    tdmf_native_advance(&whole.solver, &whole.model, &whole.inputs, NULL, end, &whole.motion);
+    for (int i = 1; i <= 200; ++i) {
+        tdmf_native_advance(&pieces.solver, &pieces.model, &pieces.inputs, NULL, end * i / 200.0,
+                            &pieces.motion);
+    }
+    assert_true(log.count > 15 && log.count <= TDMF_EVENT_CAPACITY);
+    for (int i = 0; i <= log.count; ++i) {
+        tdmf_native_advance(&events.solver, &events.model, &events.inputs, NULL,
+                            i < log.count ? log.events[i].time : end, &events.motion);
+    }
+    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+        assert_close(pieces.motion.state[k], whole.motion.state[k], 1e-9);
+        assert_close(events.motion.state[k], whole.motion.state[k], 1e-9);
+    }
+    assert_int_equal(pieces.motion.record.event_count, whole.motion.record.event_count);
+    assert_int_equal(events.motion.record.event_count, whole.motion.record.event_count);
+}
+
+/* ---- lanes --------------------------------------------------------------------------------------------- */
+
+enum { RUNNERS = 40 };
+
+static void assert_ends_agree(const tdmf_ensemble_end *a, const tdmf_ensemble_end *b) {
+    assert_int_equal(a->fate, b->fate);
+    assert_int_equal(a->strides, b->strides);
+    assert_int_equal(a->word_code, b->word_code);
+    for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+        assert_close(a->apex[k], b->apex[k], 1e-7);
+    }
+    assert_close(a->time, b->time, 1e-6);
+    assert_close(a->hip_work, b->hip_work, 1e-7);
+    assert_close(a->leg_work, b->leg_work, 1e-7);
+    assert_close(a->external_work, b->external_work, 1e-7);
+    assert_close(a->work, a->hip_work + a->leg_work, 0.0);
+}
+
+static void lanes_follow_the_native_solver(void **state) {
+    static tdmf_model models[RUNNERS];
+    tdmf_ensemble_case cases[RUNNERS];
+    int case_of[RUNNERS], sets = 0, closed = 0;
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble_end one_by_one[RUNNERS], ends[RUNNERS];
+    random_source source = {31};
+    (void)state;
+    for (int i = 0; i < RUNNERS; ++i) {
+        run run = begin(0.0, 1e-11);
+        const tdmf_apex *apex = &run.motion.record.apex;
+        const double section[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
+                                                    apex->leg_length,      apex->leg_angle,
+                                                    apex->leg_length_rate, apex->leg_angle_rate};
+        jump(&source, &run, 0.05);
+        run.inputs.ground.height = 0.0;
+        run.inputs.ground.slope *= 0.2;
+        run.inputs.body.external_fy *= 0.2;
+        run.inputs.body.external_fx *= i % 3 == 0 ? 0.0 : 0.1;
+        models[i] = run.model;
+        cases[i] =
+            (tdmf_ensemble_case){.model = &models[i], .inputs = run.inputs, .rules = {.most_strides = 2}};
+        case_of[i] = i;
+        memcpy(starts[i], section, sizeof section);
+    }
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        const tdmf_ensemble ensemble = {.cases = cases,
+                                        .case_count = RUNNERS,
+                                        .case_of = case_of,
+                                        .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                        .count = RUNNERS,
+                                        .relative_tolerance = 1e-11,
+                                        .instructions = (tdmf_instructions)set,
+                                        .threads = 1};
+        if (tdmf_has_instructions((tdmf_instructions)set)) {
+            assert_true(tdmf_run_ensemble(&ensemble, set == TDMF_ONE_BY_ONE ? one_by_one : ends, NULL));
+            for (int i = 0; i < RUNNERS && set != TDMF_ONE_BY_ONE; ++i) {
+                assert_ends_agree(&ends[i], &one_by_one[i]);
+                closed += ends[i].strides;
+            }
+            ++sets;
+        }
+    }
+    assert_true(sets >= 2 && closed > RUNNERS / 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ramps_of_every_input_close_the_ledger_and_agree_with_cvode),
+        cmocka_unit_test(whatever_jumps_the_ledger_closes_and_chains_end),
+        cmocka_unit_test(thrust_begins_where_the_leg_stops_shortening_and_outlasts_it),
+        cmocka_unit_test(a_thrust_of_zero_is_noted_and_acts_where_it_is_set),
+        cmocka_unit_test(the_native_solver_notes_a_thrust_of_zero),
+        cmocka_unit_test(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays),
+        cmocka_unit_test(graze_keeps_thrust_and_does_not_start_it),
+        cmocka_unit_test(who_is_lifted_in_place_passes_a_second_apex),
+        cmocka_unit_test(a_push_that_ramps_may_lift_and_drop_in_place),
+        cmocka_unit_test(the_extremes_of_every_range_are_survived),
+        cmocka_unit_test(stops_make_no_difference),
+        cmocka_unit_test(lanes_follow_the_native_solver),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
