@@ -27,6 +27,9 @@ RESOLUTIONS = 20.0, 2400.0
 )
 @click.option("--only", metavar="NAME", help="Only the figures whose name begins like this, as in figure_9.")
 @click.option(
+    "--measure", is_flag=True, help="Compute anew the data that take minutes: of rough ground and of slopes."
+)
+@click.option(
     "--format",
     "formats",
     metavar="NAMES",
@@ -57,6 +60,7 @@ RESOLUTIONS = 20.0, 2400.0
 def figures_command(
     folder: Path,
     only: str | None,
+    measure: bool,
     formats: str,
     width: float | None,
     resolution: float | None,
@@ -77,7 +81,7 @@ def figures_command(
         style=style_name,
     )
     written = catalogue.draw(
-        folder, load(), only=only, formats=names, appearance=appearance, show_progress=True
+        folder, load(), only=only, measure=measure, formats=names, appearance=appearance, show_progress=True
     )
     for path in written:
         print(path)

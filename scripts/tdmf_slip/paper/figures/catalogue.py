@@ -33,6 +33,9 @@ from . import (
     figure_9,
     reduced,
     retraction,
+    rough,
+    slope,
+    stored,
 )
 from .columns import Columns, write_columns
 
@@ -71,6 +74,7 @@ def draw(
     unit: Unit,
     *,
     only: str | None = None,
+    measure: bool = False,
     formats: Sequence[str] = ("png", "svg"),
     appearance: style.Appearance = style.DESIGNED,
     show_progress: bool = False,
@@ -85,6 +89,8 @@ def draw(
         Run for one stride of a gait.
     only : str, optional
         Only figures whose name begins like this.
+    measure : bool, default False
+        Compute anew what takes minutes, and else is as it was last measured.
     formats : sequence of str, default ('png', 'svg')
         Of `FORMATS`.
     appearance : Appearance, optional
@@ -102,7 +108,7 @@ def draw(
     InputError
         No figure has such a name, or nothing can be written there.
     """
-    known = _figures(unit)
+    known = _figures(unit, measure)
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
     if not chosen:
         raise InputError(f"only {only}: no such figure; allowed: {', '.join(known)}")
@@ -122,7 +128,7 @@ def draw(
     return written
 
 
-def _figures(unit: Unit) -> dict[str, Figure]:
+def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
     runner = Runner.of(read_parameters("paper"), unit)
 
     @cache
@@ -153,6 +159,14 @@ def _figures(unit: Unit) -> dict[str, Figure]:
     def planes() -> tuple[StabilityMap, StabilityMap]:
         return reduced.planes(runner)
 
+    @cache
+    def roughness() -> Columns:
+        return rough.table(rough.measure(runner, show_progress=True)) if measure else stored.columns("rough")
+
+    @cache
+    def slopes() -> Columns:
+        return slope.table(slope.gaits(runner)) if measure else stored.columns("slope")
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -175,6 +189,8 @@ def _figures(unit: Unit) -> dict[str, Figure]:
         "retraction": Figure(
             lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
         ),
+        "rough": Figure(lambda path: rough.draw(path, roughness()), roughness),
+        "slope": Figure(lambda path: slope.draw(path, slopes()), slopes),
         "reduced_region": Figure(
             lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())
         ),

@@ -1,0 +1,114 @@
+"""Does the slipping runner stay up longer? Strides until the fall on rough ground, over the friction."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...analysis.first_passage import FirstPassage, strides_to_fall
+from ...blocks.running import run_blocks
+from ...library.runner import Runner
+from ...pictures import style
+from ...terminal import progress
+from ...unit.unit import FRICTION
+from . import figure_9
+from .columns import Columns
+
+FRICTIONS = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.36, 0.43, 0.5, 0.6, 0.8, 1.2, 2.5, 5.0, 10.0)
+ROUGHNESS = (0.2, 0.3, 0.4, 0.5)
+"""Over l0."""
+RUNNERS, MOST_STRIDES, SEED = 256, 400, 20261122
+COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00")
+DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
+
+Measured = Sequence[tuple[float, FirstPassage]]
+"""Frictions, and what was found at each."""
+
+
+def measure_one(place: tuple[Runner, float]) -> FirstPassage:
+    """How long one runner stays up at one roughness.
+
+    Parameters
+    ----------
+    place : tuple of Runner and float
+        Who runs, and the roughness, m.
+
+    Returns
+    -------
+    FirstPassage
+        By one thread.
+    """
+    runner, roughness = place
+    return strides_to_fall(runner, roughness, RUNNERS, SEED, MOST_STRIDES, workers=1)
+
+
+def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
+    """How long runners stay up, at each friction and roughness.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose length of leg is 1.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    sequence of (float, FirstPassage)
+        Frictions, and what was found.
+    """
+    places = [
+        (runner.but(FRICTION, friction), roughness) for roughness in ROUGHNESS for friction in FRICTIONS
+    ]
+    with (
+        progress.bar("rough", len(places), "means", show_progress) as bar,
+        run_blocks(measure_one, places) as results,
+    ):
+        found = {}
+        for number, passage in results:
+            found[number] = passage
+            bar.update()
+    return [(places[number][0].values[FRICTION], found[number]) for number in sorted(found)]
+
+
+def table(measured: Measured) -> Columns:
+    """The figure's data, by column; where none fell, the mean and the upper end of its interval are inf."""
+    found = [passage for _, passage in measured]
+    return {
+        "roughness": [one.roughness for one in found],
+        "friction": [friction for friction, _ in measured],
+        "word": [one.word for one in found],
+        "runners": [one.runners for one in found],
+        "falls": [one.falls for one in found],
+        "strides": [one.strides for one in found],
+        "stopped": [one.stopped for one in found],
+        "unsolved": [one.unsolved for one in found],
+        "mean_strides": [one.mean_strides for one in found],
+        "mean_strides_low": [one.interval[0] for one in found],
+        "mean_strides_high": [one.interval[1] for one in found],
+    }
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw the mean number of strides over the friction, a curve for each roughness."""
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(7.6, 4.8), layout="constrained")
+        for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
+            chosen = np.asarray(data["roughness"], float) == roughness
+            _curve(axes, {n: np.asarray(data[n], float)[chosen] for n in DRAWN}, colour, f"{roughness:g}")
+        axes.set_yscale("log")
+        axes.set_ylabel("mean number of strides until the fall")
+        figure_9.friction_axis(axes, FRICTIONS)
+        axes.legend(title="steps of the ground  / l₀", loc="upper right")
+        style.save(figure, path)
+
+
+def _curve(axes: Axes, data: Columns, colour: str, label: str) -> None:
+    """With its confidence; where none fell a triangle at the lower end of the interval."""
+    friction, mean, low, high = (np.asarray(data[name]) for name in DRAWN)
+    fell = np.isfinite(mean)
+    axes.plot(friction, np.where(fell, mean, np.nan), "o-", color=colour, markersize=3.5, label=label)
+    axes.fill_between(friction, low, high, where=fell, color=colour, alpha=0.18, linewidth=0)
+    axes.plot(friction[~fell], low[~fell], "^", color=colour, markersize=5)

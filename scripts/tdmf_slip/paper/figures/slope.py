@@ -1,0 +1,117 @@
+"""Does slipping help uphill or downhill? Speed, cost of transport and eigenvalues over the slope."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...analysis.bifurcations import FOLD
+from ...analysis.branch import Branch
+from ...analysis.search import find_orbit
+from ...analysis.tracing import trace
+from ...library.orbit import Orbit
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from . import leading
+from .columns import Columns
+
+SLOPE = "ground.slope"
+COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
+"""By friction."""
+LOWEST, HIGHEST = np.radians(-5.0), np.radians(15.0)
+LARGEST_STEP = 0.03
+POINTS = 260
+"""Of a branch uphill, of which what is beyond its steepest climb is not shown."""
+
+DRAWN = {"speed": 0, "cost_of_transport": 1, "greater_eigenvalue": 2, "other_eigenvalue": 2}
+"""Columns, and the panels that they are in."""
+
+Gaits = Mapping[float, tuple[tuple[float, Orbit], ...]]
+"""By friction: slopes, and the gaits there."""
+
+
+def gaits(runner: Runner) -> Gaits:
+    """By friction: gaits from five degrees downhill to the steepest climb of their branch.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+
+    Returns
+    -------
+    mapping of float to tuple of (float, Orbit)
+        Slopes in rad, rising, and the gaits.
+    """
+    found = {}
+    for friction in COLOURS:
+        its = runner.but(FRICTION, friction)
+        first = find_orbit(its)
+        down, up = (
+            trace(its, SLOPE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+            for end in (LOWEST, HIGHEST)
+        )
+        below = tuple(zip(down.values, down.orbits, strict=True))[:0:-1]
+        found[friction] = below + _to_the_top(up)
+    return found
+
+
+def _to_the_top(branch: Branch) -> tuple[tuple[float, Orbit], ...]:
+    """To the first fold, with the gait there."""
+    top = next((special for special in branch.specials if special.kind == FOLD), None)
+    last = int(np.argmax(np.diff(branch.values) < 0.0)) if top else len(branch.values) - 1
+    climb = tuple(zip(branch.values, branch.orbits, strict=True))[: last + 1]
+    if top is None:
+        return climb
+    return (*(one for one in climb if one[0] < top.value), (top.value, top.orbit))
+
+
+def table(found: Gaits) -> Columns:
+    """The figure's data, by column."""
+    rows = [(friction, slope, orbit) for friction, branch in found.items() for slope, orbit in branch]
+    pairs = leading.leading([orbit for _, _, orbit in rows])
+    return {
+        "friction": [friction for friction, _, _ in rows],
+        "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
+        "word": [orbit.word for _, _, orbit in rows],
+        "stable": [orbit.stable for _, _, orbit in rows],
+        "speed": [orbit.stride["speed"] for _, _, orbit in rows],
+        "cost_of_transport": [orbit.stride["cost_of_transport"] for _, _, orbit in rows],
+        "greater_eigenvalue": pairs[:, 0],
+        "other_eigenvalue": pairs[:, 1],
+    }
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw three panels, a colour for each friction; dashed where the gait is unstable."""
+    with style.styled():
+        figure, panels = plt.subplots(3, 1, figsize=(7.6, 8.4), sharex=True, layout="constrained")
+        for friction, colour in COLOURS.items():
+            chosen = np.asarray(data["friction"], float) == friction
+            its = {
+                name: np.asarray(data[name], float)[chosen] for name in ("slope_degrees", "stable", *DRAWN)
+            }
+            for name, panel in DRAWN.items():
+                label = f"friction {friction:g}" if name == "speed" else None
+                _curve(panels[panel], its, name, colour, label)
+        for border in (-1.0, 1.0):
+            panels[2].axhline(border, **style.LIMIT_LINE)
+        for axes in panels:
+            axes.axvline(0.0, **style.STANCE_LINE)
+        panels[0].set_title("(a) average speed  / l₀√(k/m)")
+        panels[1].set_title("(b) cost of transport")
+        panels[2].set_title("(c) both leading eigenvalues")
+        panels[2].set_ylim(-2.5, 1.2)
+        panels[0].legend(loc="upper right")
+        panels[2].set_xlabel("slope of the ground in degrees; dots: the steepest climb of a branch")
+        style.save(figure, path)
+
+
+def _curve(axes: Axes, data: Columns, name: str, colour: str, label: str | None) -> None:
+    slopes, heights = np.asarray(data["slope_degrees"]), np.asarray(data[name])
+    axes.plot(slopes, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
+    axes.plot(slopes, np.where(data["stable"], heights, np.nan), color=colour, label=label)
+    axes.plot(slopes[-1], heights[-1], "o", color=colour, markersize=4)
