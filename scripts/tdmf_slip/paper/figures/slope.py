@@ -62,11 +62,11 @@ def gaits(runner: Runner) -> Gaits:
 def _to_the_top(branch: Branch) -> tuple[tuple[float, Orbit], ...]:
     """To the first fold, with the gait there."""
     top = next((special for special in branch.specials if special.kind == FOLD), None)
-    last = int(np.argmax(np.diff(branch.values) < 0.0)) if top else len(branch.values) - 1
-    climb = tuple(zip(branch.values, branch.orbits, strict=True))[: last + 1]
+    last = int(np.argmax(np.diff(branch.values) < 0.0))
+    climb = tuple(zip(branch.values, branch.orbits, strict=True))
     if top is None:
         return climb
-    return (*(one for one in climb if one[0] < top.value), (top.value, top.orbit))
+    return (*climb[:last], (top.value, top.orbit))  # the last before the turn may be beyond the fold
 
 
 def table(found: Gaits) -> Columns:
