@@ -7,11 +7,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.first_passage import FirstPassage, strides_to_fall
-from ...blocks.running import run_blocks
+from ...analysis.first_passage import FirstPassage
+from ...analysis.first_passages import Place, stay_all
 from ...library.runner import Runner
 from ...pictures import style
-from ...terminal import progress
 from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
@@ -25,23 +24,6 @@ DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
 Measured = Sequence[tuple[float, FirstPassage]]
 """Frictions, and what was found at each."""
-
-
-def measure_one(place: tuple[Runner, float]) -> FirstPassage:
-    """How long one runner stays up at one roughness.
-
-    Parameters
-    ----------
-    place : tuple of Runner and float
-        Who runs, and the roughness, m.
-
-    Returns
-    -------
-    FirstPassage
-        By one thread.
-    """
-    runner, roughness = place
-    return strides_to_fall(runner, roughness, RUNNERS, SEED, MOST_STRIDES, workers=1)
 
 
 def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
@@ -60,17 +42,12 @@ def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
         Frictions, and what was found.
     """
     places = [
-        (runner.but(FRICTION, friction), roughness) for roughness in ROUGHNESS for friction in FRICTIONS
+        Place(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MOST_STRIDES)
+        for roughness in ROUGHNESS
+        for friction in FRICTIONS
     ]
-    with (
-        progress.bar("rough", len(places), "means", show_progress) as bar,
-        run_blocks(measure_one, places) as results,
-    ):
-        found = {}
-        for number, passage in results:
-            found[number] = passage
-            bar.update()
-    return [(places[number][0].values[FRICTION], found[number]) for number in sorted(found)]
+    found = stay_all(places, show_progress=show_progress)
+    return [(place.runner.values[FRICTION], one) for place, one in zip(places, found, strict=True)]
 
 
 def table(measured: Measured) -> Columns:

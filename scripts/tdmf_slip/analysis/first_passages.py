@@ -1,0 +1,69 @@
+"""Strides until the fall of many runners, or on ground of many kinds, side by side."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ..blocks.running import run_blocks
+from ..library.runner import Runner
+from ..terminal import progress
+from .first_passage import FirstPassage, strides_to_fall
+
+
+@dataclass(frozen=True)
+class Place:
+    """Who runs on what: a block of work."""
+
+    runner: Runner
+    """Parameters and inputs."""
+    roughness: float
+    """Standard deviation of a step, m."""
+    runners: int
+    """How many run."""
+    seed: int
+    """Of the ground."""
+    most_strides: int
+    """A runner that has made as many is still up."""
+
+
+def stay(place: Place) -> FirstPassage:
+    """Strides until the fall at one place, by one thread.
+
+    Parameters
+    ----------
+    place : Place
+        Who runs on what.
+
+    Returns
+    -------
+    FirstPassage
+        As `strides_to_fall` gives it.
+    """
+    return strides_to_fall(
+        place.runner, place.roughness, place.runners, place.seed, place.most_strides, workers=1
+    )
+
+
+def stay_all(places: Sequence[Place], *, show_progress: bool = False) -> list[FirstPassage]:
+    """`stay` at many places, side by side.
+
+    Parameters
+    ----------
+    places : sequence of Place
+        Who runs on what.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    list of FirstPassage
+        In the order of the places.
+    """
+    found: dict[int, FirstPassage] = {}
+    with (
+        progress.bar("rough", len(places), "means", show_progress) as bar,
+        run_blocks(stay, places) as results,
+    ):
+        for number, one in results:
+            found[number] = one
+            bar.update()
+    return [found[number] for number in range(len(places))]
