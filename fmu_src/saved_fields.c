@@ -241,7 +241,7 @@ static void pass_surroundings(transfer *bytes, unit *unit) {
     for (size_t i = 0; i < unit_variable_count; ++i) {
         if (unit_variables[i].storage == STORED_INPUT) {
             double rate = unit_get_number_rate(unit, &unit_variables[i]);
-            pass_sum(bytes, "the rate of an input", &rate);
+            pass_finite(bytes, "the rate of an input", &rate);
             unit_set_number_rate(unit, &unit_variables[i], rate);
         }
     }
