@@ -139,7 +139,7 @@ static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
     for (int i = 0; i < 3; ++i) {
         tdmf_solver solver = tdmf_solver_default();
         tdmf_motion run = motion;
-        tdmf_inputs rates = {.ground = {0.0}};
+        tdmf_inputs rates = {.ground = {.friction = 0.0}};
         *(i == 0 ? &rates.ground.height : i == 1 ? &rates.control.thrust : &rates.ground.friction) = 1e-3;
         assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, &rates, 0.1, &run),
                          i < 2 ? TDMF_REFUSED : TDMF_ARRIVED);
