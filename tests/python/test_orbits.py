@@ -405,6 +405,21 @@ def test_trouble_of_the_solver_is_not_called_a_fall(unit):
     assert ensemble.FATES[ends["fate"][0]] == "unsolved"
 
 
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_a_gait_tells_where_its_energy_comes_from_and_goes_to(command, model):
+    actuated = ("--set", "ground.slope=1 deg", "--set", "leg.thrust=0.01", "--set", "body.external_fx=1e-4")
+    status, out, message = command("gait", "--friction", 0.6, *actuated, "--model", model, "--json")
+    assert status == 0, message
+    gait = json.loads(out)
+    gained = gait["work"] + gait["external_work"]
+    lost = gait["damper_loss"] + gait["friction_loss"] + gait["impact_loss"]
+    assert gait["rise"] == pytest.approx(gait["length"] * np.tan(np.radians(1.0)), abs=1e-9)
+    assert gait["work"] == pytest.approx(gait["hip_work"] + gait["leg_work"], abs=1e-15)
+    assert gait["leg_work"] > 0.0 and gait["external_work"] > 0.0
+    if model == "full":  # what is left in the leg at lift-off is no loss of these
+        assert gained - lost == pytest.approx(1.1 * 0.01 * gait["rise"], abs=1e-9)
+
+
 def test_gait_command(command):
     status, out, _ = command("gait", "--friction", 0.43, "--json")
     gait = json.loads(out)

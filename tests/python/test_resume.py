@@ -6,7 +6,7 @@ import xarray
 from tdmf_slip import InputError, Runner
 from tdmf_slip.analysis import basin, grid
 from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
-from tdmf_slip.library.orbit import LOSSES, STRIDE_QUANTITIES
+from tdmf_slip.library.orbit import LEDGER, STRIDE_QUANTITIES
 from tdmf_slip.library.section import COORDINATES
 
 FRICTIONS = [0.6, 0.5]
@@ -56,7 +56,7 @@ def test_a_half_done_grid_is_gone_on_with(runner, unit, half, whole, tmp_path, m
     assert rows == [DAMPINGS[1]]
 
 
-NUMBERS = (*STRIDE_QUANTITIES, *LOSSES, *(f"apex_{name}" for name in COORDINATES), "lambda_max")
+NUMBERS = (*STRIDE_QUANTITIES, *LEDGER, *(f"apex_{name}" for name in COORDINATES), "lambda_max")
 
 
 def spoiled(data, name, value, row=0):

@@ -14,7 +14,7 @@ from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
 from ..library.members import STATES, check_varied
-from ..library.orbit import LOSSES, STRIDE_QUANTITIES, Orbit, orbit_near
+from ..library.orbit import LEDGER, STRIDE_QUANTITIES, Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal import progress
@@ -72,7 +72,7 @@ def _of_apex(index: int) -> Callable[[Orbit], float]:
 
 COLUMNS: Mapping[str, Column] = {
     **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
-    **{name: Column(_of_stride(name), None, "J") for name in LOSSES},
+    **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
     **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
     "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
 }

@@ -28,8 +28,11 @@ SETTLING_STRIDES = 400
 STRIDE_QUANTITIES = (
     "period",
     "length",
+    "rise",
     "speed",
     "work",
+    "hip_work",
+    "leg_work",
     "positive_work",
     "cost_of_transport",
     "touchdowns",
@@ -38,9 +41,12 @@ STRIDE_QUANTITIES = (
     "slip_distance",
     "peak_force",
 )
-LOSSES = ("damper_loss", "friction_loss", "impact_loss")
+LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
+"""What closes the balance of energy of a stride with the work of hip and leg, J."""
 TOLD = ("period", "length", "speed", "work", "cost_of_transport")
 """Of the quantities of a stride, those that a gait is told by."""
+PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
+"""Those that tell where its energy comes from and goes to."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -56,7 +62,7 @@ class Orbit(Drawable):
     liftoff_angle: float
     """Of the leg at lift-off, rad."""
     stride: Mapping[str, float]
-    """By the names in `STRIDE_QUANTITIES` and `LOSSES`."""
+    """By the names in `STRIDE_QUANTITIES` and `LEDGER`."""
     jacobian: NDArray[np.float64]
     """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None
@@ -153,7 +159,7 @@ class Orbit(Drawable):
         return {
             "friction": self.friction,
             "word": self.word,
-            **{name: self.stride[name] for name in TOLD},
+            **{name: self.stride[name] for name in (*TOLD, *PARTS)},
             "liftoff_angle": self.liftoff_angle,
             "apex": [float(value) for value in self.apex],
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
@@ -282,7 +288,7 @@ def orbit_of(
         apex=apex,
         word=text_of(stride.stride.word),
         liftoff_angle=stride.liftoff_angle,
-        stride=quantities | {name: float(getattr(stride, name)) for name in LOSSES},
+        stride=quantities | {name: float(getattr(stride, name)) for name in LEDGER},
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,
