@@ -45,9 +45,9 @@ static inline double tdmf_vary_height_over(const tdmf_ground_line *line, double 
            tdmf_place_along(line, x, y) * d_line->slope;
 }
 
-/* What a distance from a line that is not level may be wrong by, far from the pivot. */
+/* What a distance from a line may be wrong by that is high up or deep down at x, where places are rounded. */
 static inline double tdmf_rounding_of_height(const tdmf_ground_line *line, double x) {
-    return 4.0 * DBL_EPSILON * fabs(line->sine * x);
+    return 4.0 * DBL_EPSILON * (fabs(line->height) + fabs(line->sine * x));
 }
 
 /* The height of the line at x. */

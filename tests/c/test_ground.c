@@ -19,13 +19,29 @@ typedef struct {
     tdmf_event_log log;
 } run;
 
+/* The default runner with a leg of another length, scaled as section 5 of the paper has it. */
+static tdmf_parameters parameters_of(double length) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.gravity *= length;
+    parameters.leg.free_length *= length;
+    parameters.leg.min_length *= length;
+    parameters.hip.stance_torque *= length * length;
+    parameters.hip.kp *= length * length;
+    parameters.hip.kd *= length * length;
+    return parameters;
+}
+
 /* At the apex of the gait at friction 0.6, over a line. */
-static run run_at_apex(double height, double slope) {
+static run run_of_length(double length, double height, double slope) {
     run run = {.inputs = tdmf_default_inputs(), .solver = tdmf_solver_default()};
-    const tdmf_parameters parameters = tdmf_default_parameters();
-    double section[TDMF_SECTION_COUNT];
-    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    const tdmf_parameters parameters = parameters_of(length);
+    const double *apex = (const double *)&reference_gaits[2].apex;
+    double section[TDMF_SECTION_COUNT], scales[TDMF_SECTION_COUNT];
     assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    tdmf_section_scales(&run.model, scales);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        section[i] = apex[i] * scales[i];
+    }
     run.inputs.ground.friction = 0.6;
     run.inputs.ground.height = height;
     run.inputs.ground.slope = slope;
@@ -34,6 +50,10 @@ static run run_at_apex(double height, double slope) {
         tdmf_start(&run.model, &run.inputs, 0.0, run.motion.state, &run.motion.mode, &run.motion.record)
             .variable);
     return run;
+}
+
+static run run_at_apex(double height, double slope) {
+    return run_of_length(1.0, height, slope);
 }
 
 static tdmf_outcome go_to(run *run, double time) {
@@ -405,6 +425,26 @@ static void assert_is_sound(const run *run, double start_energy) {
     assert_close(total_energy(run) - start_energy, booked, 1e-8 * turnover);
 }
 
+/* Places up there are rounded to more than the margins of guards, which must not keep a foot at its line from
+ * touching down. */
+static void a_runner_on_a_slope_far_up_or_down_runs_on(void **state) {
+    static const double heights[] = {9e10, -9e10, 3e9, -3e9, 1e8, -1e8, 7e4};
+    static const double length = 1e-3, slope = 5e-3;
+    enum { STRIDES = 50 };
+    (void)state;
+    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; ++i) {
+        run near = run_of_length(length, 0.0, slope);
+        run far = run_of_length(length, heights[i] * length, slope);
+        const double rounding = DBL_EPSILON * fabs(heights[i]) * far.model.scales.speed;
+        for (int count = 1; count <= STRIDES; ++count) {
+            stride(&near);
+            stride(&far);
+            assert_int_equal(far.motion.record.stride.word_code, near.motion.record.stride.word_code);
+            assert_close(far.motion.record.stride.speed, near.motion.record.stride.speed, 1e2 * rounding);
+        }
+    }
+}
+
 /* At friction low and high, with lines that change at any moment. */
 static void random_runs_over_lines_that_change_stay_on_or_above_them(void **state) {
     enum { RUNS = 400, PIECES = 60 };
@@ -447,6 +487,7 @@ int main(void) {
         cmocka_unit_test(at_no_impact_on_any_slope_does_kinetic_energy_rise),
         cmocka_unit_test(a_runner_that_is_moved_with_its_ground_runs_alike),
         cmocka_unit_test(every_event_on_a_slope_is_where_its_guard_is_zero),
+        cmocka_unit_test(a_runner_on_a_slope_far_up_or_down_runs_on),
         cmocka_unit_test(random_runs_over_lines_that_change_stay_on_or_above_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
