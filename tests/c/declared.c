@@ -10,12 +10,21 @@ typedef struct {
     double length, mass, stiffness;
 } dimension;
 
-enum { BODY_MASS = 0, LEG_STIFFNESS = 2, FREE_LENGTH = 4, STANCE_TORQUE = 7 };
+enum {
+    BODY_MASS = 0,
+    LEG_STIFFNESS = 2,
+    FREE_LENGTH = 4,
+    STANCE_TORQUE = 7,
+    RETRACTION_RATE = 12,
+    THRUST = 14
+};
+enum { GROUND_HEIGHT = 2 };
 
 static const dimension of_parameter[] = {{0, 1, 0},     {0, 1, 0},  {0, 0, 1},      {0, 0.5, 0.5}, {1, 0, 0},
                                          {1, 0, 0},     {1, -1, 1}, {2, 0, 1},      {0, 0, 0},     {2, 0, 1},
                                          {2, 0.5, 0.5}, {0, 0, 0},  {0, -0.5, 0.5}, {0, 0, 0},     {1, 0, 0}};
-static const dimension of_input[] = {{0, 0, 0}, {2, 0, 1}};
+static const dimension of_input[] = {{0, 0, 0}, {2, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0},
+                                     {1, 0, 1}, {1, 0, 1}, {0, 0, 0}, {2, 0, 1}, {1, 0, 0}};
 static const dimension of_state[] = {{1, 0, 0},      {1, 0, 0},      {1, 0, 0},      {0, 0, 0},
                                      {1, -0.5, 0.5}, {1, -0.5, 0.5}, {1, -0.5, 0.5}, {0, -0.5, 0.5}};
 
@@ -35,7 +44,7 @@ static double anywhere(random_source *source, const tdmf_range *range) {
     return sign * random_magnitude(source, range->minimum > 0.0 ? range->minimum : 1e-15 * end, end);
 }
 
-/* Around what: a leg is retracted by a hundredth of a radian in the unit of time. */
+/* Around what: a hundredth of the unit, which is for a push the weight. */
 static double typical_value(const tdmf_range *range) {
     return range->start == 0.0 ? 0.01 : range->start;
 }
@@ -66,6 +75,17 @@ tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parame
     return inputs;
 }
 
+void declared_further_inputs(random_source *source, const tdmf_parameters *parameters, double decades,
+                             tdmf_inputs *inputs) {
+    for (int i = GROUND_HEIGHT; i < TDMF_INPUT_COUNT; ++i) {
+        const tdmf_range *range = &tdmf_input_ranges[i];
+        if (random_chance(source, 0.5)) {
+            const double value = value_of(source, range, unit_of(parameters, &of_input[i]), decades);
+            *(double *)((char *)inputs + range->offset) = random_chance(source, 0.5) ? -value : value;
+        }
+    }
+}
+
 static double *place_of(tdmf_parameters *parameters, int row) {
     return (double *)((char *)parameters + tdmf_parameter_ranges[row].offset);
 }
@@ -91,4 +111,14 @@ declared_runner declared_random(random_source *source, double decades) {
                                    isinf(decades) ? decades : range);
     }
     return runner;
+}
+
+void declared_settings(random_source *source, double decades, tdmf_parameters *parameters) {
+    for (int i = STANCE_TORQUE; i <= THRUST; ++i) {
+        const bool is_setting = i <= RETRACTION_RATE || i == THRUST;
+        if (is_setting && random_chance(source, 0.5)) {
+            *place_of(parameters, i) =
+                value_of(source, &tdmf_parameter_ranges[i], unit_of(parameters, &of_parameter[i]), decades);
+        }
+    }
 }

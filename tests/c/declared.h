@@ -18,6 +18,14 @@ typedef struct {
  * and the ends of the ranges come by chance. */
 declared_runner declared_random(random_source *source, double decades);
 
+/* Friction and torque; all else is as by default. */
 tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parameters, double decades);
+
+/* And, each by chance, anything of what is beyond the paper: ground, extension, pushes, control. */
+void declared_further_inputs(random_source *source, const tdmf_parameters *parameters, double decades,
+                             tdmf_inputs *inputs);
+
+/* Sets those parameters anew, each by chance, that may change in a run. */
+void declared_settings(random_source *source, double decades, tdmf_parameters *parameters);
 
 #endif

@@ -1,12 +1,16 @@
 /* Random runs of the native solver over the ranges that modelDescription.xml declares: parameters, inputs,
- * starts and tolerances. A run goes on, falls or is given up with a reason, within its steps; its numbers are
- * numbers, its energy ledger closes, its foot stays out of the ground, and it falls only where the state that
- * is handed back has fallen.
+ * starts and tolerances. Half of them are over uneven ground as well, with pushes, a leg that is extended and
+ * a controller that changes inputs and settings in mid-run. A run goes on, falls or is given up with a
+ * reason, within its steps; its numbers are numbers, its energy ledger closes, its foot stays out of the
+ * ground in force, and it falls only where the state that is handed back has fallen.
  *
  *     test_declared_runs [RUNS [FIRST SEED]] */
 #include "compare.h"
 #include "declared.h"
+#include "ground_line.h"
+#include "margins.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,18 +25,22 @@ static long runs = 5000;
 static long first_seed = 0;
 
 typedef struct {
+    bool has_further_inputs;       /* see declared_further_inputs */
+    random_source source, further; /* the latter of what only such a run has */
     tdmf_model model;
     tdmf_inputs inputs;
     double decades;
     tdmf_solver solver;
     tdmf_motion motion;
     double start_energy;
-    double turnover; /* the largest energy met, J */
+    double turnover;      /* the largest energy met, J */
+    double push_by_place; /* the largest product of a push and of the body's place met, J */
 } run;
 
 /* What the sample has met. */
 typedef struct {
     long refused, outcomes[OUTCOMES], contact[TDMF_CONTACT_GRAZE + 1], strides;
+    long with_further_inputs, waiting, leg_work, external_work;
 } tally;
 
 /* ---- what must hold -------------------------------------------------------------------------------------
@@ -49,10 +57,26 @@ static double loss_of_ledger(const run *run) {
 static double largest_energy(const run *run) {
     const double *state = run->motion.state;
     const tdmf_energy energy = tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state);
-    return energy.kinetic + fabs(energy.potential) + energy.elastic + fabs(state[TDMF_HIP_WORK]) +
+    const double thrust = run->model.parameters.leg.thrust + run->inputs.control.thrust;
+    const double of_thrust = run->model.parameters.leg.stiffness * thrust * thrust; /* off again, maybe */
+    return energy.kinetic + fabs(energy.potential) + energy.elastic + of_thrust + fabs(state[TDMF_HIP_WORK]) +
            fabs(state[TDMF_LEG_WORK]) + fabs(state[TDMF_ENERGY_EXTERNAL_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
            run->motion.record.impact_loss;
+}
+
+static double push_by_place(const run *run, const tdmf_inputs *inputs) {
+    const double *state = run->motion.state;
+    const double length = state[TDMF_LEG_LENGTH];
+    return fabs(inputs->body.external_fx) * (fabs(state[TDMF_FOOT_X]) + length) +
+           fabs(inputs->body.external_fy) * (fabs(state[TDMF_FOOT_Y]) + length);
+}
+
+/* Of the last piece of a run, from its first inputs to its last. */
+static void note_energies(run *run, const tdmf_inputs *from) {
+    run->turnover = fmax(run->turnover, largest_energy(run));
+    run->push_by_place =
+        fmax(run->push_by_place, fmax(push_by_place(run, from), push_by_place(run, &run->inputs)));
 }
 
 static const char *not_a_number(const run *run) {
@@ -81,7 +105,9 @@ static const char *not_a_number(const run *run) {
 /* Of heights: a leg may have become ever so long, and have turned ever so often. */
 static double rounding_of(const run *run) {
     const double *state = run->motion.state;
-    return 1e-12 * (run->model.scales.length + fabs(state[TDMF_FOOT_Y]) + state[TDMF_LEG_LENGTH]);
+    const tdmf_ground_line *ground = &run->motion.mode.ground;
+    return 1e-12 * (run->model.scales.length + fabs(state[TDMF_FOOT_Y]) + state[TDMF_LEG_LENGTH] +
+                    fabs(ground->height) + fabs(ground->sine * state[TDMF_FOOT_X]));
 }
 
 static const char *false_fall(const run *run, tdmf_outcome outcome) {
@@ -90,113 +116,196 @@ static const char *false_fall(const run *run, tdmf_outcome outcome) {
     if (run->motion.mode.fallen != (outcome == TDMF_FELL)) {
         return "the outcome and the mode disagree about a fall";
     }
-    const bool down = tdmf_body(state).y <= rounding;
+    const tdmf_point body = tdmf_body(state);
+    const bool down = tdmf_height_over(&run->motion.mode.ground, body.x, body.y) <= rounding;
     const bool short_leg = state[TDMF_LEG_LENGTH] <= run->model.parameters.leg.min_length + rounding;
     return outcome == TDMF_FELL && !down && !short_leg ? "a fall that is none" : NULL;
 }
 
 /* A step errs by the tolerance, in the scales of the runner or of its motion, whichever are larger; an event
- * by the margin of its guard. */
+ * by the margin of its guard; the work of a push by the rounding of the places that it leads from and to. */
 static const char *open_ledger(const run *run) {
     const double scale = run->turnover + run->model.scales.energy +
                          run->model.total_mass * run->model.parameters.gravity * run->model.scales.length;
     const double steps = (double)(run->solver.steps + run->solver.events) + 10.0;
-    const double allowed = (10.0 * run->solver.relative_tolerance * steps + ledger_rounding) * scale;
+    const double allowed = (10.0 * run->solver.relative_tolerance * steps + ledger_rounding) * scale +
+                           4.0 * DBL_EPSILON * steps * run->push_by_place;
     return fabs(loss_of_ledger(run)) <= allowed ? NULL : "the energy ledger does not close";
 }
 
+/* Up to which a foot is at a line: to the guard's margin, and of a leg that has become long to what a step is
+ * trusted for, which is relative to the length. */
+static double nearest_to_line(const run *run) {
+    const double lengths = run->model.scales.length + run->motion.state[TDMF_LEG_LENGTH];
+    return 1e-9 * run->model.scales.length - tdmf_beyond_margin(run->solver.relative_tolerance) * lengths +
+           rounding_of(run);
+}
+
+static double height_of_foot(const run *run, const tdmf_ground_line *line) {
+    return tdmf_height_over(line, run->motion.state[TDMF_FOOT_X], run->motion.state[TDMF_FOOT_Y]);
+}
+
 static const char *foot_in_the_ground(const run *run) {
-    const double depth = -run->motion.state[TDMF_FOOT_Y];
+    const tdmf_ground_line *ground = &run->motion.mode.ground;
     const bool flies = run->motion.mode.contact == TDMF_CONTACT_FLIGHT;
-    const double allowed = flies ? 1e-6 * run->model.scales.length + rounding_of(run) : 0.0;
-    return depth > allowed ? "the foot is in the ground" : NULL;
+    const bool is_axis = ground->height == 0.0 && ground->sine == 0.0;
+    const double allowed = flies ? nearest_to_line(run) : is_axis ? 0.0 : rounding_of(run);
+    return -height_of_foot(run, ground) > allowed ? "the foot is in the ground" : NULL;
+}
+
+/* A new line waits for a foot that stands or is below it. */
+static const char *waits_for_nothing(const run *run) {
+    const tdmf_mode *mode = &run->motion.mode;
+    const tdmf_ground_line line = tdmf_ground_line_set(&run->inputs);
+    const bool may_wait = mode->contact != TDMF_CONTACT_FLIGHT || mode->fallen ||
+                          height_of_foot(run, &line) <= nearest_to_line(run);
+    return tdmf_ground_is_pending(&run->inputs, mode) && !may_wait ? "new ground is not in force" : NULL;
 }
 
 static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {
     const char *wrong = not_a_number(run);
-    if (wrong == NULL && outcome != TDMF_REFUSED) {
-        wrong = false_fall(run, outcome);
-    }
-    if (wrong != NULL) {
+    if (wrong != NULL || outcome == TDMF_REFUSED) {
         return wrong;
     }
-    wrong = open_ledger(run);
-    return wrong != NULL ? wrong : foot_in_the_ground(run);
+    const char *found[] = {false_fall(run, outcome), open_ledger(run), foot_in_the_ground(run),
+                           waits_for_nothing(run)};
+    for (size_t i = 0; i < sizeof found / sizeof found[0] && wrong == NULL; ++i) {
+        wrong = found[i];
+    }
+    return wrong;
 }
 
 /* ---- a run ----------------------------------------------------------------------------------------------
  */
 
-static void change_inputs(random_source *source, run *run) {
-    tdmf_motion *motion = &run->motion;
-    tdmf_observe(&run->model, &run->inputs, motion->state, &motion->mode, &motion->record);
-    run->inputs = declared_inputs(source, &run->model.parameters, run->decades);
+static void change_inputs(run *run) {
+    const tdmf_motion *motion = &run->motion;
+    tdmf_observe(&run->model, &run->inputs, motion->state, &run->motion.mode, &run->motion.record);
+    run->inputs = declared_inputs(&run->source, &run->model.parameters, run->decades);
 }
 
-static tdmf_outcome advance(random_source *source, run *run) {
-    const double duration = run->model.scales.time * random_magnitude(source, 0.1, 30.0);
-    const double start = run->motion.time;
-    const int64_t steps = run->solver.steps;
-    tdmf_inputs rates = {.ground = {.friction = 0.0}};
-    if (random_chance(source, 0.2)) {
-        rates.ground.friction = random_uniform(source, -1.0, 1.0) / duration;
-        rates.hip.external_torque = random_uniform(source, -0.1, 0.1) * run->model.scales.energy / duration;
+/* By one event: the foot's ground, pushes, control inputs, settings, or all of them. */
+static void change_further(run *run) {
+    tdmf_parameters parameters = run->model.parameters;
+    tdmf_observe(&run->model, &run->inputs, run->motion.state, &run->motion.mode, &run->motion.record);
+    if (random_chance(&run->further, 0.7)) {
+        declared_further_inputs(&run->further, &parameters, run->decades, &run->inputs);
     }
-    const tdmf_outcome outcome =
-        tdmf_native_advance(&run->solver, &run->model, &run->inputs, &rates, start + duration, &run->motion);
+    if (random_chance(&run->further, 0.5)) {
+        declared_settings(&run->further, run->decades, &parameters);
+        assert_null(tdmf_model_create(&run->model, &parameters).variable);
+    }
+}
+
+/* Ramps of what need not be held, of the size that inputs have. */
+static void add_further_rates(run *run, double duration, tdmf_inputs *rates) {
+    tdmf_inputs sizes = tdmf_default_inputs();
+    declared_further_inputs(&run->further, &run->model.parameters, run->decades, &sizes);
+    rates->leg.extension = sizes.leg.extension / duration;
+    rates->body.external_fx = sizes.body.external_fx / duration;
+    rates->body.external_fy = sizes.body.external_fy / duration;
+}
+
+static tdmf_inputs random_rates(run *run, double duration) {
+    tdmf_inputs rates = {.ground = {.friction = 0.0}};
+    if (random_chance(&run->source, 0.2)) {
+        rates.ground.friction = random_uniform(&run->source, -1.0, 1.0) / duration;
+        rates.hip.external_torque =
+            random_uniform(&run->source, -0.1, 0.1) * run->model.scales.energy / duration;
+    }
+    if (run->has_further_inputs && random_chance(&run->further, 0.3)) {
+        add_further_rates(run, duration, &rates);
+    }
+    return rates;
+}
+
+static tdmf_outcome advance(run *run) {
+    const double duration = run->model.scales.time * random_magnitude(&run->source, 0.1, 30.0);
+    const tdmf_inputs rates = random_rates(run, duration);
+    const tdmf_motion before = run->motion;
+    const int64_t steps = run->solver.steps;
+    const tdmf_outcome outcome = tdmf_native_advance(&run->solver, &run->model, &run->inputs, &rates,
+                                                     before.time + duration, &run->motion);
     assert_true(run->solver.steps - steps <= STEPS_OF_A_PIECE);
-    assert_true(outcome != TDMF_ARRIVED || run->motion.time == start + duration);
-    run->inputs = tdmf_inputs_after(&run->inputs, &rates, run->motion.time - start);
-    run->turnover = fmax(run->turnover, largest_energy(run));
+    assert_true(outcome != TDMF_ARRIVED || run->motion.time == before.time + duration);
+    if (outcome == TDMF_REFUSED) {
+        assert_memory_equal(&run->motion, &before, sizeof before);
+        return outcome;
+    }
+    const tdmf_inputs from = run->inputs;
+    run->inputs = tdmf_inputs_after(&from, &rates, run->motion.time - before.time);
+    note_energies(run, &from);
     return outcome;
 }
 
+/* From where it would be on level ground, to as high over its own. */
+static void lift_to_ground(run *run) {
+    declared_further_inputs(&run->further, &run->model.parameters, run->decades, &run->inputs);
+    const tdmf_ground_line line = tdmf_ground_line_set(&run->inputs);
+    run->motion.state[TDMF_FOOT_Y] += tdmf_ground_height_at(&line, run->motion.state[TDMF_FOOT_X]);
+}
+
 /* False where the start is refused. */
-static bool begin(random_source *source, run *run) {
+static bool begin(uint64_t seed, run *run) {
     static const double decades[] = {0.1, 0.3, 1.0, 3.0, INFINITY};
-    run->decades = decades[(int)random_uniform(source, 0.0, 5.0) % 5];
-    const declared_runner runner = declared_random(source, run->decades);
+    memset(run, 0, sizeof *run);
+    run->source.state = seed;
+    run->further.state = ~seed;
+    run->has_further_inputs = random_chance(&run->further, 0.5);
+    run->decades = decades[(int)random_uniform(&run->source, 0.0, 5.0) % 5];
+    const declared_runner runner = declared_random(&run->source, run->decades);
     run->solver = tdmf_solver_default();
-    run->solver.relative_tolerance = random_magnitude(source, 1e-14, 1e-2);
+    run->solver.relative_tolerance = random_magnitude(&run->source, 1e-14, 1e-2);
     run->solver.step_limit = STEPS_OF_A_PIECE;
     run->solver.event_limit = STEPS_OF_A_PIECE;
     run->inputs = runner.inputs;
-    memset(&run->motion, 0, sizeof run->motion);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        run->motion.state[i] = runner.state[i];
-    }
+    memcpy(run->motion.state, runner.state, sizeof runner.state);
     assert_null(tdmf_model_create(&run->model, &runner.parameters).variable);
-    const double energy =
-        tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
-    if (tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
-            .variable != NULL) {
+    if (run->has_further_inputs) {
+        lift_to_ground(run);
+    }
+    tdmf_motion *motion = &run->motion;
+    motion->mode.ground = tdmf_ground_line_set(&run->inputs);
+    run->start_energy = tdmf_mechanical_energy(&run->model, &run->inputs, &motion->mode, motion->state).total;
+    if (tdmf_start(&run->model, &run->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable !=
+        NULL) {
         return false;
     }
-    run->start_energy = energy;
-    run->turnover = largest_energy(run);
+    note_energies(run, &run->inputs);
     return true;
+}
+
+static void note_what_is_met(const run *run, tally *seen) {
+    const double *state = run->motion.state;
+    seen->waiting += tdmf_ground_is_pending(&run->inputs, &run->motion.mode);
+    seen->leg_work += state[TDMF_LEG_WORK] != 0.0;
+    seen->external_work += state[TDMF_ENERGY_EXTERNAL_WORK] != 0.0;
 }
 
 /* What is wrong with the run of this seed, or NULL. */
 static const char *follow(uint64_t seed, tally *seen) {
-    random_source source = {seed};
     run run;
-    if (!begin(&source, &run)) {
+    if (!begin(seed, &run)) {
         ++seen->refused;
         return NULL;
     }
     const char *wrong = NULL;
     tdmf_outcome outcome = TDMF_ARRIVED;
     for (int i = 0; i < PIECES && outcome == TDMF_ARRIVED && wrong == NULL; ++i) {
-        if (random_chance(&source, 0.3)) {
-            change_inputs(&source, &run);
+        if (random_chance(&run.source, 0.3)) {
+            change_inputs(&run);
         }
-        outcome = advance(&source, &run);
+        if (run.has_further_inputs && random_chance(&run.further, 0.5)) {
+            change_further(&run);
+        }
+        outcome = advance(&run);
         wrong = what_is_wrong(&run, outcome);
         ++seen->outcomes[outcome];
         ++seen->contact[run.motion.mode.contact];
+        note_what_is_met(&run, seen);
     }
     seen->strides += run.motion.record.stride.count;
+    seen->with_further_inputs += run.has_further_inputs;
     return wrong;
 }
 
@@ -211,6 +320,8 @@ static void assert_saw_everything(const tally *seen) {
         assert_true(seen->contact[contact] > runs / 200);
     }
     assert_true(seen->strides > runs / 100);
+    assert_true(seen->with_further_inputs > runs / 5 && seen->waiting > runs / 20);
+    assert_true(seen->leg_work > runs / 5 && seen->external_work > runs / 5);
 }
 
 static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
@@ -230,7 +341,10 @@ static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
     for (int i = 0; i < OUTCOMES; ++i) {
         print_message(" %s: %ld;", tdmf_outcome_text((tdmf_outcome)i), seen.outcomes[i]);
     }
-    print_message(" strides: %ld\n", seen.strides);
+    print_message(
+        " strides: %ld; runs with further inputs: %ld; instants at which new ground waits: %ld, with work of "
+        "the leg: %ld, of pushes: %ld\n",
+        seen.strides, seen.with_further_inputs, seen.waiting, seen.leg_work, seen.external_work);
     assert_int_equal(wrongs, 0);
     assert_saw_everything(&seen);
 }
