@@ -3,6 +3,7 @@ from .analysis.branch import Branch
 from .analysis.curve import Curve
 from .analysis.curves import continue_curves
 from .analysis.first_passage import strides_to_fall
+from .analysis.ordered import OrderNotMetError, find_gait
 from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
@@ -24,6 +25,7 @@ __all__ = [
     "Curve",
     "InputError",
     "Orbit",
+    "OrderNotMetError",
     "Profile",
     "Run",
     "RunError",
@@ -36,6 +38,7 @@ __all__ = [
     "basin",
     "continue_branch",
     "continue_curves",
+    "find_gait",
     "find_orbit",
     "fmu_path",
     "load",

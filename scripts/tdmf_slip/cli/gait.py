@@ -1,9 +1,14 @@
-"""The command `gait`: one periodic gait."""
+"""The command `gait`: one periodic gait, as the runner has it or to order."""
+
+from collections.abc import Mapping, Sequence
 
 import click
 
+from ..analysis.ordered import OrderNotMetError, find_gait
 from ..analysis.search import find_orbit
+from ..errors import InputError
 from ..library.orbit import TOLD, Orbit
+from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.unit import Unit, load
 from .options import (
@@ -13,6 +18,7 @@ from .options import (
     PARAMETERS_OPTION,
     SET_OPTION,
     Command,
+    ordering,
     values_given,
 )
 from .output import json_text
@@ -20,6 +26,7 @@ from .runner import runner_of
 
 
 @click.command("gait", cls=Command)
+@ordering
 @FRICTION_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
@@ -31,22 +38,72 @@ def gait_command(
     parameters: str | None,
     model: str,
     as_json_object: bool,
+    free: str | None,
+    **ordered: float | None,
 ) -> None:
-    """The periodic gait, stable or not, with the eigenvalues of its return map."""
+    """The periodic gait, stable or not, with the eigenvalues of its return map.
+
+    With --speed and the like, the gait that has what is ordered, by freeing as many parameters with --free.
+    Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
+    """
     unit = load()
-    orbit = find_orbit(runner_of(unit, parameters, values_given(friction, settings)), model=model, unit=unit)
-    print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
+    order = {name: value for name, value in ordered.items() if value is not None}
+    names = _names(free, order)
+    runner = runner_of(unit, parameters, values_given(friction, settings), model)
+    if not order:
+        orbit = find_orbit(runner, unit=unit)
+        print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
+        return
+    try:
+        orbit = find_gait(runner, order, names, unit=unit)
+    except OrderNotMetError as problem:
+        if as_json_object:
+            nearest = _ordered_json(problem.nearest, order, names)
+            print(json_text({"nearest": nearest, "helps": list(problem.helps)}))
+        raise
+    if as_json_object:
+        print(json_text(_ordered_json(orbit, order, names)))
+    else:
+        print(_orbit_text(orbit, unit, list(order), names))
 
 
-def _orbit_text(orbit: Orbit, unit: Unit) -> str:
+def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
+    """Of --free, which has a meaning with an order only.
+
+    Raises
+    ------
+    InputError
+        One is given without the other.
+    """
+    options = ", ".join(f"--{name.replace('_', '-')}" for name in QUANTITIES)
+    if free is not None and not order:
+        raise InputError(f"--free {free}: nothing is ordered; allowed: with {options}")
+    if free is None and order:
+        raise InputError("--free is missing; allowed: with an order, as many parameters as are ordered")
+    return [] if free is None else [name.strip() for name in free.split(",")]
+
+
+def _ordered_json(orbit: Orbit, order: Mapping[str, float], free: list[str]) -> dict[str, object]:
+    """As any gait, with the freed parameters' values and what it has of what is ordered."""
+    return {
+        **orbit.as_json(),
+        "free": {name: orbit.runner.values[name] for name in free},
+        "ordered": quantities_of(orbit, list(order)),
+    }
+
+
+def _orbit_text(orbit: Orbit, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = ()) -> str:
     def of(name: str, value: float) -> str:
         return quantity(value, unit.variables[name].unit, 12)
 
+    told = dict.fromkeys([*TOLD, *(name for name in order if name in orbit.stride)])
     apex = dict(zip(orbit.runner.coordinates, orbit.apex, strict=True))
     rows = {
         "word": orbit.word,
         "friction": of("ground.friction", orbit.friction),
-        **{name: of(f"stride.{name}", orbit.stride[name]) for name in TOLD},
+        **{name: of(f"stride.{name}", orbit.stride[name]) for name in told},
+        **({"frequency": quantity(1.0 / orbit.period, "Hz", 12)} if "frequency" in order else {}),
+        **{name: of(name, orbit.runner.values[name]) for name in free},
         "liftoff_angle": of("hip.liftoff_angle", orbit.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
         "eigenvalues": ", ".join(_complex(value) for value in orbit.eigenvalues),

@@ -1,6 +1,6 @@
 """What several commands share: options, and how start values are read from them."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import click
@@ -90,6 +90,19 @@ MODEL_OPTION = click.option(
     help="Of flight: in full, or reduced to where the leg is to be placed, so that an apex is a height and a "
     "speed.",
 )
+_ORDERS = {
+    "speed": ("V", "Order: mean speed, m/s."),
+    "frequency": ("F", "Order: strides in a second, Hz."),
+    "length": ("L", "Order: length of a stride, m."),
+    "duty_factor": ("D", "Order: share of the stride that is stance."),
+    "cost_of_transport": ("C", "Order: work over weight and length."),
+}
+_FREE_OPTION = click.option(
+    "--free",
+    metavar="NAMES",
+    help="Parameters to be found for an order, as many as are ordered, as in "
+    "hip.stance_torque,leg.stiffness; they begin with the values given.",
+)
 SCHEDULER_OPTION = click.option(
     "--scheduler",
     metavar="ADDRESS",
@@ -101,6 +114,15 @@ WORKERS_OPTION = click.option(
     metavar="N",
     help="Processes on this machine.  [default: one for each processor]",
 )
+
+
+def ordering(command: Callable[..., None]) -> Callable[..., None]:
+    """Options of what a gait is to have, named as `library.quantities` has it, and --free."""
+    command = _FREE_OPTION(command)
+    for name, (metavar, meaning) in reversed(_ORDERS.items()):
+        option = f"--{name.replace('_', '-')}"
+        command = click.option(option, type=float, metavar=metavar, help=meaning)(command)
+    return command
 
 
 def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:

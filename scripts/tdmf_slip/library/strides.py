@@ -125,15 +125,37 @@ def _improved(orbit: Orbit, strides: int, along: Along | None) -> Orbit | None:
     return None
 
 
+def longest_stride(runner: Runner) -> float:
+    """The time, s, after which a stride counts as none.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose stride.
+
+    Returns
+    -------
+    float
+        `LONGEST_STRIDE` of the runner's sqrt(m/k).
+    """
+    return float(LONGEST_STRIDE * (runner.values["body.mass"] / runner.values["leg.stiffness"]) ** 0.5)
+
+
 def _stride(
     runner: Runner, apex: NDArray[np.float64], along: Along | None
 ) -> tuple[NDArray[np.float64], Orbit]:
     """The next apex, and the stride as an orbit that need not close."""
     log: EventLog = ffi.new("tdmf_event_log *")
-    longest = LONGEST_STRIDE * (runner.values["body.mass"] / runner.values["leg.stiffness"]) ** 0.5
     change, map = direction(along), map_of(runner)
     stride = map.stride(
-        runner.solver(log), runner.model, runner.inputs, list(apex), longest, True, change, along is not None
+        runner.solver(log),
+        runner.model,
+        runner.inputs,
+        list(apex),
+        longest_stride(runner),
+        True,
+        change,
+        along is not None,
     )
     why_not = map.why_not(stride)
     if why_not is not None:

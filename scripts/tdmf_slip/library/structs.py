@@ -25,9 +25,12 @@ class Center(Protocol):
 
 
 class StrideChange(Protocol):
-    """`tdmf_stride_change`: how the next apex changes with something."""
+    """`tdmf_stride_change` or `tdmf_reduced_change`: how next apex and stride change with something."""
 
     apex: Sequence[float]
+    period: float
+    length: float
+    work: float
 
 
 class Stride(Protocol):

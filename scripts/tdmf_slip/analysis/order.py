@@ -1,0 +1,189 @@
+"""The system that a gait to order solves: that its stride closes, and that its quantities are those ordered.
+
+Unknowns are the apex z and the freed parameters p. With the return map P and the quantities q, Newton's
+method solves P(z, p) - z = 0 and q(z, p) = the order, all over their scales.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.quantities import VariedStride, scales_of, varied_stride
+from ..library.runner import Runner
+
+NEWTON_ITERATIONS, SHORTENINGS = 40, 10
+CLOSING_ITERATIONS, CLOSING_SHORTENINGS = 12, 3
+"""Where a place is near a gait, or else is of no use."""
+CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
+"""Largest difference of apex and next apex over the scales, and of quantities over those ordered."""
+SHORTEST_SHARE = 1e-3
+"""Of the way from the first gait's quantities to those ordered."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """An apex and parameters, with the stride from there."""
+
+    at: NDArray[np.float64]
+    """Coordinates, then freed parameters, over the scales."""
+    varied: VariedStride
+    """Of it."""
+
+
+class Order:
+    """Quantities that a gait is to have, and the parameters that are freed for it."""
+
+    def __init__(self, runner: Runner, quantities: Mapping[str, float], free: Sequence[str]) -> None:
+        """All are taken as they are; `find_gait` checks them."""
+        self.runner, self.free = runner, tuple(free)
+        self.names = tuple(quantities)
+        self.ordered = np.array([quantities[name] for name in self.names])
+        self.scales = scales_of(runner, self.free)
+        self._apex_scales = runner.scales
+        self._quantity_scales = np.array([abs(value) or 1.0 for value in self.ordered])
+
+    def with_one_more(self, name: str) -> "Order":
+        """The same order with one more parameter freed."""
+        quantities = dict(zip(self.names, map(float, self.ordered), strict=True))
+        return Order(self.runner, quantities, [*self.free, name])
+
+    def runner_at(self, at: NDArray[np.float64]) -> Runner:
+        """The runner with the freed parameters' values at a place."""
+        runner = self.runner
+        for name, value in zip(self.free, (at * self.scales)[-len(self.free) :], strict=True):
+            runner = runner.but(name, float(value))
+        return runner
+
+    def place_of(self, orbit: Orbit) -> Place:
+        """That of a gait of this runner, whatever its freed parameters."""
+        freed = [orbit.runner.values[name] for name in self.free]
+        return self.look(np.append(orbit.apex, freed) / self.scales)
+
+    def look(self, at: NDArray[np.float64]) -> Place:
+        """The stride from a place.
+
+        Raises
+        ------
+        RunError
+            It does not close, has no derivatives, or a parameter is beyond its range.
+        """
+        count = len(self._apex_scales)
+        try:
+            runner = self.runner_at(at)
+            varied = varied_stride(runner, (at * self.scales)[:count], self.names, self.free)
+        except InputError as problem:
+            raise RunError(str(problem)) from None
+        return Place(at, varied)
+
+    def orbit(self, place: Place) -> Orbit:
+        """The gait at a place where the stride leads back to its apex.
+
+        Raises
+        ------
+        RunError
+            There is none.
+        """
+        return orbit_near(self.runner_at(place.at), (place.at * self.scales)[: len(self._apex_scales)])
+
+    def deviations(self, place: Place) -> NDArray[np.float64]:
+        """How far a place's quantities are from those ordered, over these."""
+        off: NDArray[np.float64] = (place.varied.quantities - self.ordered) / self._quantity_scales
+        return off
+
+    def rows(self, place: Place) -> NDArray[np.float64]:
+        """Changes of what is left over and of the quantities by the place, all over the scales."""
+        scales = np.append(self._apex_scales, self._quantity_scales)
+        rows: NDArray[np.float64] = place.varied.by_all * self.scales / scales[:, None]
+        return rows
+
+    def closing(self, place: Place) -> NDArray[np.float64]:
+        """What is left over of the stride, over the scales."""
+        return place.varied.left_over / self._apex_scales
+
+    def solved_from(self, place: Place) -> tuple[Place, float]:
+        """The place that meets the order, or the last one on the way to it.
+
+        Newton's method alone, from the place given; where it fails, on a way of orders from what the gait has
+        to what is ordered, a share at a time.
+
+        Returns
+        -------
+        place : Place
+            That of a gait.
+        share : float
+            Of the way that was gone: 1 where the order is met.
+        """
+        begin, way = place.varied.quantities, self.ordered - place.varied.quantities
+        done, step = 0.0, 1.0
+        while done < 1.0 and step >= SHORTEST_SHARE:
+            to = 1.0 if done + step >= 1.0 else done + step
+            try:
+                place = self._by_newton(place, self.ordered if to == 1.0 else begin + to * way)
+            except RunError:
+                step *= 0.5
+                continue
+            done, step = to, 2.0 * step
+        return place, done
+
+    def closed_near(self, at: NDArray[np.float64]) -> Place:
+        """The gait near a place, by the shortest steps that lead to one.
+
+        Raises
+        ------
+        RunError
+            There is none.
+        """
+        return self._by_newton(self.look(at), None, CLOSING_ITERATIONS, CLOSING_SHORTENINGS)
+
+    def _by_newton(
+        self,
+        place: Place,
+        goal: NDArray[np.float64] | None,
+        iterations: int = NEWTON_ITERATIONS,
+        shortenings: int = SHORTENINGS,
+    ) -> Place:
+        """With quantities as the goal says, or with whatever they are."""
+        for _ in range(iterations):
+            off = self._off(place, goal)
+            if np.max(np.abs(off)) <= CONVERGED:
+                break
+            try:
+                step = np.linalg.lstsq(self.rows(place)[: len(off)], -off)[0]
+            except np.linalg.LinAlgError as problem:
+                raise RunError(f"Newton's method: {problem}") from None
+            improved = self._improved(place, step, goal, shortenings)
+            if improved is None:
+                break
+            place = improved
+        if np.max(np.abs(self._off(place, goal))) > GOOD_ENOUGH:
+            raise RunError("Newton's method does not converge")
+        return place
+
+    def _off(self, place: Place, goal: NDArray[np.float64] | None) -> NDArray[np.float64]:
+        closing = self.closing(place)
+        if goal is None:
+            return closing
+        return np.append(closing, (place.varied.quantities - goal) / self._quantity_scales)
+
+    def _improved(
+        self, place: Place, step: NDArray[Any], goal: NDArray[np.float64] | None, shortenings: int
+    ) -> Place | None:
+        """A step, or the part of it that makes the error smaller; None where none does."""
+        error = np.linalg.norm(self._off(place, goal))
+        for shortening in range(shortenings):
+            try:
+                tried = self.look(place.at + 0.5**shortening * step)
+            except RunError:
+                continue
+            if np.linalg.norm(self._off(tried, goal)) < error:
+                return tried
+        return None
+
+    def gap(self, place: Place) -> float:
+        """How far a gait is from the order: the root of the sum of squared deviations."""
+        return float(np.linalg.norm(self.deviations(place)))

@@ -1,0 +1,179 @@
+"""Gaits to order: the gait of a given speed, step frequency or the like, by freeing as many parameters."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..checks import check_kind, checked, near_matches
+from ..errors import InputError, RunError
+from ..library.members import check_varied
+from ..library.orbit import Orbit
+from ..library.quantities import QUANTITIES, quantities_of
+from ..library.runner import Runner
+from ..library.section import Apex
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .nearest import nearest_from, parameters_that_help
+from .order import Order, Place
+from .search import find_orbit, runner_by
+
+TRAVEL = ("speed", "frequency", "length")
+"""Any two of them set the third."""
+LEAST, MOST = 1e-9, 1e9
+"""Of what is ordered, in SI units."""
+NO_ACTION = 1e-11
+"""Changes over the scales that are no more than rounding."""
+
+
+class OrderNotMetError(RunError):
+    """No gait was found that has what is ordered."""
+
+    def __init__(self, message: str, nearest: Orbit, helps: tuple[str, ...]) -> None:
+        """With the gait that is nearest to the order, and the parameters that would bring it nearer."""
+        super().__init__(message)
+        self.nearest, self.helps = nearest, helps
+
+    def __reduce__(self) -> tuple[type["OrderNotMetError"], tuple[str, Orbit, tuple[str, ...]]]:
+        """As it was made."""
+        return type(self), (str(self), self.nearest, self.helps)
+
+
+def find_gait(
+    runner: Runner | Mapping[str, Given] | None,
+    order: Mapping[str, float],
+    free: Sequence[str],
+    *,
+    guess: Apex | None = None,
+    model: str | None = None,
+    unit: Unit | None = None,
+) -> Orbit:
+    """The periodic gait that has what is ordered, by freeing as many parameters.
+
+    Newton's method on apex and freed parameters at once, from the gait that `find_orbit` gives; where it
+    fails, through orders in between. Derivatives are exact, but for those of the duty factor.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float, optional
+        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own. Freed
+        parameters begin with the values that they have here.
+    order : mapping of str to float
+        What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
+        strides in Hz, `length` of a stride in m, `duty_factor`, `cost_of_transport`.
+    free : sequence of str
+        Names of parameters and inputs to be found, as many as are ordered.
+    guess : sequence of float, optional
+        An apex near that of the gait to begin with; see `find_orbit`.
+    model : str, optional
+        `full` or `reduced`, as in `find_orbit`.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Orbit
+        Stable or not; the freed parameters are in its `runner.values`. What is ordered is met to 1e-10.
+
+    Raises
+    ------
+    InputError
+        Nothing is ordered, or what is not allowed; a name is unknown; not as many parameters are freed; one
+        does not act, or they cannot be told from each other.
+    OrderNotMetError
+        No such gait was found: `nearest` is the nearest that was, `helps` names parameters that, freed too,
+        bring the order nearer.
+    RunError
+        There is no gait to begin with.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6}, {"speed": 1.0}, ["hip.stance_torque"])
+    >>> round(gait.stride["speed"], 10)
+    1.0
+    """
+    wanted = _checked_order(order)
+    names = _checked_free(free, wanted)
+    first = find_orbit(runner_by(Runner.of(runner, unit), model), guess, unit=unit)
+    system = Order(first.runner, wanted, names)
+    begin = system.place_of(first)
+    _check_action(system, begin)
+    place, share = system.solved_from(begin)
+    if share < 1.0:
+        nearest = nearest_from(system, (place, begin))
+        place, share = system.solved_from(nearest)
+        if share < 1.0:
+            raise _not_met(system, min(nearest, place, key=system.gap), first, load(unit))
+    return system.orbit(place)
+
+
+def _checked_order(order: object) -> dict[str, float]:
+    """What is ordered, by its names."""
+    check_kind(order, Mapping, "order", f"numbers by name: {', '.join(QUANTITIES)}")
+    given: Mapping[Any, Any] = order  # type: ignore[assignment] # it is one
+    if not given:
+        raise InputError(f"order: nothing is ordered; allowed: {', '.join(QUANTITIES)}")
+    for name in given:
+        if name not in QUANTITIES:
+            raise InputError(
+                f"order {name!r} is not allowed; allowed: {', '.join(QUANTITIES)}"
+                f"{near_matches(name, QUANTITIES)}"
+            )
+    if all(name in given for name in TRAVEL):
+        raise InputError("order: speed, frequency and length; allowed: two of them, for they set the third")
+    most = {"duty_factor": 1.0}
+    return {name: checked(name, value, LEAST, most.get(name, MOST)) for name, value in given.items()}
+
+
+def _checked_free(free: object, order: Mapping[str, float]) -> tuple[str, ...]:
+    """The freed parameters' names."""
+    check_kind(free, (list, tuple), "free", "a list of names of parameters and inputs")
+    names: tuple[Any, ...] = tuple(free)  # type: ignore[arg-type] # it is one
+    for name in names:
+        check_varied(name, "free")
+        if names.count(name) > 1:
+            raise InputError(f"free: {name} is given twice; allowed: once")
+    if len(names) != len(order):
+        raise InputError(
+            f"free: {', '.join(names) or 'nothing'} for {', '.join(order)}; allowed: as many parameters as "
+            f"are ordered, {len(order)}"
+        )
+    return names
+
+
+def _check_action(order: Order, place: Place) -> None:
+    """Refuse parameters that do not act on the first gait, or not each in a way of its own."""
+    count = len(order.closing(place))
+    rows = order.rows(place)
+    for name, column in zip(order.free, rows[:, count:].T, strict=True):
+        if np.max(np.abs(column)) <= NO_ACTION:
+            raise InputError(f"free {name}: does not act on this gait; allowed: a parameter that changes it")
+    sizes = np.linalg.svd(rows, compute_uv=False)
+    if sizes[-1] <= NO_ACTION * sizes[0]:
+        raise InputError(
+            f"free {', '.join(order.free)}: do not change {', '.join(order.names)} of this gait each in its "
+            "own way; allowed: parameters that do"
+        )
+
+
+def _not_met(order: Order, nearest: Place, first: Orbit, unit: Unit) -> OrderNotMetError:
+    """With the nearest gait, and what would help."""
+    orbit, helps = order.orbit(nearest), parameters_that_help(order, nearest, first)
+    has = quantities_of(orbit, order.names)
+    wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(order.names, order.ordered, strict=True))
+    near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
+    at = ", ".join(
+        f"{name} = {orbit.runner.values[name]:.6g} {unit.variables[name].unit}".removesuffix(" 1").strip()
+        for name in order.free
+    )
+    tip = (
+        f"freeing {' or '.join(helps[:3])} too would help"
+        if helps
+        else "no single further parameter that was tried would help"
+    )
+    return OrderNotMetError(
+        f"no gait with {wanted} was found by {', '.join(order.free)}: the nearest has {near}, at {at}; {tip}",
+        orbit,
+        helps,
+    )

@@ -1,0 +1,232 @@
+"""What a gait can be ordered by: quantities of a stride, with their derivatives by apex and parameters.
+
+Those of period, length and work are exact. The duty factor's are differences, for the C library has no
+derivative of the time that a stance takes.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..unit.unit import FRICTION
+from .binding import c, ffi
+from .maps import map_of
+from .members import check_has_gaits
+from .orbit import Orbit
+from .return_map import direction
+from .runner import Runner
+from .strides import longest_stride
+from .structs import Return, StrideChange
+
+DIFFERENCE = 1e-7
+"""Step of differences, over the scale of what is varied."""
+_OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
+    "speed": lambda stride: stride["speed"],
+    "frequency": lambda stride: 1.0 / stride["period"],
+    "length": lambda stride: stride["length"],
+    "duty_factor": lambda stride: stride["duty_factor"],
+    "cost_of_transport": lambda stride: stride["cost_of_transport"],
+}
+_CHANGED = ("period", "length", "work")
+"""Of these the library has derivatives."""
+_READ = ("speed", "period", "length", "duty_factor", "work", "cost_of_transport")
+"""Of the library's stride."""
+QUANTITIES = tuple(_OF_STRIDE)
+"""What a gait can be ordered by; the frequency is that of strides, one over the period."""
+
+
+@dataclass(frozen=True)
+class VariedStride:
+    """A stride, and how it changes with its apex and with parameters."""
+
+    left_over: NDArray[np.float64]
+    """Next apex minus this one, shape (n,)."""
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    by_all: NDArray[np.float64]
+    """Changes of `left_over` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
+
+
+def quantities_of(orbit: Orbit, names: Sequence[str]) -> dict[str, float]:
+    """What a gait has of the quantities that one can be ordered by.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    names : sequence of str
+        Of `QUANTITIES`.
+
+    Returns
+    -------
+    dict of str to float
+        By these names, in SI units.
+    """
+    return {name: float(_OF_STRIDE[name](orbit.stride)) for name in names}
+
+
+def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:
+    """Scales of the coordinates and of parameters: of these the value that each has, or 1 where it is 0.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose.
+    parameters : sequence of str
+        By name.
+
+    Returns
+    -------
+    ndarray of float
+        Shape (n + p,).
+    """
+    return np.array([*runner.scales, *(abs(runner.values[name]) or 1.0 for name in parameters)])
+
+
+def varied_stride(
+    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
+) -> VariedStride:
+    """One stride from an apex, whether it leads back there or not, with all its derivatives.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who makes it.
+    apex : ndarray of float, shape (n,)
+        Where it begins.
+    names : sequence of str
+        Of `QUANTITIES`.
+    parameters : sequence of str
+        Parameters and inputs by which it is differentiated.
+
+    Returns
+    -------
+    VariedStride
+        All of it is finite.
+
+    Raises
+    ------
+    InputError
+        A value of the runner is refused.
+    RunError
+        The stride does not close, or has no derivatives.
+    """
+    stride, changes = _changes(runner, apex, parameters)
+    told = _read(stride)
+    d_apex, d_stride = changes[: len(apex)], dict(zip(_CHANGED, changes[len(apex) :], strict=True))
+    d_weight = np.array([0.0] * len(apex) + [_weight_change(runner, name) for name in parameters])
+    rows = [
+        _duty_differences(runner, apex, parameters, told["duty_factor"])
+        if name == "duty_factor"
+        else _exact(runner, name, told, d_stride, d_weight)
+        for name in names
+    ]
+    by_all = np.vstack([d_apex - np.eye(*d_apex.shape), *rows])
+    if not np.isfinite(by_all).all():
+        raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
+    values = np.array([_OF_STRIDE[name](told) for name in names])
+    return VariedStride(np.array(list(stride.apex)) - apex, values, by_all)
+
+
+def _changes(
+    runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str]
+) -> tuple[Return, NDArray[np.float64]]:
+    """The stride; and changes of the next apex and `_CHANGED`, in rows, by coordinates and parameters.
+
+    The library differentiates by a few parameters at a time.
+    """
+    most = c.TDMF_RETURN_CHANGES
+    parts = [parameters[begin : begin + most] for begin in range(0, len(parameters), most)] or [()]
+    strides = [_stride(runner, apex, part, True) for part in parts]
+    columns = [_column(strides[0].by_section[k]) for k in range(len(apex))]
+    for stride, part in zip(strides, parts, strict=True):
+        columns += [_column(stride.by_parameter[k]) for k in range(len(part))]
+    return strides[0], np.array(columns).T
+
+
+def _column(change: StrideChange) -> list[float]:
+    return [*change.apex, *(float(getattr(change, name)) for name in _CHANGED)]
+
+
+def _stride(
+    runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], derivatives: bool
+) -> Return:
+    check_has_gaits(runner.values[FRICTION])
+    map, changes = map_of(runner), ffi.new("tdmf_change[]", len(parameters) or 1)
+    for k, name in enumerate(parameters):
+        changes[k] = direction(name)[0]
+    stride = map.stride(
+        runner.solver(),
+        runner.model,
+        runner.inputs,
+        list(apex),
+        longest_stride(runner),
+        derivatives,
+        changes,
+        len(parameters),
+    )
+    why_not = map.why_not(stride)
+    if why_not is not None:
+        raise RunError(why_not)
+    return stride
+
+
+def _read(stride: Return) -> dict[str, float]:
+    return {name: float(getattr(stride.stride, name)) for name in _READ}
+
+
+def _weight(runner: Runner) -> float:
+    return (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+
+
+def _weight_change(runner: Runner, name: str) -> float:
+    if name in ("body.mass", "foot.mass"):
+        return runner.values["gravity"]
+    return runner.values["body.mass"] + runner.values["foot.mass"] if name == "gravity" else 0.0
+
+
+def _exact(
+    runner: Runner,
+    name: str,
+    stride: Mapping[str, float],
+    d_stride: Mapping[str, NDArray[np.float64]],
+    d_weight: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """By the rules of differentiation, from the changes of period, length and work."""
+    if name == "length":
+        return d_stride["length"]
+    if name == "frequency":
+        return -d_stride["period"] / stride["period"] ** 2
+    if name == "speed":
+        return (d_stride["length"] - stride["speed"] * d_stride["period"]) / stride["period"]
+    weight = _weight(runner)
+    d_product = d_weight * stride["length"] + weight * d_stride["length"]
+    return (d_stride["work"] - stride["cost_of_transport"] * d_product) / (weight * stride["length"])
+
+
+def _duty_differences(
+    runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], duty_factor: float
+) -> NDArray[np.float64]:
+    """The duty factor's changes; a parameter at the end of its range is varied to the other side."""
+    steps = DIFFERENCE * scales_of(runner, parameters)
+
+    def at(k: int, step: float) -> float:
+        moved = apex.copy()
+        varied = runner
+        if k < len(apex):
+            moved[k] += step
+        else:
+            name = parameters[k - len(apex)]
+            varied = runner.but(name, runner.values[name] + step)
+        return _read(_stride(varied, moved, (), False))["duty_factor"]
+
+    def slope(k: int, step: float) -> float:
+        try:
+            return (at(k, step) - duty_factor) / step
+        except (InputError, RunError):
+            return (at(k, -step) - duty_factor) / -step
+
+    return np.array([slope(k, float(step)) for k, step in enumerate(steps)])
