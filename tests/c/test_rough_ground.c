@@ -2,6 +2,7 @@
  * another along strides, runners and seeds; and runners meet them, each its own. */
 #include "compare.h"
 #include "philox.h"
+#include "random.h"
 #include "reference_gaits.h"
 #include "tdmf_slip/ensemble.h"
 
@@ -142,8 +143,13 @@ static void gather(crowd *crowd) {
     crowd->ensemble = ensemble;
 }
 
+/* Strides that began with a new line waiting, and those of them in which it came into force. */
+typedef struct {
+    int waited, passed;
+} waits;
+
 /* The native solver with the ground set at each apex. Returns the strides made. */
-static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion) {
+static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion, waits *seen) {
     tdmf_solver solver = tdmf_solver_default();
     tdmf_inputs inputs = crowd->its_case.inputs;
     solver.relative_tolerance = crowd->ensemble.relative_tolerance;
@@ -152,14 +158,18 @@ static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion) {
     assert_null(
         tdmf_start(&crowd->model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
     for (int stride = 0; stride < STRIDES; ++stride) {
-        inputs.ground.height += roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
+        inputs.ground.height +=
+            crowd->its_case.rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
         tdmf_resolve(&crowd->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+        const bool waits = motion->mode.ground.height != inputs.ground.height;
+        seen->waited += waits;
         if (!tdmf_native_stride(&solver, &crowd->model, &inputs, motion->time + 1e4, motion).closed) {
             return stride;
         }
         if (motion->mode.ground.height != inputs.ground.height) {
             return stride + 1;
         }
+        seen->passed += waits;
     }
     return STRIDES;
 }
@@ -183,9 +193,10 @@ static void runners_meet_the_steps_of_their_numbers(void **unused) {
     static tdmf_motion motions[RUNNERS];
     int strides[RUNNERS];
     int compared = 0, up = 0;
+    waits seen = {0};
     gather(&crowd);
     for (int i = 0; i < RUNNERS; ++i) {
-        strides[i] = run_over_steps(&crowd, i, &motions[i]);
+        strides[i] = run_over_steps(&crowd, i, &motions[i], &seen);
         up += strides[i] == STRIDES;
     }
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
@@ -199,6 +210,60 @@ static void runners_meet_the_steps_of_their_numbers(void **unused) {
     }
     assert_true(compared >= RUNNERS);
     assert_in_range(up, 1, RUNNERS);
+}
+
+/* From apices at which the foot hangs low, over steps as high as that. */
+static void gather_before_high_steps(crowd *crowd, double push) {
+    random_source source = {11};
+    gather(crowd);
+    crowd->its_case.rules.roughness = 0.6;
+    crowd->its_case.inputs.body.external_fx = 0.1 * push;
+    crowd->its_case.inputs.body.external_fy = push;
+    for (int i = 0; i < RUNNERS; ++i) {
+        crowd->starts[i][TDMF_SECTION_LEG_ANGLE] *= random_uniform(&source, -0.1, 0.6);
+        crowd->starts[i][TDMF_SECTION_COM_HEIGHT] *= random_uniform(&source, 0.75, 1.1);
+    }
+}
+
+static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motion *motion) {
+    const tdmf_record *record = &motion->record;
+    assert_int_equal(end->word_code, record->stride.word_code);
+    assert_close(end->time, record->apex.time, 1e-6);
+    assert_close(end->apex[TDMF_SECTION_COM_HEIGHT], record->apex.com_height, 1e-8);
+    assert_close(end->apex[TDMF_SECTION_LEG_ANGLE], record->apex.leg_angle, 1e-8);
+}
+
+/* Without a push, with one that lightens the runner and with one that weighs it down. */
+static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused) {
+    (void)unused;
+    static const double pushes[] = {0.0, 2e-3, -2e-3};
+    static crowd crowd;
+    static tdmf_motion motions[RUNNERS];
+    int strides[RUNNERS];
+    for (int push = 0; push < 3; ++push) {
+        waits seen = {0};
+        int compared = 0;
+        gather_before_high_steps(&crowd, pushes[push]);
+        for (int i = 0; i < RUNNERS; ++i) {
+            strides[i] = run_over_steps(&crowd, i, &motions[i], &seen);
+        }
+        assert_true(seen.waited > RUNNERS / 2 && seen.passed > RUNNERS / 3);
+        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+            crowd.ensemble.instructions = (tdmf_instructions)set;
+            if (!tdmf_has_instructions(crowd.ensemble.instructions)) {
+                continue;
+            }
+            assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+            for (int i = 0; i < RUNNERS; ++i) {
+                assert_same_strides(&crowd.ends[i], &motions[i], strides[i]);
+                if (strides[i] > 0) {
+                    assert_same_last_apex(&crowd.ends[i], &motions[i]);
+                    ++compared;
+                }
+            }
+        }
+        assert_true(compared > RUNNERS * 9 / 10);
+    }
 }
 
 /* Bit for bit. */
@@ -238,6 +303,7 @@ int main(void) {
         cmocka_unit_test(steps_are_independent_along_strides_runners_and_seeds),
         cmocka_unit_test(a_step_is_the_same_whatever_was_drawn_before),
         cmocka_unit_test(runners_meet_the_steps_of_their_numbers),
+        cmocka_unit_test(runners_whose_ground_waits_meet_it_alike_in_all_lanes),
         cmocka_unit_test(steps_depend_on_neither_threads_nor_neighbours),
         cmocka_unit_test(refuses_a_roughness_that_is_none),
     };
