@@ -36,6 +36,7 @@ from . import (
     rough,
     slope,
     stored,
+    thrust,
 )
 from .columns import Columns, write_columns
 
@@ -167,6 +168,10 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
     def slopes() -> Columns:
         return slope.table(slope.gaits(runner)) if measure else stored.columns("slope")
 
+    @cache
+    def thrusts() -> Columns:
+        return thrust.table(thrust.gaits(runner)) if measure else stored.columns("thrust")
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -191,6 +196,7 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
         ),
         "rough": Figure(lambda path: rough.draw(path, roughness()), roughness),
         "slope": Figure(lambda path: slope.draw(path, slopes()), slopes),
+        "thrust": Figure(lambda path: thrust.draw(path, thrusts()), thrusts),
         "reduced_region": Figure(
             lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())
         ),

@@ -1,0 +1,137 @@
+"""Thrust of the leg against torque of the hip: cost of transport and slip of both, at equal speed."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from ...analysis.branch import Branch
+from ...analysis.search import find_orbit
+from ...analysis.tracing import trace
+from ...library.orbit import Orbit
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from . import leading
+from .columns import Columns
+
+TORQUE, THRUST = "hip.stance_torque", "leg.thrust"
+FRICTIONS = (0.2, 0.6, 10.0)
+HIGHEST_TORQUE, HIGHEST_THRUST = 1.0, 0.6
+WITHOUT_TORQUE = 0.45
+"""Thrust with which the torque is taken away."""
+LARGEST_STEP = 0.2
+POINTS = 70
+"""Of a branch: beyond its fold it goes on for long."""
+COSTS = (0.2, 1.2)
+"""Shown."""
+
+HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2", "thrust alone"
+COLOURS: Mapping[str, str] = {HIP_ALONE: "#e07b00", BOTH: "#0b7a75", LEG_ALONE: "#22303c"}
+
+
+def gaits(runner: Runner) -> Mapping[float, tuple[Orbit, ...]]:
+    """By friction: gaits of each actuation, along branches over its strength.
+
+    Where the torque cannot be taken away without the gait, thrust alone has none.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits; driven by the hip.
+
+    Returns
+    -------
+    mapping of float to tuple of Orbit
+        By hip torque alone, then thrust and hip torque, then thrust alone.
+    """
+    found = {}
+    for friction in FRICTIONS:
+        its = runner.but(FRICTION, friction)
+        first = find_orbit(its)
+        hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
+        added = _branch(first, THRUST, HIGHEST_THRUST)
+        found[friction] = (*hip.orbits, *added.orbits[1:], *_leg_alone(first))
+    return found
+
+
+def _leg_alone(first: Orbit) -> Iterator[Orbit]:
+    driven = _branch(first, THRUST, WITHOUT_TORQUE).orbits[-1]
+    freed = _branch(driven, TORQUE, 0.0)
+    if freed.values[-1] == 0.0:
+        yield from _both_ways(freed.orbits[-1], THRUST, HIGHEST_THRUST).orbits
+
+
+def _branch(first: Orbit, name: str, end: float) -> Branch:
+    return trace(first.runner, name, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+
+
+def _both_ways(first: Orbit, name: str, end: float) -> Branch:
+    return trace(first.runner, name, first, end, begin=0.0, largest_step=LARGEST_STEP, most_points=POINTS)
+
+
+def table(found: Mapping[float, tuple[Orbit, ...]]) -> Columns:
+    """The figure's data, by column."""
+    orbits = [orbit for its in found.values() for orbit in its]
+    pairs = leading.leading(orbits)
+    return {
+        "friction": [orbit.friction for orbit in orbits],
+        "hip_torque": [orbit.runner.values[TORQUE] for orbit in orbits],
+        "thrust": [orbit.runner.values[THRUST] for orbit in orbits],
+        "word": [orbit.word for orbit in orbits],
+        "stable": [orbit.stable for orbit in orbits],
+        "speed": [orbit.stride["speed"] for orbit in orbits],
+        "cost_of_transport": [orbit.stride["cost_of_transport"] for orbit in orbits],
+        "slip_per_length": [orbit.stride["slip_distance"] / orbit.stride["length"] for orbit in orbits],
+        "greater_eigenvalue": pairs[:, 0],
+        "other_eigenvalue": pairs[:, 1],
+    }
+
+
+def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
+    """Which rows of the data are of which actuation.
+
+    Parameters
+    ----------
+    data : mapping of str to sequence
+        Of `table`.
+
+    Returns
+    -------
+    dict of str to ndarray of bool
+        By the actuation's name. Thrust added to a torque begins at a gait of the torque alone.
+    """
+    torque, thrust = np.asarray(data["hip_torque"], float), np.asarray(data["thrust"], float)
+    beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
+    return {HIP_ALONE: thrust == 0.0, BOTH: torque == beside, LEG_ALONE: torque == 0.0}
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw a column for each friction, a colour for each actuation; dashed where the gait is unstable."""
+    with style.styled():
+        figure, panels = plt.subplots(
+            2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row", layout="constrained"
+        )
+        for column, friction in zip(panels.T, FRICTIONS, strict=True):
+            for name, chosen in actuated(data).items():
+                rows = chosen & (np.asarray(data["friction"], float) == friction)
+                speed, stable = (np.asarray(data[key], float)[rows] for key in ("speed", "stable"))
+                for axes, key in zip(column, ("cost_of_transport", "slip_per_length"), strict=True):
+                    _curve(axes, speed, np.asarray(data[key], float)[rows], stable > 0.0, name)
+            column[0].set_title(f"friction {friction:g}")
+            column[1].set_xlabel("average speed  / l₀√(k/m)")
+        panels[0, 0].set_ylim(*COSTS)
+        panels[0, 0].set_ylabel("cost of transport")
+        panels[1, 0].set_ylabel("slip distance  / length of the stride")
+        panels[1, -1].legend(loc="upper left")
+        style.save(figure, path)
+
+
+def _curve(
+    axes: Axes, speed: NDArray[np.float64], height: NDArray[np.float64], stable: NDArray[np.bool_], name: str
+) -> None:
+    axes.plot(speed, height, color=COLOURS[name], linewidth=1.0, linestyle=style.SLIP_DASHES)
+    axes.plot(speed, np.where(stable, height, np.nan), color=COLOURS[name], label=name)
