@@ -57,8 +57,8 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
 /* The change of the push. */
 tdmf_fall tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d);
 
-/* The centre of mass in flight, after `elapsed`. */
-tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double elapsed);
+/* The centre of mass in flight, after a time t. */
+tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);
 
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached);

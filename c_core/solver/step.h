@@ -65,8 +65,8 @@ tdmf_mode_coordinates tdmf_step_at(const tdmf_step *step, double time);
 
 /* Where inputs ramp, what the step adds to the coordinates' leg work and to their shortfall of external work.
  */
-double tdmf_step_leg_work(const tdmf_step *step, double elapsed);
-double tdmf_step_shortfall(const tdmf_step *step, double elapsed);
+double tdmf_step_leg_work(const tdmf_step *step, double time);
+double tdmf_step_shortfall(const tdmf_step *step, double time);
 
 /* Hip work since the step's start. */
 double tdmf_step_work(const tdmf_step *step, double time);
