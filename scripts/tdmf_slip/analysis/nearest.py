@@ -4,6 +4,7 @@ The nearest gait has the least sum of squared deviations, each over what is orde
 Levenberg and Marquardt along the gaits, whose tangents are the null space of what closes a stride.
 """
 
+import contextlib
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from ..library.members import VARIED
 from ..library.orbit import Orbit
+from ..terminal import progress
 from .order import GOOD_ENOUGH, Order, Place
 
 ITERATIONS, LOOK_AHEAD = 40, 16
@@ -94,7 +96,9 @@ def _null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     return basis
 
 
-def parameters_that_help(order: Order, nearest: Place, first: Orbit) -> tuple[str, ...]:
+def parameters_that_help(
+    order: Order, nearest: Place, first: Orbit, show_progress: bool = False
+) -> tuple[str, ...]:
     """Parameters and inputs that bring the order nearer, each freed beside the others.
 
     Parameters
@@ -105,6 +109,8 @@ def parameters_that_help(order: Order, nearest: Place, first: Orbit) -> tuple[st
         The gait nearest to it.
     first : Orbit
         The gait that the search began with.
+    show_progress : bool, default False
+        A bar on stderr.
 
     Returns
     -------
@@ -113,14 +119,17 @@ def parameters_that_help(order: Order, nearest: Place, first: Orbit) -> tuple[st
         slope of the ground is not told.
     """
     gap, begins = order.gap(nearest), (order.orbit(nearest), first)
+    tried = [
+        name
+        for name in VARIED
+        if name not in (*order.free, *NOT_THE_RUNNERS) and first.runner.values[name] != 0.0
+    ]
     left: dict[str, float] = {}
-    for name in VARIED:
-        if name in (*order.free, *NOT_THE_RUNNERS) or first.runner.values[name] == 0.0:
-            continue
-        wider = order.with_one_more(name)
-        try:
-            places = [wider.place_of(orbit) for orbit in begins]
-        except RunError:
-            continue
-        left[name] = wider.gap(nearest_from(wider, places, LONGEST_STEPS[:1], LOOK_AHEAD))
+    with progress.bar("what would help", len(tried), "parameters", show_progress) as bar:
+        for name in tried:
+            wider = order.with_one_more(name)
+            with contextlib.suppress(RunError):
+                places = [wider.place_of(orbit) for orbit in begins]
+                left[name] = wider.gap(nearest_from(wider, places, LONGEST_STEPS[:1], LOOK_AHEAD))
+            bar.update()
     return tuple(sorted((n for n in left if left[n] <= HELPING * gap), key=lambda n: left[n]))

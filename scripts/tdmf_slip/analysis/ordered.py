@@ -22,6 +22,8 @@ TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
 LEAST, MOST = 1e-9, 1e9
 """Of what is ordered, in SI units."""
+MET = 1e-10
+"""Of what is ordered."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 
@@ -46,6 +48,7 @@ def find_gait(
     *,
     guess: Apex | None = None,
     model: str | None = None,
+    show_progress: bool = False,
     unit: Unit | None = None,
 ) -> Orbit:
     """The periodic gait that has what is ordered, by freeing as many parameters.
@@ -67,6 +70,8 @@ def find_gait(
         An apex near that of the gait to begin with; see `find_orbit`.
     model : str, optional
         `full` or `reduced`, as in `find_orbit`.
+    show_progress : bool, default False
+        A bar on stderr while parameters are tried that would help.
     unit : Unit, optional
         Whose start values hold; by default that of `fmu_path`.
 
@@ -104,8 +109,27 @@ def find_gait(
         nearest = nearest_from(system, (place, begin))
         place, share = system.solved_from(nearest)
         if share < 1.0:
-            raise _not_met(system, min(nearest, place, key=system.gap), first, load(unit))
-    return system.orbit(place)
+            nearest = min(nearest, place, key=system.gap)
+            helps = parameters_that_help(system, nearest, first, show_progress)
+            raise _not_met(system, nearest, helps, load(unit))
+    return _met(system, place)
+
+
+def _met(order: Order, place: Place) -> Orbit:
+    """The gait at a place that meets the order.
+
+    Raises
+    ------
+    RunError
+        It is so sensitive that its own Newton's method leads elsewhere.
+    """
+    orbit = order.orbit(place)
+    has = np.array([*quantities_of(orbit, order.names).values()])
+    if not np.allclose(has, order.ordered, rtol=MET, atol=0.0):
+        raise RunError(
+            f"the gait with {', '.join(order.names)} as ordered is too sensitive to be found to {MET:g}"
+        )
+    return orbit
 
 
 def _checked_order(order: object) -> dict[str, float]:
@@ -157,9 +181,9 @@ def _check_action(order: Order, place: Place) -> None:
         )
 
 
-def _not_met(order: Order, nearest: Place, first: Orbit, unit: Unit) -> OrderNotMetError:
+def _not_met(order: Order, nearest: Place, helps: tuple[str, ...], unit: Unit) -> OrderNotMetError:
     """With the nearest gait, and what would help."""
-    orbit, helps = order.orbit(nearest), parameters_that_help(order, nearest, first)
+    orbit = order.orbit(nearest)
     has = quantities_of(orbit, order.names)
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(order.names, order.ordered, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())

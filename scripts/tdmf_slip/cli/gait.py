@@ -55,7 +55,7 @@ def gait_command(
         print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
         return
     try:
-        orbit = find_gait(runner, order, names, unit=unit)
+        orbit = find_gait(runner, order, names, show_progress=True, unit=unit)
     except OrderNotMetError as problem:
         if as_json_object:
             nearest = _ordered_json(problem.nearest, order, names)
