@@ -346,6 +346,7 @@ static void any_declared_runner_goes_on_or_falls_or_is_given_up(void **unused) {
         "the leg: %ld, of pushes: %ld\n",
         seen.strides, seen.with_further_inputs, seen.waiting, seen.leg_work, seen.external_work);
     assert_int_equal(wrongs, 0);
+    assert_int_equal(seen.outcomes[TDMF_TOO_MANY_EVENTS], 0); /* no chain of events goes on for ever */
     assert_saw_everything(&seen);
 }
 
