@@ -68,6 +68,10 @@ def refuse_resumable(path: Path) -> None:
             raise InputError(f"{path}: holds a {what}; allowed: another file name")
 
 
+ROUNDING = 5e-13
+"""Of numbers that are zero but for it, as the rise of a stride on level ground."""
+
+
 def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float = 0.0) -> bool:
     """Whether all variables of one dataset are those of another, NaN where it is NaN.
 
@@ -92,6 +96,7 @@ def _close(found: NDArray[np.float64], wanted: NDArray[np.float64], relative: fl
     if wanted.dtype.kind != "f":
         return np.array_equal(found, wanted)
     off = relative * np.max(np.abs(wanted), initial=0.0, where=np.isfinite(wanted))
+    off = max(off, ROUNDING) if relative else off
     return np.allclose(found, wanted, rtol=0.0, atol=off, equal_nan=True)
 
 
