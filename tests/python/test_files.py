@@ -154,7 +154,7 @@ NAME = os.fsdecode(b"caf\xe9")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names that are no UTF-8 are allowed on Linux")
-@pytest.mark.parametrize("name", [NAME, f"{NAME}/result"])
+@pytest.mark.parametrize("name", [NAME, f"{NAME}/result"], ids=["file", "folder"])  # which reports can print
 def test_a_name_need_not_be_utf_8(writer, name, command, tmp_path):
     options = [*arguments(writer, name), "--json"]
     (tmp_path / file_of(writer, name)).parent.mkdir(exist_ok=True)
