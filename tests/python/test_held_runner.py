@@ -6,7 +6,6 @@ import shutil
 import subprocess
 import sys
 
-import fmpy
 import numpy as np
 import pytest
 from fmpy.ssp.simulation import simulate_ssp
@@ -20,6 +19,15 @@ CONTAINER = """
 import sys
 from fmu_manipulation_toolbox.cli.fmucontainer import fmucontainer
 sys.exit(fmucontainer())
+"""
+
+# The container is another project's machine code: what it does in this process stays out of it.
+RUN = """
+import sys
+import fmpy
+import numpy
+unit, rows, stop_time, step = sys.argv[1:]
+numpy.save(rows, fmpy.simulate_fmu(unit, stop_time=float(stop_time), output_interval=float(step)))
 """
 
 
@@ -59,7 +67,10 @@ def test_a_container_runs_the_system_as_the_library(system, expected, tmp_path):
     command = [sys.executable, "-c", CONTAINER, "-container", f"{system.name}:{STEP}", "-fmu-directory", "."]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
     unit = str(tmp_path / system.with_suffix(".fmu").name)
-    rows = fmpy.simulate_fmu(unit, stop_time=STOP_TIME, output_interval=STEP)[1:]
+    table = tmp_path / "rows.npy"
+    arguments = map(str, (unit, table, STOP_TIME, STEP))
+    subprocess.run([sys.executable, "-c", RUN, *arguments], check=True, capture_output=True)
+    rows = np.load(table)[1:]
     count = min(len(rows), len(expected))
     assert count > 1490
     for name, column in (("place", 1), ("leg_angle", 2), ("speed", 3)):
