@@ -39,6 +39,12 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
         if self.sets_rates and continuous:
             self._set_rates(time)
 
+    @classmethod
+    def interpolate(cls, *given: object, **named: object) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """As FMPy's, but a table of one row, too, gives one value for each input."""
+        values, rates = super().interpolate(*given, **named)
+        return values.ravel(), rates.ravel()
+
     def _set_rates(self, time: float) -> None:
         for vrs, _, orders, _, table, _ in self.continuous:
             rates = (ctypes.c_double * len(vrs))(*self._rates(time, table))
@@ -64,7 +70,12 @@ class Solver(fmpy.sundials.CVodeSolver):  # type: ignore[misc] # FMPy tells no t
     def step(self, t: float, until: float) -> object:
         """As FMPy's."""
         self.next_jump = self.input.nextEvent(t)
-        return super().step(t, until)
+        try:
+            return super().step(t, until)
+        except TypeError as problem:
+            if self.error_info is None:  # FMPy formats CVODE's account of an error even where there is none
+                raise RuntimeError("CVODE failed") from problem
+            raise
 
     def f(self, t: float, y: object, ydot: object, user_data: object) -> object:
         """As FMPy's."""

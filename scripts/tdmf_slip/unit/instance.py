@@ -234,9 +234,7 @@ class Instance:
         said = "; ".join(dict.fromkeys(self.messages))
         if isinstance(problem, FMICallException) and problem.function.startswith(REFUSING_CALLS):
             return InputError(f"start values: {said or problem}")
-        # FMPy formats CVODE's account of an error even where CVODE gave none.
-        why = "CVODE failed" if isinstance(problem, TypeError) else str(problem)
-        return RunError(f"the run failed: {why}" + (f"; the unit says: {said}" if said else ""))
+        return RunError(f"the run failed: {problem}" + (f"; the unit says: {said}" if said else ""))
 
     def close(self) -> None:
         """Terminate, where FMPy has not done so, and free the instance."""
