@@ -53,7 +53,8 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
 static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
                                      const tdmf_change *change, const double start_com_x,
-                                     const double d_state[TDMF_STATE_COUNT]) {
+                                     const tdmf_variation *variation) {
+    const double *d_state = variation->state;
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass(
@@ -72,6 +73,9 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
         .period = shift,
         .length = d_com_x - start_com_x,
         .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
+        .stance_time = variation->stance.stance_time,
+        .slip_distance = variation->stance.slip_distance,
+        .peak_force = variation->stance.peak_force,
     };
     return result;
 }
@@ -98,6 +102,7 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_grou
         const tdmf_direction d = tdmf_direction_of(model, change, NULL);
         vary_section_state(model, ground, state, d_section, &d, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
+        memset(&variation->stance, 0, sizeof variation->stance);
         bundle->start_com_x[i] =
             tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d.model, variation->state)
                 .x;
@@ -110,7 +115,7 @@ static void close_bundle(const bundle *bundle, const tdmf_model *model, const td
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < bundle->count; ++i) {
         const tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
-                                                     bundle->start_com_x[i], bundle->variations[i].state);
+                                                     bundle->start_com_x[i], &bundle->variations[i]);
         if (i < TDMF_SECTION_COUNT) {
             result->by_section[i] = change;
         } else {

@@ -124,7 +124,8 @@ tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equation
                                              const tdmf_variation *variation) {
     tdmf_mode_variation varied_mode = {.liftoff_angle = variation->liftoff_angle,
                                        .place_time = variation->state[TDMF_HIP_PLACE_TIME],
-                                       .leg_work = variation->state[TDMF_LEG_WORK]};
+                                       .leg_work = variation->state[TDMF_LEG_WORK],
+                                       .stance = variation->stance};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
     const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
@@ -192,7 +193,7 @@ void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const td
 tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
                                       const double state[TDMF_STATE_COUNT], const tdmf_change *change,
                                       const tdmf_mode_variation *varied_mode) {
-    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
+    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle, .stance = varied_mode->stance};
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
     variation.state[TDMF_LEG_WORK] = varied_mode->leg_work;

@@ -2,6 +2,7 @@
  * event as far as the series may be trusted, and goes on from there. No step is ever refused. */
 #include "tdmf_slip/solver.h"
 
+#include "evaluation.h"
 #include "event_log.h"
 #include "events.h"
 #include "greatest_compression.h"
@@ -100,10 +101,40 @@ static void write_state(integration *integration, double elapsed, const tdmf_mod
     }
 }
 
+/* Variations of the ground force `elapsed` into the step, which is largest there and so the same at a time
+ * that is shifted. */
+static void vary_peak_force(integration *integration, double elapsed) {
+    const tdmf_motion *motion = integration->motion;
+    const tdmf_mode_coordinates there = tdmf_step_at(&integration->step, elapsed);
+    double state[TDMF_STATE_COUNT];
+    memcpy(state, motion->state, sizeof state);
+    tdmf_state_in_mode(&integration->equations, elapsed, &there, state);
+    const tdmf_evaluation at = tdmf_evaluate(integration->model, &integration->inputs, &motion->mode, state);
+    for (int i = 0; i < integration->count; ++i) {
+        const tdmf_change *change = &integration->changes[i];
+        tdmf_mode_variation varied_mode = integration->varied_mode[i];
+        tdmf_advance_mode_variation(&integration->step, elapsed, change, &integration->tangents[i],
+                                    &varied_mode);
+        const tdmf_variation variation =
+            tdmf_variation_in_mode(&integration->equations, state, change, &varied_mode);
+        const tdmf_direction d = tdmf_direction_of(integration->model, change, &variation);
+        integration->varied_mode[i].stance.peak_force = tdmf_vary_evaluation(&at, &d).force.normal;
+    }
+}
+
+static void note_peak_force(integration *integration, double elapsed) {
+    const tdmf_step *step = &integration->step;
+    double *peak = &integration->motion->record.open.peak_force;
+    const double force = series_at(step->series.ground.normal_force, step->order - 1, elapsed);
+    if (force > *peak) {
+        *peak = force;
+        vary_peak_force(integration, elapsed);
+    }
+}
+
 /* Notes the peaks of the ground force. They change nothing but the record, so the step goes on. */
 static void observe_ground_force(integration *integration, double end) {
     tdmf_mode *mode = &integration->motion->mode;
-    double *peak = &integration->motion->record.open.peak_force;
     double from = 0.0;
     for (int i = 0; tdmf_in_contact(mode) && i < TDMF_TURN_LIMIT; ++i) {
         from = tdmf_force_turn(&integration->step, mode->ground_force_rising, from, end);
@@ -111,8 +142,7 @@ static void observe_ground_force(integration *integration, double end) {
             return;
         }
         if (mode->ground_force_rising) {
-            *peak = larger(*peak, series_at(integration->step.series.ground.normal_force,
-                                            integration->step.order - 1, from));
+            note_peak_force(integration, from);
         }
         mode->ground_force_rising = !mode->ground_force_rising;
     }
@@ -166,6 +196,7 @@ static tdmf_side side_of(const integration *integration) {
     tdmf_side side;
     memcpy(side.state, motion->state, sizeof side.state);
     side.mode = motion->mode;
+    side.peak_force = motion->record.open.peak_force;
     tdmf_derivatives(integration->model, &integration->inputs, &side.mode, side.state, side.derivatives);
     return side;
 }

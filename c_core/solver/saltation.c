@@ -3,11 +3,15 @@
  *
  *     dt = -(g_x d_x + g_p d_p)/(g_x f-),      d_x+ = R_x (d_x + f- dt) + R_p d_p - f+ dt.
  *
+ * The stance time of a stride ends or begins dt later; its slip distance has the place of the foot at the
+ * event.
+ *
  * Transitions that follow in zero time are decided by inequalities and shift with the first one; of all of
  * them, only the first moves the runner. */
 #include "saltation.h"
 
 #include "contact_change.h"
+#include "evaluation.h"
 #include "leg_work.h"
 
 #include <math.h>
@@ -29,6 +33,7 @@ static tdmf_variation no_variation(void) {
         none.state[i] = NAN;
     }
     none.liftoff_angle = NAN;
+    none.stance.stance_time = none.stance.slip_distance = none.stance.peak_force = NAN;
     return none;
 }
 
@@ -63,6 +68,35 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, 
         tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, &after->mode), &d->model, &d->inputs));
 }
 
+/* The ground force just after the event, where it is met; `d` has the state's change there. */
+static double vary_force(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *after,
+                         const tdmf_direction *d) {
+    const tdmf_evaluation at = tdmf_evaluate(model, inputs, &after->mode, after->state);
+    return tdmf_vary_evaluation(&at, d).force.normal;
+}
+
+/* Of x/cos(slope), which is the path along the ground up to the foot's place. */
+static double vary_path(const tdmf_side *at, const tdmf_direction *d) {
+    const tdmf_ground_line *ground = &at->mode.ground;
+    const double turned = at->state[TDMF_FOOT_X] * d->mode.ground.slope * ground->sine / ground->cosine;
+    return (d->state[TDMF_FOOT_X] + turned) / ground->cosine;
+}
+
+/* What the event, which shifts by dt, makes of the record of a stance; `d` has the state's change where it is
+ * met. */
+static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inputs *inputs,
+                                         const tdmf_side *before, const tdmf_side *after, double dt,
+                                         const tdmf_direction *d, tdmf_stance_variation stance) {
+    const int ends = tdmf_in_contact(&before->mode) - tdmf_in_contact(&after->mode);
+    const double slip_ends = tdmf_slip_sign(&before->mode) - tdmf_slip_sign(&after->mode);
+    stance.stance_time += ends * dt;
+    stance.slip_distance += slip_ends * vary_path(before, d);
+    if (after->peak_force > before->peak_force) {
+        stance.peak_force = vary_force(model, inputs, after, d);
+    }
+    return stance;
+}
+
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                               const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
                               const tdmf_variation *variation) {
@@ -82,6 +116,9 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
+    tdmf_direction d_met = d;
+    d_met.state = varied.state;
+    varied.stance = vary_stance(model, inputs, before, after, dt, &d_met, varied.stance);
     shift_along(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;

@@ -1,5 +1,5 @@
-/* What a stride from an apex comes to, and its derivatives, in one row: the next apex, period, length and
- * work. */
+/* What a stride from an apex comes to, and its derivatives, in one row: the next apex, period, length, work,
+ * stance time, slip distance and peak force. */
 #ifndef TDMF_TESTS_STRIDE_RESULTS_H
 #define TDMF_TESTS_STRIDE_RESULTS_H
 
@@ -7,13 +7,16 @@
 
 #include <string.h>
 
-enum { RESULTS = TDMF_SECTION_COUNT + 3 };
+enum { RESULTS = TDMF_SECTION_COUNT + 6 };
 
 static inline void results_of(const tdmf_return *stride, double results[RESULTS]) {
     memcpy(results, stride->apex, sizeof stride->apex);
     results[TDMF_SECTION_COUNT] = stride->stride.period;
     results[TDMF_SECTION_COUNT + 1] = stride->stride.length;
     results[TDMF_SECTION_COUNT + 2] = stride->stride.work;
+    results[TDMF_SECTION_COUNT + 3] = stride->stride.stance_time;
+    results[TDMF_SECTION_COUNT + 4] = stride->stride.slip_distance;
+    results[TDMF_SECTION_COUNT + 5] = stride->stride.peak_force;
 }
 
 static inline void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
@@ -21,6 +24,9 @@ static inline void derivatives_of(const tdmf_stride_change *change, double deriv
     derivatives[TDMF_SECTION_COUNT] = change->period;
     derivatives[TDMF_SECTION_COUNT + 1] = change->length;
     derivatives[TDMF_SECTION_COUNT + 2] = change->work;
+    derivatives[TDMF_SECTION_COUNT + 3] = change->stance_time;
+    derivatives[TDMF_SECTION_COUNT + 4] = change->slip_distance;
+    derivatives[TDMF_SECTION_COUNT + 5] = change->peak_force;
 }
 
 #endif

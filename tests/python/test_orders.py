@@ -29,7 +29,7 @@ def assert_met(gait, order, within=1e-10):
 def test_derivatives_of_what_is_ordered_are_those_of_differences(model, parameters):
     orbit = find_orbit(parameters, model=model)
     names = ["hip.stance_torque", "leg.stiffness", "body.mass", "gravity"]
-    scales, steps = scales_of(orbit.runner, names), 1e-5
+    scales, steps = scales_of(orbit.runner, names), 1e-6
     exact = varied_stride(orbit.runner, orbit.apex, QUANTITIES, names).by_all * scales
 
     def moved(k, sign):
@@ -45,7 +45,7 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
     for k in range(len(scales)):
         difference = (moved(k, 1.0) - moved(k, -1.0)) / (2.0 * steps)
         size = max(1.0, np.max(np.abs(exact[:, k])))
-        assert exact[:, k] == pytest.approx(difference, abs=1e-4 * size), (k, names)
+        assert exact[:, k] == pytest.approx(difference, abs=1e-6 * size), (k, names)
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])

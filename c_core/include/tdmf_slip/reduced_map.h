@@ -41,6 +41,7 @@ typedef enum {
 typedef struct {
     double apex[TDMF_REDUCED_COUNT]; /* of the next apex */
     double period, length, work;     /* of the stride's quantities of these names */
+    double stance_time, slip_distance, peak_force;
 } tdmf_reduced_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */

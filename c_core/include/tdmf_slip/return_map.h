@@ -30,6 +30,7 @@ void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
 typedef struct {
     double apex[TDMF_SECTION_COUNT]; /* of the next apex */
     double period, length, work;     /* of the stride's quantities of these names */
+    double stance_time, slip_distance, peak_force;
 } tdmf_stride_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */

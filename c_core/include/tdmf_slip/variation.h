@@ -18,11 +18,19 @@ typedef struct {
     tdmf_inputs inputs;         /* and of each input */
 } tdmf_change;
 
+/* Change of what is recorded of a stance, by the names that it has in tdmf_stride. */
+typedef struct {
+    double stance_time;   /* s */
+    double slip_distance; /* m */
+    double peak_force;    /* N */
+} tdmf_stance_variation;
+
 /* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the hip's work is varied;
  * the others stay 0. */
 typedef struct {
     double state[TDMF_STATE_COUNT]; /* of each element of the state */
     double liftoff_angle;           /* of mode.liftoff_angle */
+    tdmf_stance_variation stance;   /* of the stride under way */
 } tdmf_variation;
 
 /* What a start makes of a change of the values that it was given. */

@@ -54,7 +54,7 @@ def find_gait(
     """The periodic gait that has what is ordered, by freeing as many parameters.
 
     Newton's method on apex and freed parameters at once, from the gait that `find_orbit` gives; where it
-    fails, through orders in between. Derivatives are exact, but for those of the duty factor.
+    fails, through orders in between. Derivatives are exact.
 
     Parameters
     ----------
@@ -63,7 +63,8 @@ def find_gait(
         parameters begin with the values that they have here.
     order : mapping of str to float
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
-        strides in Hz, `length` of a stride in m, `duty_factor`, `cost_of_transport`.
+        strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
+        foot in m, `peak_force` of the ground in N, `cost_of_transport`.
     free : sequence of str
         Names of parameters and inputs to be found, as many as are ordered.
     guess : sequence of float, optional

@@ -94,7 +94,10 @@ _ORDERS = {
     "speed": ("V", "Order: mean speed, m/s."),
     "frequency": ("F", "Order: strides in a second, Hz."),
     "length": ("L", "Order: length of a stride, m."),
+    "stance_time": ("T", "Order: time on the ground in a stride, s."),
     "duty_factor": ("D", "Order: share of the stride that is stance."),
+    "slip_distance": ("S", "Order: path that the foot slides in a stride, m."),
+    "peak_force": ("N", "Order: largest ground force, N."),
     "cost_of_transport": ("C", "Order: work over weight and length."),
 }
 _FREE_OPTION = click.option(

@@ -1,7 +1,7 @@
-"""What a gait can be ordered by: quantities of a stride, with their derivatives by apex and parameters.
+"""What a gait can be ordered by and fitted to: quantities of a stride, with their exact derivatives.
 
-Those of period, length and work are exact. The duty factor's are differences, for the C library has no
-derivative of the time that a stance takes.
+Those of a stride by its apex and by parameters are the C library's; those of a gait by parameters follow by
+the implicit function theorem.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
+from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .maps import map_of
@@ -21,18 +21,19 @@ from .runner import Runner
 from .strides import longest_stride
 from .structs import Return, StrideChange
 
-DIFFERENCE = 1e-7
-"""Step of differences, over the scale of what is varied."""
 _OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
     "speed": lambda stride: stride["speed"],
     "frequency": lambda stride: 1.0 / stride["period"],
     "length": lambda stride: stride["length"],
+    "stance_time": lambda stride: stride["stance_time"],
     "duty_factor": lambda stride: stride["duty_factor"],
+    "slip_distance": lambda stride: stride["slip_distance"],
+    "peak_force": lambda stride: stride["peak_force"],
     "cost_of_transport": lambda stride: stride["cost_of_transport"],
 }
-_CHANGED = ("period", "length", "work")
+_CHANGED = ("period", "length", "work", "stance_time", "slip_distance", "peak_force")
 """Of these the library has derivatives."""
-_READ = ("speed", "period", "length", "duty_factor", "work", "cost_of_transport")
+_READ = (*_CHANGED, "speed", "duty_factor", "cost_of_transport")
 """Of the library's stride."""
 QUANTITIES = tuple(_OF_STRIDE)
 """What a gait can be ordered by; the frequency is that of strides, one over the period."""
@@ -118,12 +119,7 @@ def varied_stride(
     told = _read(stride)
     d_apex, d_stride = changes[: len(apex)], dict(zip(_CHANGED, changes[len(apex) :], strict=True))
     d_weight = np.array([0.0] * len(apex) + [_weight_change(runner, name) for name in parameters])
-    rows = [
-        _duty_differences(runner, apex, parameters, told["duty_factor"])
-        if name == "duty_factor"
-        else _exact(runner, name, told, d_stride, d_weight)
-        for name in names
-    ]
+    rows = [_change(runner, name, told, d_stride, d_weight) for name in names]
     by_all = np.vstack([d_apex - np.eye(*d_apex.shape), *rows])
     if not np.isfinite(by_all).all():
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
@@ -188,45 +184,22 @@ def _weight_change(runner: Runner, name: str) -> float:
     return runner.values["body.mass"] + runner.values["foot.mass"] if name == "gravity" else 0.0
 
 
-def _exact(
+def _change(
     runner: Runner,
     name: str,
     stride: Mapping[str, float],
     d_stride: Mapping[str, NDArray[np.float64]],
     d_weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """By the rules of differentiation, from the changes of period, length and work."""
-    if name == "length":
-        return d_stride["length"]
+    """Of a quantity, by the rules of differentiation, from the changes of `_CHANGED`."""
+    if name in d_stride:
+        return d_stride[name]
     if name == "frequency":
         return -d_stride["period"] / stride["period"] ** 2
     if name == "speed":
         return (d_stride["length"] - stride["speed"] * d_stride["period"]) / stride["period"]
+    if name == "duty_factor":
+        return (d_stride["stance_time"] - stride["duty_factor"] * d_stride["period"]) / stride["period"]
     weight = _weight(runner)
     d_product = d_weight * stride["length"] + weight * d_stride["length"]
     return (d_stride["work"] - stride["cost_of_transport"] * d_product) / (weight * stride["length"])
-
-
-def _duty_differences(
-    runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], duty_factor: float
-) -> NDArray[np.float64]:
-    """The duty factor's changes; a parameter at the end of its range is varied to the other side."""
-    steps = DIFFERENCE * scales_of(runner, parameters)
-
-    def at(k: int, step: float) -> float:
-        moved = apex.copy()
-        varied = runner
-        if k < len(apex):
-            moved[k] += step
-        else:
-            name = parameters[k - len(apex)]
-            varied = runner.but(name, runner.values[name] + step)
-        return _read(_stride(varied, moved, (), False))["duty_factor"]
-
-    def slope(k: int, step: float) -> float:
-        try:
-            return (at(k, step) - duty_factor) / step
-        except (InputError, RunError):
-            return (at(k, -step) - duty_factor) / -step
-
-    return np.array([slope(k, float(step)) for k, step in enumerate(steps)])

@@ -31,6 +31,9 @@ class StrideChange(Protocol):
     period: float
     length: float
     work: float
+    stance_time: float
+    slip_distance: float
+    peak_force: float
 
 
 class Stride(Protocol):
