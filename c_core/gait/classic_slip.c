@@ -2,18 +2,17 @@
  *
  *     m xddot = k (w - 1) x,      m yddot = k (w - 1) y - m g,      r^2 = x^2 + y^2
  *
- * It is expanded into Taylor series together with its variations by apex height and touchdown angle. At
- * take-off the mass has the acceleration of flight, so that the next height y + vy^2/(2 g) does not change
- * with its time: no saltation is needed. */
-#include "tdmf_slip/classic_slip.h"
-
+ * with the vertical along y whatever the slope of the ground, against which the mass and the leg are held by
+ * the guards alone. It is expanded into Taylor series together with its variations. */
+#include "classic_flight.h"
 #include "first_root.h"
+#include "ground_line.h"
 #include "powers.h"
 #include "series_sums.h"
 
 #include <float.h>
 
-enum { ORDER = 20, STEP_LIMIT = 100000, ITERATION_LIMIT = 60, VARIATIONS = 2 };
+enum { ORDER = 20, STEP_LIMIT = 100000, ITERATION_LIMIT = 60 };
 
 static const double tolerance = 1e-15;
 
@@ -129,15 +128,17 @@ static stance_end find_end(const tdmf_classic *slip, const stance_series *s, dou
     const double length = slip->free_length;
     polynomial compressed, above_ground;
     polynomial inside_cone[2]; /* the mass before the foot, and behind */
+    const tdmf_ground_line line = tdmf_classic_ground(slip);
     double power[SERIES_TERMS];
     stance_end end = GOES_ON;
     set_powers(power, *size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
-        const double x = s->x[k] * power[k], y = s->y[k] * power[k];
+        const double along = tdmf_place_along(&line, s->x[k], s->y[k]) * power[k];
+        const double off = tdmf_height_over(&line, s->x[k], s->y[k]) * power[k];
         compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k] * power[k];
-        inside_cone[0].c[k] = isinf(slip->friction) ? y : slip->friction * y - x;
-        inside_cone[1].c[k] = isinf(slip->friction) ? y : slip->friction * y + x;
-        above_ground.c[k] = y;
+        inside_cone[0].c[k] = isinf(slip->friction) ? off : slip->friction * off - along;
+        inside_cone[1].c[k] = isinf(slip->friction) ? off : slip->friction * off + along;
+        above_ground.c[k] = off;
     }
     const double take_off = first_time(&compressed, length * length, *size);
     const double cone = first_time(&inside_cone[0], length, *size);
@@ -163,17 +164,17 @@ static stance_end find_end(const tdmf_classic *slip, const stance_series *s, dou
 }
 
 typedef struct {
-    tdmf_classic_point at;
-    tdmf_classic_point varied[VARIATIONS];
+    tdmf_classic_standing standing;
     double time;
-    double steepest; /* the largest |tan| of the leg's angle so far */
+    double steepest; /* the largest |tan| of the leg's angle from the ground's normal so far */
 } stance;
 
-static double steepness(tdmf_classic_point at) {
-    return fabs(at.x / at.y);
+static double steepness(const tdmf_classic *slip, tdmf_classic_point at) {
+    const tdmf_ground_line line = tdmf_classic_ground(slip);
+    return fabs(tdmf_place_along(&line, at.x, at.y) / tdmf_height_over(&line, at.x, at.y));
 }
 
-/* The largest |tan| of the leg's angle in a step: at its end, or where the leg turns back. */
+/* The largest |tan| of that angle in a step: at its end, or where the leg turns back. */
 static double steepest_in(const tdmf_classic *slip, const stance_series *s, double size) {
     const double moment = slip->free_length * slip->free_length * sqrt(slip->stiffness / slip->mass);
     double turning[SERIES_TERMS], power[SERIES_TERMS];
@@ -186,25 +187,26 @@ static double steepest_in(const tdmf_classic *slip, const stance_series *s, doub
         turning[k] *= power[k];
     }
     const root turn = first_sign_change(turning, ORDER, 1e-14 * moment, 0.0, 1.0, true);
-    const double at_end = steepness(point_at(s, size));
-    return turn.is_root ? fmax(at_end, steepness(point_at(s, turn.time * size))) : at_end;
+    const double at_end = steepness(slip, point_at(s, size));
+    return turn.is_root ? fmax(at_end, steepness(slip, point_at(s, turn.time * size))) : at_end;
 }
 
 /* Runs a stance to its end or up to a time; steps that do not end, or are not finite, count as a fall. */
 static stance_end run_stance(const tdmf_classic *slip, double until, stance *run) {
+    tdmf_classic_standing *standing = &run->standing;
     for (int i = 0; i < STEP_LIMIT; ++i) {
         stance_series series, varied;
-        expand_stance(slip, run->at, &series);
+        expand_stance(slip, standing->at, &series);
         double size = fmin(trusted_size(slip, &series), until - run->time);
         if (!(size > 0.0) || !isfinite(size)) {
             return run->time < until ? HITS_GROUND : GOES_ON;
         }
         const stance_end end = find_end(slip, &series, &size);
-        for (int k = 0; k < VARIATIONS; ++k) {
-            expand_variation(slip, &series, run->varied[k], &varied);
-            run->varied[k] = point_at(&varied, size);
+        for (int k = 0; k < TDMF_CLASSIC_VARIATIONS; ++k) {
+            expand_variation(slip, &series, standing->varied[k], &varied);
+            standing->varied[k] = point_at(&varied, size);
         }
-        run->at = point_at(&series, size);
+        standing->at = point_at(&series, size);
         run->time += size;
         run->steepest = fmax(run->steepest, steepest_in(slip, &series, size));
         if (end != GOES_ON) {
@@ -214,70 +216,38 @@ static stance_end run_stance(const tdmf_classic *slip, double until, stance *run
     return HITS_GROUND;
 }
 
-static bool is_allowed(const tdmf_classic *slip) {
-    return slip->mass > 0.0 && slip->stiffness > 0.0 && slip->free_length > 0.0 && slip->gravity > 0.0 &&
-           slip->touchdown_angle > 0.0 && slip->touchdown_angle < 1.5707963267948966 &&
-           slip->friction >= 0.0 &&
-           isfinite(slip->mass + slip->stiffness + slip->free_length + slip->gravity);
-}
-
-/* The mass at touchdown, and its variations by the apex height and by the touchdown angle, at one energy. */
-static bool touch_down(const tdmf_classic *slip, double energy, double height, stance *run) {
-    const double length = slip->free_length;
-    const double g = slip->gravity;
-    const double sine = sin(slip->touchdown_angle);
-    const double cosine = cos(slip->touchdown_angle);
-    const double speed_square = 2.0 * (energy / slip->mass - g * height);
-    const double drop = height - length * cosine;
-    if (!is_allowed(slip) || !(speed_square > 0.0) || !(drop > 0.0)) {
-        return false;
+/* From an apex to touchdown; see tdmf_classic_land. */
+static tdmf_classic_outcome touch_down(const tdmf_classic *slip, double energy, double height, stance *run) {
+    const tdmf_classic_outcome landed = tdmf_classic_land(slip, energy, height, &run->standing);
+    if (landed == TDMF_CLASSIC_FLIES) {
+        run->time = 0.0;
+        run->steepest = fabs(tan(run->standing.touchdown_angle - slip->ground_slope));
     }
-    const double vx = sqrt(speed_square);
-    const double vy = -sqrt(2.0 * g * drop);
-    const stance start = {
-        .at = {-length * sine, length * cosine, vx, vy},
-        .varied = {{0.0, 0.0, -g / vx, g / vy},
-                   {-length * cosine, -length * sine, 0.0, g * length * sine / vy}},
-        .time = 0.0,
-        .steepest = tan(slip->touchdown_angle),
-    };
-    *run = start;
-    return true;
-}
-
-static void fly(const tdmf_classic *slip, const stance *run, tdmf_classic_step *step) {
-    const double g = slip->gravity;
-    const tdmf_classic_point *at = &run->at;
-    step->next_height = at->y + 0.5 * at->vy * at->vy / g;
-    step->next_speed = at->vx;
-    step->next_energy = slip->mass * (0.5 * at->vx * at->vx + g * step->next_height);
-    step->slope = run->varied[0].y + at->vy * run->varied[0].vy / g;
-    step->by_angle = run->varied[1].y + at->vy * run->varied[1].vy / g;
-    step->outcome = at->vx > 0.0 ? TDMF_CLASSIC_FLIES : TDMF_CLASSIC_TURNS_BACK;
+    return landed;
 }
 
 tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energy, double height) {
-    tdmf_classic_step step = {.outcome = TDMF_CLASSIC_NO_START};
     stance run;
-    if (!touch_down(slip, energy, height, &run)) {
+    tdmf_classic_step step = {.outcome = touch_down(slip, energy, height, &run)};
+    if (step.outcome != TDMF_CLASSIC_FLIES) {
         return step;
     }
-    step.touchdown = run.at;
-    step.impact_friction = fabs(run.at.vx / run.at.vy);
+    step.touchdown = run.standing.at;
+    step.impact_friction = tdmf_classic_impact_friction(slip, step.touchdown);
     step.stance_friction = run.steepest;
     if (step.stance_friction > slip->friction) {
         step.outcome = TDMF_CLASSIC_SLIDES;
         return step;
     }
     const stance_end end = run_stance(slip, INFINITY, &run);
-    step.take_off = run.at;
+    step.take_off = run.standing.at;
     step.stance_time = run.time;
     step.early_take_off = end == LEAVES_CONE;
     step.stance_friction = run.steepest;
     if (end == SLIDES_OUT) {
         step.outcome = TDMF_CLASSIC_SLIDES;
-    } else if ((end == TAKES_OFF || end == LEAVES_CONE) && run.at.vy > 0.0) {
-        fly(slip, &run, &step);
+    } else if ((end == TAKES_OFF || end == LEAVES_CONE) && step.take_off.vy > 0.0) {
+        tdmf_classic_fly(slip, &run.standing, &step);
     } else {
         step.outcome = TDMF_CLASSIC_FALLS;
     }
@@ -287,11 +257,11 @@ tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energ
 tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, double height, double time) {
     tdmf_classic_point nothing = {NAN, NAN, NAN, NAN};
     stance run;
-    if (!touch_down(slip, energy, height, &run) || !(time >= 0.0)) {
+    if (touch_down(slip, energy, height, &run) != TDMF_CLASSIC_FLIES || !(time >= 0.0)) {
         return nothing;
     }
     run_stance(slip, time, &run);
-    return run.at;
+    return run.standing.at;
 }
 
 bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double guess, double *height) {
@@ -301,7 +271,7 @@ bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double gu
         if (step.outcome != TDMF_CLASSIC_FLIES || step.early_take_off) {
             return false;
         }
-        const double change = (step.next_height - at) / (1.0 - step.slope);
+        const double change = (step.next_height - at) / (1.0 - step.by_height.height);
         at += change;
         if (!(fabs(change) > 1e-13 * slip->free_length)) {
             *height = at;
@@ -324,19 +294,19 @@ bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, d
         const tdmf_classic_step here = tdmf_classic_return_map(&at, energy, y);
         /* The slope's own derivatives, by differences of the exact slope: they steer the iteration, no more.
          */
-        const double curvature = (tdmf_classic_return_map(&at, energy, y + d_y).slope -
-                                  tdmf_classic_return_map(&at, energy, y - d_y).slope) /
+        const double curvature = (tdmf_classic_return_map(&at, energy, y + d_y).by_height.height -
+                                  tdmf_classic_return_map(&at, energy, y - d_y).by_height.height) /
                                  (2.0 * d_y);
-        const double mixed = (tdmf_classic_return_map(&ahead, energy, y).slope -
-                              tdmf_classic_return_map(&behind, energy, y).slope) /
+        const double mixed = (tdmf_classic_return_map(&ahead, energy, y).by_height.height -
+                              tdmf_classic_return_map(&behind, energy, y).by_height.height) /
                              (2.0 * small);
         if (here.outcome != TDMF_CLASSIC_FLIES) {
             return false;
         }
         const double off = here.next_height - y;
-        const double steep = here.slope - 1.0;
-        const double determinant = steep * mixed - here.by_angle * curvature;
-        const double change_y = -(off * mixed - here.by_angle * steep) / determinant;
+        const double steep = here.by_height.height - 1.0;
+        const double determinant = steep * mixed - here.by_touchdown_angle.height * curvature;
+        const double change_y = -(off * mixed - here.by_touchdown_angle.height * steep) / determinant;
         const double change_angle = -(steep * steep - curvature * off) / determinant;
         y += change_y;
         at.touchdown_angle += change_angle;

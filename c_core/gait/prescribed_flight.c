@@ -3,15 +3,12 @@
  *
  *     d = d_c - s r cos(phi - sigma),      d_m = d_c + (1 - s) r cos(phi - sigma),
  *
- * d_c being that of the ballistic centre of mass.
- *
- * Both are a parabola less a swing A cos(phi), whose first zero after the apex is found by steps that cannot
- * pass one: with the least curvature that the sum can have, h + h' t + h'' t^2/2 is below it. */
+ * d_c being that of the ballistic centre of mass: both are a parabola less a swing A cos(phi). */
 #include "prescribed_flight.h"
 
 #include "free_fall.h"
-
 #include "ground_line.h"
+#include "swinging_height.h"
 
 #include <math.h>
 #include <string.h>
@@ -110,46 +107,8 @@ void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inpu
 
 /* ---- the way down ------------------------------------------------------------------------------------- */
 
-enum { STEP_LIMIT = 10000 };
-
-/* start + rate t + curvature t^2/2 - swing cos(angle - turning t) */
-typedef struct {
-    double start, rate, curvature, swing, angle, turning;
-} height;
-
-/* When a parabola that falls reaches a level, at or after t = 0. */
-static double time_to_level(double above, double rate, double curvature) {
-    if (above <= 0.0) {
-        return 0.0;
-    }
-    const double root = sqrt(rate * rate - 2.0 * curvature * above);
-    return rate > 0.0 ? (rate + root) / -curvature : 2.0 * above / (root - rate);
-}
-
-/* The first zero; not a number where the steps do not find it. While the parabola is beyond the reach of the
- * swing, its own fall is what to wait for. */
-static double first_zero(const height *h) {
-    const double reach = fabs(h->swing);
-    const double lowest = h->curvature - reach * h->turning * h->turning;
-    double t = 0.0;
-    for (int i = 0; i < STEP_LIMIT; ++i) {
-        const double angle = h->angle - h->turning * t;
-        const double parabola = h->start + t * (h->rate + 0.5 * t * h->curvature);
-        const double its_rate = h->rate + t * h->curvature;
-        const double beyond = time_to_level(parabola - reach, its_rate, h->curvature);
-        const double within = time_to_level(parabola - h->swing * cos(angle),
-                                            its_rate - h->swing * h->turning * sin(angle), lowest);
-        const double next = t + fmax(beyond, within);
-        if (!(next > t)) {
-            return next == t ? t : NAN;
-        }
-        t = next;
-    }
-    return NAN;
-}
-
 /* The lowest that the leg's direction can point in the descent is at one of its ends, or straight down. */
-static bool body_may_come_first(const height *foot, double time) {
+static bool body_may_come_first(const tdmf_swinging_height *foot, double time) {
     const double right_angle = 1.57;
     return fabs(foot->angle) > right_angle || fabs(foot->angle - foot->turning * time) > right_angle;
 }
@@ -158,16 +117,17 @@ tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, co
                           tdmf_point apex) {
     const double length = placed_length(model, inputs);
     const tdmf_fall a = acceleration_of(model, inputs);
-    height foot = {tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
-                   tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,
-                   placed_angle(model, inputs) - ground->slope, model->parameters.hip.retraction_rate};
-    height body = foot;
+    tdmf_swinging_height foot = {
+        tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
+        tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,
+        placed_angle(model, inputs) - ground->slope, model->parameters.hip.retraction_rate};
+    tdmf_swinging_height body = foot;
     body.swing = foot.swing - length;
     tdmf_descent descent = {INFINITY, false};
     if (foot.curvature < 0.0) {
-        descent.time = first_zero(&foot);
+        descent.time = tdmf_first_zero(&foot);
         if (body_may_come_first(&foot, descent.time)) {
-            const double body_down = first_zero(&body);
+            const double body_down = tdmf_first_zero(&body);
             descent.body_first = body_down <= descent.time;
             descent.time = descent.body_first ? body_down : descent.time;
         }

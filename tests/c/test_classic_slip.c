@@ -41,12 +41,13 @@ static void gaits_are_where_they_were_found(void **state) {
         const tdmf_classic_step step = tdmf_classic_return_map(&slip, energy, height);
         assert_close(height, known->stable, 1.5e-5);
         assert_close(step.next_height, height, 1e-12);
-        assert_close(step.slope, known->stable_slope, 1.5e-4);
+        assert_close(step.by_height.height, known->stable_slope, 1.5e-4);
         assert_close(step.impact_friction, known->impact_friction, 1.5e-3);
         assert_close(step.stance_friction, tan(known->degrees * degree), 1e-11);
         assert_true(tdmf_classic_fixed_point(&slip, energy, known->unstable + 0.01, &height));
         assert_close(height, known->unstable, 1.5e-5);
-        assert_close(tdmf_classic_return_map(&slip, energy, height).slope, known->unstable_slope, 1.5e-4);
+        assert_close(tdmf_classic_return_map(&slip, energy, height).by_height.height, known->unstable_slope,
+                     1.5e-4);
     }
 }
 
@@ -60,7 +61,7 @@ static void two_gaits_meet_in_a_fold(void **state) {
     const tdmf_classic there = at_angle(angle / degree);
     const tdmf_classic_step step = tdmf_classic_return_map(&there, energy, height);
     assert_close(step.next_height, height, 1e-10);
-    assert_close(step.slope, 1.0, 1e-8);
+    assert_close(step.by_height.height, 1.0, 1e-8);
 }
 
 static void energy_is_kept_and_time_can_be_turned(void **state) {
@@ -102,8 +103,8 @@ static void derivatives_are_those_of_the_map(void **state) {
         const double by_angle = (tdmf_classic_return_map(&ahead, energy, height).next_height -
                                  tdmf_classic_return_map(&behind, energy, height).next_height) /
                                 (2.0 * small);
-        assert_close(step.slope, by_height, 1e-6);
-        assert_close(step.by_angle, by_angle, 1e-5);
+        assert_close(step.by_height.height, by_height, 1e-6);
+        assert_close(step.by_touchdown_angle.height, by_angle, 1e-5);
     }
 }
 

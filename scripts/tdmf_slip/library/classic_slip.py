@@ -1,4 +1,15 @@
-"""The classic SLIP: a point mass on a massless spring leg, the sections 2 and 3 of the paper."""
+"""The classic SLIP: a point mass on a massless spring leg, the sections 2 and 3 of the paper.
+
+The ground may have a slope, and the leg may retract: it turns back at a constant rate from the apex on.
+
+An apex has a height above the ground vertically below it, and an energy m (v^2/2 + g times this height).
+The energy of the motion is conserved. On a slope the ground below the next apex is higher or lower, and the
+energy above it is less by m g L tan(slope), L being the length of the step, which is positive. So on a slope
+no gait repeats both height and energy: uphill the runner loses energy above the ground with every step,
+downhill it gains. What `fixed_points` gives there are gaits that repeat their height at one energy: those of
+a runner to which something gives back at each apex, as speed, what the climb has cost, or takes what the
+descent has gained. `step` goes on without.
+"""
 
 import math
 from dataclasses import dataclass
@@ -21,18 +32,26 @@ TURNS_BACK: int = c.TDMF_CLASSIC_TURNS_BACK
 
 @dataclass(frozen=True)
 class FixedPoint:
-    """A fixed point of the return map from apex height to apex height: a periodic gait."""
+    """A fixed point of the return map from apex height to apex height, at one energy.
+
+    On level ground it is a periodic gait. On a slope it is one if the energy above the ground, of which the
+    step takes `energy_loss`, is restored at each apex by a change of speed.
+    """
 
     angle: float
-    """Touchdown angle, rad."""
+    """Touchdown angle, rad, at the apex where the leg retracts."""
     height: float
-    """Of the apex, m."""
+    """Of the apex above the ground below it, m."""
     slope: float
-    """Of the map."""
+    """Of the map at one energy, its eigenvalue."""
     stance_friction: float
     """Friction needed in the stance."""
     impact_friction: float
     """Friction needed at the impact of an infinitesimal foot mass."""
+    length: float
+    """Of the step, m, from apex to apex, horizontally."""
+    energy_loss: float
+    """What the step takes of the energy above the ground, J; negative downhill, 0 on level ground."""
 
     @property
     def stable(self) -> bool:
@@ -40,15 +59,22 @@ class FixedPoint:
         return abs(self.slope) < 1.0
 
 
-def slip(angle: float, friction: float = math.inf) -> Classic:
+def slip(
+    angle: float, friction: float = math.inf, *, ground_slope: float = 0.0, retraction_rate: float = 0.0
+) -> Classic:
     """The paper's SLIP.
 
     Parameters
     ----------
     angle : float
-        Touchdown angle, rad.
+        Touchdown angle, rad, from the vertical, positive where the foot is ahead; of the leg at the apex
+        where it retracts.
     friction : float, default inf
         Of the ground; infinite for a foot that never slips.
+    ground_slope : float, default 0
+        Of the ground, rad, between -1 and 1; positive where it rises.
+    retraction_rate : float, default 0
+        Rad/s, at which the angle falls from the apex on.
 
     Returns
     -------
@@ -58,6 +84,8 @@ def slip(angle: float, friction: float = math.inf) -> Classic:
     parameters: Classic = ffi.new("tdmf_classic *", c.tdmf_classic_default())
     parameters.touchdown_angle = angle
     parameters.friction = friction
+    parameters.ground_slope = ground_slope
+    parameters.retraction_rate = retraction_rate
     return parameters
 
 
@@ -128,7 +156,7 @@ def highest(parameters: Classic, energy: float = ENERGY) -> float:
 
 
 def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
-    """So many apex heights, m, from that of touchdown to the highest, both left out.
+    """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out.
 
     Parameters
     ----------
@@ -144,26 +172,47 @@ def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[
     ndarray of float, shape (count,)
         By rising height, m.
     """
-    low = parameters.free_length * math.cos(parameters.touchdown_angle)
+    angle = parameters.touchdown_angle
+    low = parameters.free_length * (math.cos(angle) + math.sin(angle) * math.tan(parameters.ground_slope))
     return np.linspace(low, highest(parameters, energy), count + 2)[1:-1]
 
 
-def fixed_points(angle: float, energy: float = ENERGY) -> list[FixedPoint]:
-    """All gaits of a touchdown angle.
+def fixed_points(
+    angle: float,
+    energy: float = ENERGY,
+    *,
+    ground_slope: float = 0.0,
+    retraction_rate: float = 0.0,
+) -> list[FixedPoint]:
+    """All gaits of a touchdown angle that repeat their height at one energy.
 
     Parameters
     ----------
     angle : float
-        Rad.
+        Rad, as of `slip`.
     energy : float, default 6000
-        J.
+        J, above the ground.
+    ground_slope : float, default 0
+        Of the ground, rad.
+    retraction_rate : float, default 0
+        Of the leg, rad/s.
 
     Returns
     -------
     list of FixedPoint
         By rising height.
+
+    Examples
+    --------
+    At 46 degrees, where a leg that is held has no gait, one that retracts has two:
+
+    >>> fixed_points(math.radians(46))
+    []
+    >>> retracting = fixed_points(math.radians(46), retraction_rate=math.radians(20))
+    >>> [gait.stable for gait in retracting]
+    [True, False]
     """
-    parameters = slip(angle)
+    parameters = slip(angle, ground_slope=ground_slope, retraction_rate=retraction_rate)
     found: list[FixedPoint] = []
     tried = heights(parameters, int(highest(parameters, energy) / SPACING), energy)
     steps = [step(parameters, height, energy) for height in tried]
@@ -198,4 +247,12 @@ def fold(energy: float = ENERGY) -> FixedPoint:
 
 def _fixed_point(parameters: Classic, angle: float, height: float, energy: float) -> FixedPoint:
     there = step(parameters, height, energy)
-    return FixedPoint(angle, height, there.slope, there.stance_friction, there.impact_friction)
+    return FixedPoint(
+        angle,
+        height,
+        there.by_height.height,
+        there.stance_friction,
+        there.impact_friction,
+        there.length,
+        parameters.mass * parameters.gravity * there.length * math.tan(parameters.ground_slope),
+    )

@@ -109,6 +109,8 @@ class Classic(Protocol):
     free_length: float
     touchdown_angle: float
     friction: float
+    ground_slope: float
+    retraction_rate: float
 
 
 class ClassicPoint(Protocol):
@@ -120,6 +122,14 @@ class ClassicPoint(Protocol):
     vy: float
 
 
+class ClassicChange(Protocol):
+    """`tdmf_classic_change`: how the next apex and the length of a step change with something."""
+
+    height: float
+    energy: float
+    length: float
+
+
 class ClassicStep(Protocol):
     """`tdmf_classic_step`: one step of the classic SLIP."""
 
@@ -129,5 +139,12 @@ class ClassicStep(Protocol):
     stance_time: float
     stance_friction: float
     impact_friction: float
+    length: float
     next_height: float
-    slope: float
+    next_speed: float
+    next_energy: float
+    by_height: ClassicChange
+    by_energy: ClassicChange
+    by_touchdown_angle: ClassicChange
+    by_ground_slope: ClassicChange
+    by_retraction_rate: ClassicChange
