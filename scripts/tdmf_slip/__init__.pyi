@@ -8,6 +8,8 @@ from .analysis.search import find_orbit
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
 from .errors import InputError, RunError, TdmfSlipError
+from .fitting.fitted import fit
+from .fitting.result import Fit
 from .library.ensemble import run_ensemble
 from .library.orbit import Orbit
 from .library.runner import Runner
@@ -23,6 +25,7 @@ from .version import __version__
 __all__ = [
     "Branch",
     "Curve",
+    "Fit",
     "InputError",
     "Orbit",
     "OrderNotMetError",
@@ -40,6 +43,7 @@ __all__ = [
     "continue_curves",
     "find_gait",
     "find_orbit",
+    "fit",
     "fmu_path",
     "load",
     "read_parameters",

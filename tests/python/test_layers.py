@@ -14,10 +14,11 @@ KNOWS = {
     "unit": {"terminal", "files", "blocks"},
     "library": {"unit"},
     "analysis": {"library", "unit", "blocks", "files", "terminal"},
-    "pictures": {"analysis", "library", "unit", "files", "terminal"},
-    "paper": {"pictures", "analysis", "library", "unit", "files", "terminal"},
+    "fitting": {"analysis", "library", "unit", "files", "terminal"},
+    "pictures": {"fitting", "analysis", "library", "unit", "files", "terminal"},
+    "paper": {"pictures", "fitting", "analysis", "library", "unit", "files", "terminal"},
     "bench": {"library", "unit", "terminal"},
-    "cli": {"bench", "paper", "pictures", "analysis", "library", "unit", "files", "terminal"},
+    "cli": {"bench", "paper", "pictures", "fitting", "analysis", "library", "unit", "files", "terminal"},
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
 

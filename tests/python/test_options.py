@@ -15,7 +15,7 @@ def single_options():
     context = click.Context(commands)
     for name in commands.list_commands(context):
         for option in commands.get_command(context, name).params:
-            if not option.multiple and not option.is_flag:
+            if isinstance(option, click.Option) and not option.multiple and not option.is_flag:
                 yield name, option.opts[0], option.nargs
 
 

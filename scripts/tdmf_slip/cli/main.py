@@ -21,6 +21,7 @@ COMMANDS = (
     "bench",
     "continue",
     "figures",
+    "fit",
     "gait",
     "rough",
     "simulate",

@@ -1,7 +1,6 @@
 """What a gait can be ordered by and fitted to: quantities of a stride, with their exact derivatives.
 
-Those of a stride by its apex and by parameters are the C library's; those of a gait by parameters follow by
-the implicit function theorem.
+Those of a stride by its apex and by parameters are the C library's.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,7 +16,7 @@ from .maps import map_of
 from .members import check_has_gaits
 from .orbit import Orbit
 from .return_map import direction
-from .runner import Runner
+from .runner import Runner, text_of
 from .strides import longest_stride
 from .structs import Return, StrideChange
 
@@ -125,6 +124,51 @@ def varied_stride(
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
     values = np.array([_OF_STRIDE[name](told) for name in names])
     return VariedStride(np.array(list(stride.apex)) - apex, values, by_all)
+
+
+@dataclass(frozen=True)
+class PlainStride:
+    """A stride without derivatives."""
+
+    left_over: NDArray[np.float64]
+    """Next apex minus this one, shape (n,)."""
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    word: str
+    """Of its stance."""
+
+
+def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> PlainStride:
+    """One stride from an apex, whether it leads back there or not; with derivatives it takes much longer.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who makes it.
+    apex : ndarray of float, shape (n,)
+        Where it begins.
+    names : sequence of str
+        Of `QUANTITIES`.
+
+    Returns
+    -------
+    PlainStride
+        As it closes.
+
+    Raises
+    ------
+    InputError
+        A value of the runner is refused.
+    RunError
+        The stride does not close.
+    """
+    stride = _stride(runner, apex, (), False)
+    told = _read(stride)
+    return PlainStride(
+        left_over=np.array(list(stride.apex)) - apex,
+        quantities=np.array([_OF_STRIDE[name](told) for name in names]),
+        word=text_of(stride.stride.word),
+    )
 
 
 def _changes(

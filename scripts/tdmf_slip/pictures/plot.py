@@ -8,10 +8,11 @@ from matplotlib.figure import Figure
 from ..analysis.branch import Branch
 from ..analysis.sweep import Sweep
 from ..errors import InputError
+from ..fitting.result import Fit
 from ..library.orbit import Orbit
 from ..unit.run import Run
 from ..unit.unit import load
-from . import branch, branch_diagram, overview, velocity_and_ratio
+from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio
 from .stride import Stride
 
 
@@ -20,7 +21,7 @@ def plot(result: object) -> Figure:
 
     Parameters
     ----------
-    result : Run, Orbit, Sweep or Branch
+    result : Run, Orbit, Sweep, Branch or Fit
         What to draw.
 
     Returns
@@ -40,7 +41,7 @@ def plot(result: object) -> Figure:
 
 @singledispatch
 def _figure_of(result: object) -> Figure:
-    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Orbit, Sweep, Branch")
+    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Orbit, Sweep, Branch, Fit")
 
 
 @_figure_of.register
@@ -63,3 +64,8 @@ def _sweep(result: Sweep) -> Figure:
 @_figure_of.register
 def _branch(result: Branch) -> Figure:
     return branch_diagram.figure_of(result)
+
+
+@_figure_of.register
+def _fit(result: Fit) -> Figure:
+    return fit_diagram.figure_of(result)

@@ -1,0 +1,1 @@
+"""Runners fitted to measured gaits: parameters with their confidence, and what the data do not tell."""

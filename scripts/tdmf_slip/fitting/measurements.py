@@ -1,0 +1,187 @@
+"""Measured gaits: quantities of a stride with their standard errors, a row for each condition."""
+
+import csv
+import math
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..checks import check_kind, near_matches
+from ..errors import InputError, reason
+
+UNITS: Mapping[str, str] = {
+    "speed": "m/s",
+    "frequency": "Hz",
+    "stance_time": "s",
+    "duty_factor": "1",
+    "slip_distance": "m",
+    "peak_force": "N",
+}
+"""What may be measured, by names of `library.quantities.QUANTITIES`; the frequency is one over the period."""
+ERROR = "_error"
+"""What the name of a quantity's column of errors ends with."""
+COMMENT = "#"
+"""Lines that begin with it are skipped: they say where the data come from."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A quantity as it was measured."""
+
+    value: float
+    """In the unit of `UNITS`."""
+    error: float
+    """Its standard error, in the same unit."""
+
+
+Row = Mapping[str, Measured]
+"""What was measured in one condition, by the quantities' names."""
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Conditions in which a gait was measured."""
+
+    rows: tuple[Row, ...]
+    """One for each condition."""
+    where: str
+    """Where they come from, for messages."""
+
+    @property
+    def count(self) -> int:
+        """How many numbers were measured."""
+        return sum(len(row) for row in self.rows)
+
+
+def measurements_of(given: "Measurements | str | Path") -> Measurements:
+    """Measurements as they are given, or those of a file.
+
+    Parameters
+    ----------
+    given : Measurements, str or Path
+        Or the path of a CSV file, see `read_measurements`.
+
+    Returns
+    -------
+    Measurements
+        One or more rows.
+
+    Raises
+    ------
+    InputError
+        It is neither, or the file is no such table.
+    """
+    if isinstance(given, Measurements):
+        return given
+    check_kind(given, (str, os.PathLike), "data", "the path of a CSV file, or Measurements")
+    return read_measurements(Path(given))
+
+
+def read_measurements(path: Path) -> Measurements:
+    """Measurements from a CSV file.
+
+    The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
+    `slip_distance [m]`, `peak_force [N]`, and for each its standard error, as in `speed_error [m/s]`. Each
+    row is a condition; a quantity that was not measured in it has both of its cells empty. Lines that begin
+    with `#` are skipped.
+
+    Parameters
+    ----------
+    path : Path
+        Of the file.
+
+    Returns
+    -------
+    Measurements
+        One or more rows.
+
+    Raises
+    ------
+    InputError
+        It cannot be read, or is no such table; the message names the column and the row.
+    """
+    where = f"table {path}"
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as problem:
+        raise InputError(f"{where}: {reason(problem)}") from None
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(COMMENT)]
+    if len(lines) < 2:
+        missing = "the header and the rows" if not lines else "the rows"
+        raise InputError(f"{where}: {missing} are missing; allowed: a header, and a row for each condition")
+    header, *cells = csv.reader(lines, skipinitialspace=True)
+    columns = [_column(name.strip(), where) for name in header]
+    _check_columns(columns, where)
+    return Measurements(tuple(_rows(columns, cells, where)), where)
+
+
+def _column(title: str, where: str) -> str:
+    """The name of a column, whose unit is as it has to be."""
+    name, bracket, rest = title.partition("[")
+    name = name.strip()
+    quantity = name.removesuffix(ERROR)
+    if quantity not in UNITS:
+        titles = [*UNITS, *(f"{known}{ERROR}" for known in UNITS)]
+        raise InputError(
+            f"{where}: column {title!r} is unknown; allowed: {', '.join(UNITS)}, each with {ERROR} "
+            f"as well{near_matches(name, titles)}"
+        )
+    allowed = f"{name} [{UNITS[quantity]}]"
+    if not bracket:
+        raise InputError(f"{where}: column {title!r} has no unit; allowed: {allowed}")
+    if rest.strip() != f"{UNITS[quantity]}]":
+        raise InputError(
+            f"{where}: column {title!r} is not in the unit that it has to be in; allowed: {allowed}"
+        )
+    return name
+
+
+def _check_columns(columns: Sequence[str], where: str) -> None:
+    """Each once, and each quantity with its error."""
+    for name in columns:
+        if columns.count(name) > 1:
+            raise InputError(f"{where}: column {name} is there twice; allowed: once")
+        other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
+        if other not in columns:
+            unit = UNITS[other.removesuffix(ERROR)]
+            raise InputError(
+                f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}]"
+            )
+
+
+def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) -> Iterator[Row]:
+    for number, row in enumerate(cells, start=1):
+        here = f"{where}, row {number}"
+        if len(row) != len(columns):
+            raise InputError(f"{here}: {len(row)} cells under {len(columns)} columns; allowed: as many")
+        by_name = dict(zip(columns, map(str.strip, row), strict=True))
+        measured = {
+            name: Measured(*_pair(name, by_name[name], by_name[f"{name}{ERROR}"], here))
+            for name in columns
+            if not name.endswith(ERROR) and (by_name[name] or by_name[f"{name}{ERROR}"])
+        }
+        if not measured:
+            raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
+        yield measured
+
+
+def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
+    """A quantity and its error."""
+    low, high, allowed = (0.0, 1.0, "0 to 1") if name == "duty_factor" else (0.0, math.inf, "from 0 on")
+    measured = _number(value)
+    if not low <= measured <= high or math.isinf(measured):
+        raise InputError(f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {allowed}")
+    spread = _number(error)
+    if not 0.0 < spread < math.inf:
+        raise InputError(
+            f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error above 0"
+        )
+    return measured, spread
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan

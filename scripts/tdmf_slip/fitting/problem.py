@@ -1,0 +1,234 @@
+"""What a fit solves: the gaits of all conditions, at parameters that are looked for, are those measured.
+
+Unknowns are parameters that all rows share, and parameters of which each row has its own; each is counted
+from its first value in tenths of its scale. A residual is a quantity less the measured one, over its error.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.quantities import PlainStride, plain_stride, scales_of
+from ..library.runner import Runner
+from ..library.varied_gait import VariedGait, varied_gait
+from .measurements import Measurements, Row
+
+FIRST_STEP = 0.1
+"""Of a parameter's scale: the first step of the search is no longer."""
+CLOSED = 1e-11
+"""Largest difference of apex and next apex over the scales."""
+FAR = 1e3
+"""Of a parameter's scale: an end of its range that is farther away is no bound, as SciPy's search scales the
+parameters by how far their bounds are."""
+CHORDS = 16
+"""Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter that is looked for."""
+
+    name: str
+    """Of the runner."""
+    row: int | None
+    """Number of the row whose own it is; None where all rows share it."""
+
+    @property
+    def label(self) -> str:
+        """The name, with the number of its row, from 1, where each has its own."""
+        return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A gait of a row and how it changes."""
+
+    apex: NDArray[np.float64]
+    varied: VariedGait
+    values: NDArray[np.float64]
+    """Of the row's parameters."""
+
+
+@dataclass
+class Happenings:
+    """What came in the way of the search."""
+
+    lost: int = 0
+    """Tries at which a row had no gait."""
+    words: list[list[str]] = field(default_factory=list)
+    """Of each row, those that its gait had, in their order."""
+
+
+class Problem:
+    """Residuals of all rows and their exact Jacobian, for SciPy."""
+
+    def __init__(
+        self,
+        first: Orbit,
+        measurements: Measurements,
+        shared: Sequence[str],
+        each: Sequence[str],
+    ) -> None:
+        """All are taken as they are; `fitted.fit` checks them.
+
+        Parameters
+        ----------
+        first : Orbit
+            The gait that each row begins with.
+        measurements : Measurements
+            What is to be met.
+        shared, each : sequence of str
+            Parameters that all rows share, and those of which each has its own.
+        """
+        self.runner, self.rows = first.runner, measurements.rows
+        count = len(self.rows)
+        self.parameters = (
+            *(Parameter(name, None) for name in shared),
+            *(Parameter(name, row) for row in range(count) for name in each),
+        )
+        self._free = (*shared, *each)
+        self._columns = [
+            [*range(len(shared)), *(len(shared) + row * len(each) + k for k in range(len(each)))]
+            for row in range(count)
+        ]
+        names = [parameter.name for parameter in self.parameters]
+        self.scales = scales_of(self.runner, names)[len(first.apex) :]
+        self.begin = np.array([self.runner.values[name] for name in names])
+        self.happenings = Happenings(words=[[first.word] for _ in self.rows])
+        start = varied_gait(self.runner, first.apex, (), self._free)
+        own = np.array([self.runner.values[name] for name in self._free])
+        self._bases = [_Place(first.apex, start, own)] * count
+        self._words = [first.word] * count
+        self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
+        self._linear_at: NDArray[np.float64] | None = None
+
+    def values(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The parameters, in the order of `parameters` and in their units."""
+        values: NDArray[np.float64] = self.begin + FIRST_STEP * self.scales * unknowns
+        return values
+
+    def runner_of(self, values: NDArray[np.float64], row: int) -> Runner:
+        """The runner of a row."""
+        runner = self.runner
+        for name, value in zip(self._free, values[self._columns[row]], strict=True):
+            runner = runner.but(name, float(value))
+        return runner
+
+    def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of all rows in turn; infinite where one has no gait, so that a shorter step is tried."""
+        values = self.values(unknowns)
+        try:
+            gaits = [self._gait(values, row) for row in range(len(self.rows))]
+        except (InputError, RunError):
+            self.happenings.lost += 1
+            return np.full(sum(map(len, self.rows)), np.inf)
+        self._tried = np.array(unknowns), gaits
+        return np.concatenate(
+            [_over_errors(stride.quantities, row) for (_, stride), row in zip(gaits, self.rows, strict=True)]
+        )
+
+    def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of the residuals; the search goes on from there.
+
+        Raises
+        ------
+        RunError
+            A gait has no derivatives.
+        """
+        if self._tried is None or not np.array_equal(self._tried[0], unknowns):
+            self.residuals(unknowns)
+        assert self._tried is not None
+        values = self.values(unknowns)
+        self._linear_at = np.array(unknowns)
+        rows = []
+        for number, ((apex, stride), row) in enumerate(zip(self._tried[1], self.rows, strict=True)):
+            varied = self._varied(values, number, apex)
+            self._bases[number] = _Place(apex, varied, values[self._columns[number]])
+            self._words[number] = stride.word
+            if stride.word not in self.happenings.words[number]:
+                self.happenings.words[number].append(stride.word)
+            block = np.zeros((len(row), len(self.parameters)))
+            block[:, self._columns[number]] = varied.by_parameters
+            rows.append(block / np.array([measured.error for measured in row.values()])[:, None])
+        return np.vstack(rows) * (FIRST_STEP * self.scales)
+
+    def is_linear_at(self, unknowns: NDArray[np.float64]) -> bool:
+        """Whether the Jacobian was asked for there last."""
+        return self._linear_at is not None and np.array_equal(self._linear_at, unknowns)
+
+    def apexes(self) -> list[NDArray[np.float64]]:
+        """Of the gaits at which the Jacobian was asked for last."""
+        return [base.apex for base in self._bases]
+
+    def words(self) -> list[str]:
+        """Of the same gaits."""
+        return list(self._words)
+
+    def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:
+        try:
+            return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self._free)
+        except RunError as problem:
+            raise RunError(
+                f"the fit stops at row {row + 1}: {problem}; other first values lead past it"
+            ) from None
+
+    def _gait(self, values: NDArray[np.float64], row: int) -> tuple[NDArray[np.float64], PlainStride]:
+        """The gait of a row, from the one at which the Jacobian was asked for last.
+
+        Raises
+        ------
+        InputError
+            A value is refused.
+        RunError
+            None is found.
+        """
+        runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
+        moved = values[self._columns[row]] - base.values
+        apex = predicted = base.apex + base.varied.apex_by_parameters @ moved
+        last = np.inf
+        for _ in range(CHORDS):
+            try:
+                stride = plain_stride(runner, apex, names)
+            except RunError:
+                break
+            error = float(np.max(np.abs(stride.left_over / runner.scales)))
+            if error <= CLOSED:
+                return apex, stride
+            if error > 0.5 * last:
+                break
+            last, apex = error, apex - base.varied.apex_by_left_over @ stride.left_over
+        apex = orbit_near(runner, predicted).apex
+        return apex, plain_stride(runner, apex, names)
+
+
+def _over_errors(quantities: NDArray[np.float64], row: Row) -> NDArray[np.float64]:
+    measured = np.array([of.value for of in row.values()])
+    over: NDArray[np.float64] = (quantities - measured) / np.array([of.error for of in row.values()])
+    return over
+
+
+def bounds_of(
+    problem: Problem, ranges: Mapping[str, tuple[float, float]]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The unknowns' least and greatest values.
+
+    Parameters
+    ----------
+    problem : Problem
+        Whose unknowns.
+    ranges : mapping of str to pair of float
+        Of each parameter, by its name.
+
+    Returns
+    -------
+    pair of ndarray of float
+        Infinite where there is no bound.
+    """
+    ends = np.array([ranges[parameter.name] for parameter in problem.parameters]).T
+    scaled = (ends - problem.begin) / problem.scales
+    bounded: NDArray[np.float64] = np.where(np.abs(scaled) > FAR, [[-np.inf], [np.inf]], scaled) / FIRST_STEP
+    return bounded[0], bounded[1]

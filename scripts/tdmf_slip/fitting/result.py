@@ -1,0 +1,219 @@
+"""A fit: parameters with their confidence, what the data do not tell of them, and what is left over."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from statistics import NormalDist
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..drawable import Drawable
+from ..library.orbit import Orbit, orbit_near
+from ..library.runner import Runner
+from ..terminal.text import quantity, table
+from ..unit.unit import load
+from .identifiability import Combination
+from .measurements import UNITS, Measurements
+
+CONFIDENCE = 0.95
+QUANTILE = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE)
+"""Standard errors to each side of an interval, of the normal distribution: the data's errors are known."""
+UNLIKELY = 0.01
+"""Probability of residuals as large as those found, below which data and model are said to differ."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A parameter that was fitted."""
+
+    label: str
+    """Its name, with the number of its row, from 1, where each row has its own."""
+    name: str
+    """As the runner has it."""
+    value: float
+    """In the unit's unit, as all that follows."""
+    standard_error: float
+    """Infinite where the data do not tell it."""
+
+    @property
+    def low(self) -> float:
+        """Lower end of the interval of confidence."""
+        return self.value - QUANTILE * self.standard_error
+
+    @property
+    def high(self) -> float:
+        """Upper end."""
+        return self.value + QUANTILE * self.standard_error
+
+
+@dataclass(frozen=True)
+class Residual:
+    """A measured quantity beside the fitted one."""
+
+    row: int
+    """Number of the condition, from 1."""
+    name: str
+    """Of the quantity."""
+    measured: float
+    """As it was measured."""
+    error: float
+    """Its standard error."""
+    fitted: float
+    """That of the fitted gait."""
+
+    @property
+    def residual(self) -> float:
+        """The difference over the error."""
+        return (self.fitted - self.measured) / self.error
+
+
+@dataclass(frozen=True, repr=False)
+class Fit(Drawable):
+    """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
+
+    measurements: Measurements
+    """What was fitted."""
+    runners: tuple[Runner, ...]
+    """With the fitted parameters, one for each row."""
+    apexes: tuple[NDArray[np.float64], ...]
+    """Of the fitted gaits, one for each row."""
+    words: tuple[str, ...]
+    """Of the fitted gaits."""
+    estimates: tuple[Estimate, ...]
+    """Those that all rows share first."""
+    covariance: NDArray[np.float64]
+    """Of the estimates, in their units; of what the data tell of them."""
+    unidentified: tuple[Combination, ...]
+    """What the data do not tell, or badly."""
+    residuals: tuple[Residual, ...]
+    """Row by row."""
+    probability: float
+    """That residuals as large as these come by chance; not a number where as many are fitted as measured."""
+    converged: bool
+    """Whether the search ended where the sum of squares is least."""
+    steps: int
+    """Of the search."""
+    notes: tuple[str, ...] = field(default=())
+    """What happened on the way, and what the fit should be read with, a sentence each."""
+
+    def __repr__(self) -> str:
+        """In a line: what was found."""
+        found = ", ".join(f"{e.label} = {e.value:.6g}" for e in self.estimates[:4])
+        more = ", ..." if len(self.estimates) > 4 else ""
+        return (
+            f"<Fit {found}{more}: chi square {self.chi_square:.4g}, "
+            f"{self.degrees_of_freedom} degrees of freedom>"
+        )
+
+    @property
+    def chi_square(self) -> float:
+        """The sum of the squares of the residuals over their errors."""
+        return float(sum(of.residual**2 for of in self.residuals))
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Measured numbers less fitted ones."""
+        return len(self.residuals) - len(self.estimates)
+
+    @cached_property
+    def gaits(self) -> tuple[Orbit, ...]:
+        """The fitted gaits, one for each row."""
+        return tuple(orbit_near(runner, apex) for runner, apex in zip(self.runners, self.apexes, strict=True))
+
+    @property
+    def parameters(self) -> Mapping[str, Estimate]:
+        """The estimates by their labels."""
+        return {estimate.label: estimate for estimate in self.estimates}
+
+    def as_json(self) -> dict[str, object]:
+        """The fit as a plain object; an interval that has no end has infinite ones."""
+        return {
+            "parameters": {
+                e.label: {"value": e.value, "low": e.low, "high": e.high, "standard_error": e.standard_error}
+                for e in self.estimates
+            },
+            "unidentified": [combination.as_json() for combination in self.unidentified],
+            "residuals": [
+                {
+                    "row": of.row,
+                    "quantity": of.name,
+                    "measured": of.measured,
+                    "error": of.error,
+                    "fitted": of.fitted,
+                    "residual": of.residual,
+                }
+                for of in self.residuals
+            ],
+            "chi_square": self.chi_square,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "probability": self.probability,
+            "words": list(self.words),
+            "converged": self.converged,
+            "steps": self.steps,
+            "notes": list(self.notes),
+        }
+
+    def as_text(self) -> str:
+        """Tables of parameters and residuals, and sentences."""
+        parts = [
+            table(PARAMETER_HEADER, self.parameter_rows()),
+            table(RESIDUAL_HEADER, self.residual_rows()),
+            "\n".join(self.sentences()),
+        ]
+        return "\n\n".join(parts)
+
+    def parameter_rows(self) -> list[tuple[str, ...]]:
+        """Cells of a table under `PARAMETER_HEADER`."""
+        units = load().variables
+        return [
+            (e.label, quantity(e.value, units[e.name].unit, 6), f"{e.low:.6g}", f"{e.high:.6g}")
+            for e in self.estimates
+        ]
+
+    def residual_rows(self) -> list[tuple[str, ...]]:
+        """Cells of a table under `RESIDUAL_HEADER`."""
+        return [
+            (
+                str(of.row),
+                of.name,
+                quantity(of.measured, UNITS[of.name], 6),
+                f"{of.error:.3g}",
+                f"{of.fitted:.6g}",
+                f"{of.residual:+.2f}",
+            )
+            for of in self.residuals
+        ]
+
+    def sentences(self) -> Sequence[str]:
+        """How good the fit is, what is not told, and the notes."""
+        chance = "" if np.isnan(self.probability) else f", probability {self.probability:.2g}"
+        return [
+            f"chi square {self.chi_square:.6g} with {self.degrees_of_freedom} degrees of freedom{chance}; "
+            f"words {', '.join(dict.fromkeys(self.words))}",
+            *(told_of(combination) for combination in self.unidentified),
+            *self.notes,
+        ]
+
+
+PARAMETER_HEADER = ("parameter", "value", "low", "high")
+"""The interval is that of `CONFIDENCE`."""
+RESIDUAL_HEADER = ("row", "quantity", "measured", "error", "fitted", "residual / error")
+
+
+def told_of(combination: Combination) -> str:
+    """A combination that the data do not tell, in a sentence."""
+    alone = len(combination.members) == 1
+    if np.isinf(combination.standard_error):
+        if alone:
+            return (
+                f"the data do not tell {next(iter(combination.members))}: it does not act on what is measured"
+            )
+        return (
+            f"the data do not tell these apart: {combination.name} together change nothing that is measured"
+        )
+    what = "a change" if alone else "changes together"
+    return (
+        f"the data hardly tell {what} of {combination.name}: the standard error is "
+        f"{combination.standard_error:.2g} times as much"
+    )

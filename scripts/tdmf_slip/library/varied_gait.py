@@ -1,0 +1,73 @@
+"""How a gait changes with parameters: by the implicit function theorem, from derivatives of its stride."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from .quantities import varied_stride
+from .runner import Runner
+
+
+@dataclass(frozen=True)
+class VariedGait:
+    """Quantities of a gait, and how they and its apex change with parameters while it stays a gait."""
+
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    by_parameters: NDArray[np.float64]
+    """Their changes, shape (q, p)."""
+    apex_by_parameters: NDArray[np.float64]
+    """Those of the apex, shape (n, p)."""
+    apex_by_left_over: NDArray[np.float64]
+    """Changes of an apex that leave so much over of its stride: the inverse of the map less one, (n, n)."""
+
+
+def varied_gait(
+    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
+) -> VariedGait:
+    """A gait, with the derivatives of its quantities and of its apex by parameters.
+
+    By the implicit function theorem: with the return map P, dP/dz dz + dP/dp dp = dz along the gaits.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+    apex : ndarray of float, shape (n,)
+        Of the gait.
+    names : sequence of str
+        Of `QUANTITIES`.
+    parameters : sequence of str
+        Parameters and inputs by which it is differentiated.
+
+    Returns
+    -------
+    VariedGait
+        All of it is finite.
+
+    Raises
+    ------
+    InputError
+        A value of the runner is refused.
+    RunError
+        The stride does not close, or has no derivatives; or the gait has none, as in a fold.
+    """
+    stride, count = varied_stride(runner, apex, names, parameters), len(apex)
+    try:
+        inverse: NDArray[Any] = np.linalg.inv(stride.by_all[:count, :count])
+    except np.linalg.LinAlgError:
+        inverse = np.full((count, count), np.inf)
+    if not np.isfinite(inverse).all():
+        raise RunError("the gait is where two meet, and has no derivatives")
+    d_apex = -inverse @ stride.by_all[:count, count:]
+    of_quantities = stride.by_all[count:]
+    return VariedGait(
+        quantities=stride.quantities,
+        by_parameters=of_quantities[:, count:] + of_quantities[:, :count] @ d_apex,
+        apex_by_parameters=d_apex,
+        apex_by_left_over=inverse,
+    )

@@ -1,0 +1,119 @@
+"""A fit as a diagram: each measured quantity with its error bars and the fitted one, and the residuals."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..fitting.measurements import UNITS
+from ..fitting.result import QUANTILE, Fit, Residual
+from . import style
+
+DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
+WIDTH, HEIGHT = 7.6, 2.5
+"""Of the figure, and of each row of panels, inches."""
+COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00", "#5b2a86", "#8a5a00")
+"""Of residuals, by quantity in the order of `UNITS`."""
+NAMES = {name: name.replace("_", " ") for name in UNITS}
+FEW = 12
+"""Rows that are numbered each."""
+
+
+def draw(path: Path, fit: Fit) -> None:
+    """Draw a fit into a file.
+
+    Parameters
+    ----------
+    path : Path
+        With a suffix of `overview.FORMATS`.
+    fit : Fit
+        What to draw.
+    """
+    style.save(figure_of(fit), path)
+
+
+def figure_of(fit: Fit) -> Figure:
+    """A panel for each quantity, and one for the residuals over their errors.
+
+    Parameters
+    ----------
+    fit : Fit
+        What to draw.
+
+    Returns
+    -------
+    Figure
+        Over the measured speed where each row has one of its own, else over the rows' numbers.
+    """
+    names = [name for name in UNITS if any(of.name == name for of in fit.residuals)]
+    places, title = _places(fit)
+    shown = [name for name in names if title.startswith("row") or name != "speed"] or names
+    lines = (len(shown) + 1) // 2
+    with style.styled():
+        figure = plt.figure(figsize=(WIDTH, HEIGHT * (lines + 1)), layout="constrained")
+        grid = figure.add_gridspec(lines + 1, 2)
+        for number, name in enumerate(shown):
+            whole = number == len(shown) - 1 and number % 2 == 0
+            axes = figure.add_subplot(grid[number // 2, :] if whole else grid[number // 2, number % 2])
+            _quantity(axes, [of for of in fit.residuals if of.name == name], places)
+            axes.set_xlabel(title)
+        _residuals(figure.add_subplot(grid[lines, :]), fit, names, places, title)
+        figure.axes[0].legend()
+    return figure
+
+
+def _places(fit: Fit) -> tuple[Sequence[float], str]:
+    """Of the rows on the horizontal axis, and its title."""
+    speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
+    if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
+        return speeds, f"measured speed  / {UNITS['speed']}"
+    return range(1, len(fit.measurements.rows) + 1), "row"
+
+
+def _ticks(axes: Axes, places: Sequence[float]) -> None:
+    """Whole numbers, and room at both sides."""
+    if isinstance(places, range):
+        if len(places) <= FEW:
+            axes.set_xticks(list(places))
+        axes.set_xlim(0.5, len(places) + 0.5)
+
+
+def _quantity(axes: Axes, residuals: Sequence[Residual], places: Sequence[float]) -> None:
+    """A quantity as it was measured, with one standard error, and as it was fitted."""
+    at = [places[of.row - 1] for of in residuals]
+    axes.errorbar(
+        at,
+        [of.measured for of in residuals],
+        [of.error for of in residuals],
+        fmt="o",
+        color=DATA,
+        markersize=4,
+        linewidth=1.0,
+        capsize=3,
+        label="measured, ± standard error",
+    )
+    axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
+    unit = UNITS[residuals[0].name]
+    axes.set_title(NAMES[residuals[0].name] + ("" if unit == "1" else f"  / {unit}"))
+    _ticks(axes, places)
+
+
+def _residuals(axes: Axes, fit: Fit, names: Sequence[str], places: Sequence[float], title: str) -> None:
+    """Residuals over their errors, and where 95 % of them are to be."""
+    for name, colour in zip(UNITS, COLOURS, strict=True):
+        its = [of for of in fit.residuals if of.name == name]
+        if name in names:
+            at = [places[of.row - 1] for of in its]
+            axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=NAMES[name])
+    axes.axhline(0.0, color=style.GROUND, linewidth=0.8, zorder=0)
+    for side in (-QUANTILE, QUANTILE):
+        axes.axhline(side, **style.LIMIT_LINE)
+    largest = max(float(np.max(np.abs([of.residual for of in fit.residuals]))), QUANTILE)
+    axes.set_ylim(-1.15 * largest, 1.15 * largest)
+    axes.set_title("fitted less measured, over the standard error; dashed: 95 %")
+    axes.set_xlabel(title)
+    _ticks(axes, places)
+    axes.legend(ncols=3)

@@ -1,0 +1,263 @@
+"""Runners fitted to measured gaits: derivatives, confidence, what the data do not tell, and tables."""
+
+import json
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, Runner, find_orbit, fit, read_parameters
+from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements
+from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.quantities import QUANTITIES, quantities_of
+from tdmf_slip.library.varied_gait import varied_gait
+
+SEEDS = 100
+TABLE = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]\n"
+SLIPPING = {"ground.friction": 0.2}
+STICKING = {"ground.friction": 10.0}
+RUNNERS = {
+    "slips all the stance": (SLIPPING, ("ground.friction", "leg.stiffness")),
+    "sticks": (STICKING, ("hip.stance_torque", "leg.stiffness", "leg.damping")),
+    "a human that lands slipping": (read_parameters("human"), ("leg.stiffness", "hip.touchdown_angle")),
+}
+
+
+def measured(orbit, names=tuple(UNITS), error=0.005):
+    """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
+    told = quantities_of(orbit, names)
+    least = {"slip_distance": 1e-3 * orbit.stride["length"]}
+    return {
+        name: Measured(value, error * max(abs(value), least.get(name, 0.0))) for name, value in told.items()
+    }
+
+
+def disturbed(row, random):
+    return {name: Measured(of.value + of.error * random.normal(), of.error) for name, of in row.items()}
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+@pytest.mark.parametrize("start", [{"ground.friction": 0.6}, SLIPPING, {"ground.friction": 0.43}])
+def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
+    parameters = ["hip.stance_torque", "leg.stiffness", "ground.friction", "body.mass", "hip.touchdown_angle"]
+    orbit = find_orbit(start, model=model)
+    exact = varied_gait(orbit.runner, orbit.apex, QUANTITIES, parameters)
+    compared = 0
+    for k, name in enumerate(parameters):
+        value = orbit.runner.values[name]
+        step = 1e-6 * value
+
+        def solved(by, name=name, value=value):
+            gait = orbit_near(orbit.runner.but(name, value + by), orbit.apex)
+            return np.array([*quantities_of(gait, QUANTITIES).values()]), gait.apex
+
+        (more, apex), (less, other) = solved(step), solved(-step)
+        difference = (more - less) / (2.0 * step)
+        size = np.abs(exact.quantities) / value
+        assert np.abs(exact.by_parameters[:, k] - difference) == pytest.approx(0.0, abs=2e-5 * np.max(size))
+        moved = (apex - other) / (2.0 * step)
+        assert exact.apex_by_parameters[:, k] == pytest.approx(moved, abs=2e-5 * np.max(np.abs(moved)))
+        compared += 1
+    assert compared == len(parameters)
+
+
+@pytest.mark.parametrize("name", RUNNERS)
+def test_intervals_hold_the_truth_as_often_as_they_say(name):
+    start, free = RUNNERS[name]
+    orbit = find_orbit(start)
+    true = {parameter: orbit.runner.values[parameter] for parameter in free}
+    row, held = measured(orbit), dict.fromkeys(free, 0)
+    for seed in range(SEEDS):
+        data = Measurements((disturbed(row, np.random.default_rng(seed)),), "a disturbed gait")
+        found = fit(data, free, runner=orbit.runner, guess=orbit.apex)
+        assert found.converged and found.unidentified == ()
+        for parameter, estimate in found.parameters.items():
+            held[parameter] += estimate.low <= true[parameter] <= estimate.high
+    assert all(90 <= count <= 99 for count in held.values()), held
+
+
+def test_the_gait_is_found_from_elsewhere():
+    true = find_orbit({"ground.friction": 0.6, "hip.stance_torque": 0.24, "leg.stiffness": 1.1})
+    free = ["hip.stance_torque", "leg.stiffness"]
+    found = fit(Measurements((measured(true),), "a gait"), free)
+    assert found.chi_square < 1e-12
+    for name in free:
+        assert found.parameters[name].value == pytest.approx(true.runner.values[name], rel=1e-7)
+    assert found.words == (true.word,) and found.gaits[0].stride["speed"] == pytest.approx(
+        true.stride["speed"]
+    )
+
+
+def test_words_that_change_on_the_way_are_told():
+    true = find_orbit({"ground.friction": 0.43})
+    found = fit(Measurements((measured(true),), "a gait"), ["ground.friction"])
+    assert found.parameters["ground.friction"].value == pytest.approx(0.43, rel=1e-7)
+    assert "the word of row 1 changed on the way: +0-0+, +0-" in found.notes
+
+
+def test_gaits_that_are_lost_on_the_way_are_told():
+    """Where the branch of gaits ends in a fold the fit ends, too."""
+    found = fit(Measurements(({"speed": Measured(0.3, 0.01)},), "too slow"), ["hip.stance_torque"])
+    told = " ".join(found.notes)
+    assert "has no gait" in told and "the data are not met" in told
+    assert 0.3 < found.residuals[0].fitted < 0.6
+
+
+def test_rows_share_what_is_shared_and_have_their_own():
+    base, torques = {"ground.friction": 0.6, "leg.stiffness": 1.05}, (0.19, 0.21, 0.23)
+    true = [find_orbit({**base, "hip.stance_torque": torque}) for torque in torques]
+    data = Measurements(tuple(measured(orbit, ("speed", "frequency")) for orbit in true), "three gaits")
+    found = fit(data, ["leg.stiffness"], free_each=["hip.stance_torque"])
+    assert list(found.parameters) == ["leg.stiffness", *(f"hip.stance_torque[{row}]" for row in (1, 2, 3))]
+    assert found.parameters["leg.stiffness"].value == pytest.approx(1.05, rel=1e-7)
+    for row, torque in enumerate(torques, start=1):
+        assert found.parameters[f"hip.stance_torque[{row}]"].value == pytest.approx(torque, rel=1e-7)
+
+
+def test_what_acts_as_a_sum_is_one_combination():
+    orbit = find_orbit({"ground.friction": 0.6})
+    found = fit(
+        Measurements((measured(orbit),), "a gait"),
+        ["leg.stiffness", "hip.stance_torque", "control.stance_torque"],
+    )
+    (combination,) = found.unidentified
+    assert set(combination.members) == {"hip.stance_torque", "control.stance_torque"}
+    changes = combination.changes
+    assert changes["hip.stance_torque"] == pytest.approx(-changes["control.stance_torque"], rel=1e-6)
+    assert np.isinf(found.parameters["hip.stance_torque"].high)
+    assert np.isfinite(found.parameters["leg.stiffness"].high)
+    assert "do not tell these apart" in found.as_text()
+
+
+def test_what_acts_as_a_product_is_one_combination():
+    """Times and places do not tell masses, stiffness, damping and torques but their ratios."""
+    scaled = [
+        "body.mass",
+        "foot.mass",
+        "leg.stiffness",
+        "leg.damping",
+        "hip.stance_torque",
+        "hip.kp",
+        "hip.kd",
+    ]
+    names = ("speed", "frequency", "stance_time", "slip_distance")
+    true = [find_orbit({"ground.friction": friction}) for friction in (0.6, 0.45, 1.3)]
+    data = Measurements(tuple(measured(orbit, names, 1e-4) for orbit in true), "three gaits")
+    found = fit(data, scaled, free_each=["ground.friction"])
+    (combination,) = found.unidentified
+    assert dict(combination.members) == pytest.approx(dict.fromkeys(scaled, 1.0), abs=1e-5)
+    for row, orbit in enumerate(true, start=1):
+        estimate = found.parameters[f"ground.friction[{row}]"]
+        assert estimate.value == pytest.approx(orbit.friction, rel=1e-6) and np.isfinite(estimate.high)
+
+
+def test_what_does_not_act_is_told():
+    orbit = find_orbit({"ground.friction": 0.6})
+    found = fit(Measurements((measured(orbit),), "a gait"), ["leg.stiffness", "leg.min_length"])
+    (combination,) = found.unidentified
+    assert dict(combination.members) == {"leg.min_length": 1.0}
+    assert "leg.min_length: it does not act" in found.as_text()
+
+
+def test_what_the_data_hardly_tell_is_told():
+    orbit = find_orbit({"ground.friction": 0.6})
+    row = {"speed": Measured(orbit.stride["speed"], 3.0 * orbit.stride["speed"])}
+    (combination,) = fit(Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified
+    assert np.isfinite(combination.standard_error) and combination.standard_error > 0.5
+
+
+def test_a_parameter_at_the_end_of_its_range_is_told():
+    orbit = find_orbit({"ground.friction": 0.6})
+    row = {"peak_force": Measured(0.98 * orbit.stride["peak_force"], 0.01), "speed": Measured(1.0, 10.0)}
+    found = fit(Measurements((row,), "a gait"), ["leg.thrust"], runner={"leg.thrust": 0.01})
+    assert "lower end of its range" in " ".join(found.notes)
+    assert found.parameters["leg.thrust"].value == pytest.approx(0.0, abs=1e-6)
+
+
+def written(tmp_path, text):
+    path = tmp_path / "data.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_table_has_comments_and_empty_cells(tmp_path):
+    table = written(tmp_path, f"# from a paper, table 1\n{TABLE}1.0,0.01,,\n1.1,0.01,0.04,0.001\n")
+    first, second = read_measurements(table).rows
+    assert first == {"speed": Measured(1.0, 0.01)}
+    assert second == {"speed": Measured(1.1, 0.01), "frequency": Measured(0.04, 0.001)}
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "the header and the rows are missing"),
+        ("# nothing\n\n", "the header and the rows are missing"),
+        (TABLE, "the rows are missing"),
+        ("speed,speed_error [m/s]\n1,0.1\n", "has no unit; allowed: speed [m/s]"),
+        ("speed [km/h],speed_error [m/s]\n1,0.1\n", "allowed: speed [m/s]"),
+        ("sped [m/s],speed_error [m/s]\n1,0.1\n", "near matches: speed"),
+        ("speed [m/s]\n1\n", "column speed without speed_error"),
+        ("speed_error [m/s]\n1\n", "column speed_error without speed"),
+        ("speed [m/s],speed [m/s],speed_error [m/s]\n1,1,1\n", "there twice"),
+        (f"{TABLE}1.0,0,0.04,0.001\n", "row 1: speed_error = 0 is not allowed"),
+        (f"{TABLE}1.0,-0.1,0.04,0.001\n", "speed_error = -0.1 is not allowed"),
+        (f"{TABLE}1.0,0.1,0.04,nan\n", "frequency_error = nan is not allowed"),
+        (f"{TABLE}1.0,0.1,0.04,0.001\nnan,0.1,0.04,0.001\n", "row 2: speed = nan is not allowed"),
+        (f"{TABLE}inf,0.1,0.04,0.001\n", "speed = inf is not allowed"),
+        (f"{TABLE}1.0,,0.04,0.001\n", "speed_error = nothing is not allowed"),
+        (f"{TABLE},,,\n", "nothing is measured"),
+        (f"{TABLE}fast,0.1,0.04,0.001\n", "speed = fast is not allowed"),
+        (f"{TABLE}1.0,0.1\n", "2 cells under 4 columns"),
+        ("duty_factor [1],duty_factor_error [1]\n1.2,0.1\n", "a number 0 to 1"),
+    ],
+)
+def test_a_bad_table_gets_one_sentence(tmp_path, command, text, words):
+    table = written(tmp_path, text)
+    status, out, said = command("fit", str(table), "--free", "leg.stiffness")
+    assert (status, out) == (2, "")
+    assert words in said and len(said.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "--free is missing"),
+        (["--free", "leg.stifness"], "leg.stiffness"),
+        (["--free", "leg.stiffness,leg.stiffness"], "given twice"),
+        (["--free", "leg.stiffness", "--free-each", "leg.stiffness"], "is in both"),
+        (["--free", "leg.stiffness,leg.damping,hip.kp"], "3 parameters (3 shared) for 2 measured"),
+        (["--free", "leg.stiffness", "--plot", "x.txt"], "--plot"),
+        (["--free", "leg.stiffness", "--report", "x.txt"], "--report"),
+        (["--free", "leg.stiffness", "--set", "ground.friction=0"], "ground.friction = 0"),
+    ],
+)
+def test_bad_arguments_get_one_sentence(tmp_path, command, arguments, words):
+    status, out, said = command("fit", str(written(tmp_path, f"{TABLE}1.0,0.1,0.04,0.001\n")), *arguments)
+    assert (status, out) == (2, "")
+    assert words in said and len(said.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize(("data", "free"), [(3, ["leg.stiffness"]), ("missing.csv", ["leg.stiffness"])])
+def test_what_is_no_data_is_refused(data, free):
+    with pytest.raises(InputError, match=r"data|missing\.csv"):
+        fit(data, free)
+
+
+def test_the_command_prints_writes_and_draws(tmp_path, command):
+    orbit = find_orbit({"ground.friction": 0.6})
+    row = measured(orbit)
+    header = ",".join(f"{name} [{UNITS[name]}],{name}_error [{UNITS[name]}]" for name in row)
+    cells = ",".join(f"{of.value!r},{of.error!r}" for of in row.values())
+    table = written(tmp_path, f"# made\n{header}\n{cells}\n")
+    page, picture = tmp_path / "report.html", tmp_path / "fit.svg"
+    arguments = ["fit", str(table), "--free", "leg.stiffness", "--report", str(page), "--plot", str(picture)]
+    status, out, said = command(*arguments, "--json")
+    told = json.loads(out)
+    assert (status, said) == (0, "")
+    estimate = told["parameters"]["leg.stiffness"]
+    assert estimate["low"] < estimate["value"] < estimate["high"]
+    assert estimate["value"] == pytest.approx(Runner.of({}).values["leg.stiffness"], rel=1e-8)
+    assert len(told["residuals"]) == len(UNITS) and told["unidentified"] == []
+    text = page.read_text(encoding="utf-8")
+    assert "leg.stiffness" in text and "data:image/png;base64," in text and "<script" not in text
+    assert picture.read_text(encoding="utf-8").startswith("<?xml")
+    status, out, _ = command(*arguments[:4])
+    assert status == 0 and "leg.stiffness" in out and "degrees of freedom" in out
