@@ -116,7 +116,9 @@ def range_row(variable, offset):
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     limits = f"{variable.limit('min')}, {variable.limit('max')}"
     continuous = "true" if variable.variability == "continuous" else "false"
-    return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {continuous}, {offset}}},'
+    at_events = "true" if variable.variability in ("tunable", "discrete", "continuous") else "false"
+    changes = f"{continuous}, {at_events}"
+    return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {changes}, {offset}}},'
 
 
 def ranges(table):

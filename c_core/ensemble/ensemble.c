@@ -3,11 +3,10 @@
 
 #include "batches.h"
 #include "processor.h"
-#include "request.h"
+#include "request_checks.h"
 #include "step.h"
 #include "threads.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 struct tdmf_starts {
@@ -115,33 +114,8 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
     sum->evaluations += part->evaluations;
 }
 
-static bool has_ground(const tdmf_ensemble_rules *rules, tdmf_ensemble_map map) {
-    return rules->roughness == 0.0 ||
-           (isfinite(rules->roughness) && rules->roughness > 0.0 && map == TDMF_RETURN_MAP);
-}
-
-static bool is_sound(const tdmf_ensemble *ensemble) {
-    if (ensemble->threads <= 0 || !tdmf_is_tolerance(ensemble->relative_tolerance) ||
-        !tdmf_has_instructions(ensemble->instructions) ||
-        (ensemble->map != TDMF_RETURN_MAP && ensemble->map != TDMF_REDUCED_MAP) ||
-        (ensemble->count > 0 && ensemble->case_count <= 0)) {
-        return false;
-    }
-    for (int64_t i = 0; ensemble->case_of && i < ensemble->count; ++i) {
-        if (ensemble->case_of[i] < 0 || ensemble->case_of[i] >= ensemble->case_count) {
-            return false;
-        }
-    }
-    for (int i = 0; i < ensemble->case_count; ++i) {
-        if (!has_ground(&ensemble->cases[i].rules, ensemble->map)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
-    if (!is_sound(ensemble)) {
+    if (!tdmf_is_sound_ensemble(ensemble)) {
         return false;
     }
     /* No more threads than runners, and one if there are none. */

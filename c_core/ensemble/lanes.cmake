@@ -3,8 +3,9 @@
 include(CheckCCompilerFlag)
 find_package(Threads REQUIRED)
 
-set(ensemble_sources ensemble/ensemble.c ensemble/philox.c ensemble/processor.c ensemble/rough_ground.c
-    ensemble/runner.c ensemble/threads.c)
+set(ensemble_sources ensemble/affine_law.c ensemble/ensemble.c ensemble/normal_deviates.c ensemble/philox.c
+    ensemble/processor.c ensemble/request_checks.c ensemble/runner.c ensemble/runner_apex.c ensemble/settings.c
+    ensemble/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 
 # add_lanes(<name> <function> <number of lanes> <flag>...): a build of batches.c, if the compiler takes the flags.

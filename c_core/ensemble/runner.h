@@ -31,10 +31,13 @@ typedef enum {
 } batch_kind;
 
 typedef struct {
+    const tdmf_ensemble *ensemble;
+    int64_t index; /* in the ensemble */
     const tdmf_ensemble_case *its_case;
+    const tdmf_model *model; /* the case's, or `set` */
     tdmf_ensemble_map map;
     uint64_t number;    /* by which its ground is drawn */
-    tdmf_inputs inputs; /* the case's, at the height that the ground has come to */
+    tdmf_inputs inputs; /* the case's, but for what is set, at the height that the ground has come to */
     tdmf_ensemble_end *end;
     tdmf_motion motion;
     tdmf_mode_equations equations;
@@ -43,10 +46,11 @@ typedef struct {
     step_count steps; /* in the stride */
     long events_left;
     int false_crossings; /* since the mode changed */
+    tdmf_model set;      /* the case's, with the settings of the stride */
 } tdmf_runner;
 
-/* Begins at an apex, the start of a runner of the ensemble. False where there is nothing to run: `end` says
- * why. */
+/* Begins at an apex, the start of a runner of the ensemble, or where it stands. False where there is nothing
+ * to run: `end` says why. */
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,
                        tdmf_ensemble_end *end);
 
@@ -64,7 +68,13 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields);
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);
 
+/* At the apex at which a stride has closed. False where the run has ended. */
+bool tdmf_runner_close_stride(tdmf_runner *runner);
+
 /* Ends a run that closes no more stride: it fell or takes too long, or the solver cannot follow it. */
 void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate);
+
+/* Of the reduced map: how a stride that does not close ends it. */
+void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_reduced_outcome outcome);
 
 #endif

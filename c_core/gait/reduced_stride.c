@@ -66,6 +66,12 @@ tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inpu
     return TDMF_REDUCED_CLOSED;
 }
 
+void tdmf_reduced_place(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
+    write_apex(model, inputs, tdmf_center_of_mass(model, motion->state), motion->state);
+    motion->mode.ground = tdmf_ground_line_set(inputs);
+    motion->mode.rest_length = tdmf_rest_length(model, inputs, &motion->mode);
+}
+
 tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
                                              tdmf_motion *motion, tdmf_side *before) {
     const tdmf_ground_line *ground = &motion->mode.ground;

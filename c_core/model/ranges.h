@@ -15,6 +15,7 @@ typedef struct {
     double maximum;
     double start;
     bool continuous; /* between events it may change */
+    bool at_events;  /* at events it may */
     size_t offset;   /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 

@@ -5,11 +5,13 @@ from .analysis.curves import continue_curves
 from .analysis.first_passage import strides_to_fall
 from .analysis.ordered import OrderNotMetError, find_gait
 from .analysis.search import find_orbit
+from .analysis.stride_map import stride_map
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
 from .errors import InputError, RunError, TdmfSlipError
 from .fitting.fitted import fit
 from .fitting.result import Fit
+from .library.affine_law import AffineLaw
 from .library.ensemble import run_ensemble
 from .library.orbit import Orbit
 from .library.runner import Runner
@@ -23,6 +25,7 @@ from .unit.unit import Unit, fmu_path, load
 from .version import __version__
 
 __all__ = [
+    "AffineLaw",
     "Branch",
     "Curve",
     "Fit",
@@ -51,6 +54,7 @@ __all__ = [
     "run_ensemble",
     "simulate",
     "simulate_over",
+    "stride_map",
     "strides_to_fall",
     "sweep",
     "validate",

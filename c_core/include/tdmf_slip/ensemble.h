@@ -22,6 +22,37 @@ typedef enum {
     TDMF_INSTRUCTIONS_COUNT
 } tdmf_instructions;
 
+/* What may be set anew at each apex: a setting that is tunable, or an input, by its name in the unit, as in
+ * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name. */
+int tdmf_setting_of(const char *name);
+
+/* As many there are: no law sets more. */
+enum { TDMF_SETTING_LIMIT = 17 };
+
+/* A law from apex to settings, which a controller has that measures each apex and sets what the stride from
+ * there is made with:
+ *
+ *     setting i = nominal i + sum of gain ij (measured j - apex j), not below low i nor above high i,
+ *     measured j = coordinate j of the section + noise j tdmf_sensor_noise(seed, runner, stride, j).
+ *
+ * The coordinates are those of the ensemble's apices: heights above the ground in force, as a sensor sees it
+ * before the ground steps. Of the reduced map only the first two are measured: gain and noise of the others
+ * are 0. */
+typedef struct {
+    int count;                                /* of settings, up to TDMF_SETTING_LIMIT */
+    const int *settings;                      /* each by tdmf_setting_of, and not twice */
+    double apex[TDMF_SECTION_COUNT];          /* where they are nominal */
+    const double *nominal;                    /* values, in the units of the settings, as the limits */
+    const double (*gain)[TDMF_SECTION_COUNT]; /* per m, m/s and so on */
+    const double *low, *high;                 /* within the ranges of the settings */
+    double noise[TDMF_SECTION_COUNT];         /* standard deviations of what the sensor adds */
+    uint64_t seed;                            /* of the noise */
+} tdmf_affine_law;
+
+/* What the law sets, `count` values, for one of the strides of a runner: the first stride is 0. */
+void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_SECTION_COUNT], uint64_t runner,
+                          uint32_t stride, double *values);
+
 /* When a runner counts as settled: its apex is this near that of a gait, over the section's scales; and how
  * many strides it has to get there. The distance has to be so small that the gait attracts everything within
  * it. Without gaits every runner makes the most strides, or falls. */
@@ -34,18 +65,49 @@ typedef struct {
                          0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
                          whole stride has fallen. Of the return map only */
     uint64_t seed;    /* of the steps */
+    const tdmf_affine_law *law; /* by which it sets at each apex, the start's too; NULL: nothing */
 } tdmf_ensemble_rules;
 
 /* What takes a runner from apex to apex: the return map, or the reduced map, which goes by an apex's height
  * and speed alone and, so that the apices are of one shape, writes of the leg how it is placed there. */
 typedef enum { TDMF_RETURN_MAP, TDMF_REDUCED_MAP } tdmf_ensemble_map;
 
-/* What a runner is given, besides its start. Inputs are held, but for the height of rough ground. */
+/* What a runner is given, besides its start. Inputs are held, but for those that are set at apices and for
+ * the height of rough ground. */
 typedef struct {
     const tdmf_model *model;   /* its parameters */
     tdmf_inputs inputs;        /* throughout */
     tdmf_ensemble_rules rules; /* when it is done */
 } tdmf_ensemble_case;
+
+/* Settings that are given for each runner and stride. They are in force from the apex on at which the stride
+ * begins; a runner whose ground still waits at the next is below it and has fallen. */
+typedef struct {
+    int count;            /* of settings */
+    const int *settings;  /* each by tdmf_setting_of, not twice, and none that a law sets */
+    int first, strides;   /* of so many strides from this one on; those that follow are made as the last */
+    const double *values; /* of each runner, of each of these strides: all settings */
+} tdmf_given_settings;
+
+/* One stride of a runner. */
+typedef struct {
+    int began;                       /* 1 where it did: else all of it is as it was */
+    double apex[TDMF_SECTION_COUNT]; /* at which it closed */
+    tdmf_stride stride;   /* its quantities; in lanes without positive work and peak force, which are 0 */
+    double liftoff_angle; /* theta_LO, rad */
+    double external_work; /* J, of the stride, as the losses */
+    double damper_loss, friction_loss, impact_loss; /* J in the stride */
+    double ground_height;                           /* m, that was set at the apex at which it began */
+    double set[TDMF_SETTING_LIMIT];                 /* there by the law, in the order of its settings */
+} tdmf_ensemble_stride;
+
+/* Where a runner stands that has made the most strides, to go on from. */
+typedef struct {
+    bool stands;                 /* else its run is over */
+    tdmf_motion motion;          /* at the apex */
+    double leg_sine, leg_cosine; /* of the leg's angle */
+    double ground_height;        /* m, that the ground has come to */
+} tdmf_ensemble_place;
 
 /* What is to be run, and how. */
 typedef struct {
@@ -59,6 +121,11 @@ typedef struct {
     int threads;                                /* at the most so many work at once */
     tdmf_instructions instructions;             /* how they are stepped */
     tdmf_ensemble_map map;                      /* by which all of them go */
+    const tdmf_given_settings *given;           /* or NULL: none are */
+    tdmf_ensemble_stride *strides;  /* or NULL: of each runner so many are noted, from the first */
+    int first_stride, stride_count; /* of these on; a stride as it begins and as it closes */
+    tdmf_ensemble_place *places;    /* of each runner, written where it stands; or NULL */
+    bool goes_on; /* from places and ends of an earlier call, with a larger number of most strides */
 } tdmf_ensemble;
 
 /* How a runner ends. */
@@ -95,13 +162,18 @@ typedef struct {
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
- * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, or
- * there is no memory. */
+ * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
+ * setting is none, is set twice or gets a value out of its range, heights of rough ground are set, a number
+ * of a law is beyond 1e100 or its limits are no range, or there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
+
+/* The noise of a sensor, over its standard deviation, in a coordinate of the section: as the step, and drawn
+ * by itself where the seeds are the same. */
+double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate);
 
 /* Whether this processor and this build have them. */
 bool tdmf_has_instructions(tdmf_instructions instructions);

@@ -8,7 +8,7 @@
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,10 +18,11 @@ from ..checks import check_kind, checked_whole, is_number
 from ..errors import InputError
 from ..unit.variable import Given
 from .binding import c, ffi
-from .rough_ground import LAST_RUNNER, RoughGround
+from .cases import Case as Case
+from .cases import c_cases, check_alike, sections_of
+from .rough_ground import LAST_RUNNER
 from .runner import Runner, text_of
-from .section import COORDINATES, Apex
-from .structs import Struct
+from .structs import Ensemble
 
 TOLERANCE = 2e-10
 """Relative tolerance of a step by default."""
@@ -37,28 +38,6 @@ FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride")
 """By the library's numbers. Unsolved is what the solver did not get through: it may fall or not. The reduced
 map alone has apices without a stride: nothing of it is then known but that it is over."""
 SETTLED = FATES.index("settled")
-
-
-@dataclass(frozen=True)
-class Case:
-    """Whose parameters runners have, and what they may settle on.
-
-    Start values by name stand for the runner that they make.
-    """
-
-    runner: Runner
-    """Parameters and inputs."""
-    gaits: Sequence[Apex] | NDArray[np.float64] = field(default=())
-    """Apices, shape (gaits, n); without any, runners make the most strides or fall."""
-
-    ground: RoughGround = field(default_factory=RoughGround)
-    """Rough or, by default, level, or as the runner's inputs say."""
-
-    def __post_init__(self) -> None:
-        """Make the runner; refuse gaits that are none."""
-        object.__setattr__(self, "runner", Runner.of(self.runner))
-        check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        check_kind(self.gaits, (Sequence, np.ndarray), "gaits", f"rows of {', '.join(COORDINATES)}")
 
 
 @dataclass(frozen=True)
@@ -143,52 +122,97 @@ def run_ensemble(
     if not len(cases):
         raise InputError("cases: none; allowed: one or more")
     all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in cases]
-    reduced = all_cases[0].runner.reduced
-    if any(case.runner.reduced != reduced for case in all_cases):
-        raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
-    if reduced and any(case.ground.roughness for case in all_cases):
-        raise InputError("cases: on rough ground by the reduced map; allowed: by the full model")
-    sections = _apices("starts", starts, all_cases[0].runner.coordinates)
-    ensemble = ffi.new("tdmf_ensemble *")
-    ensemble.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
-    ensemble.starts = ffi.cast("double (*)[6]", ffi.from_buffer(sections))
-    ensemble.count = len(sections)
-    ensemble.first_number = checked_whole("first_number", first_number, 0, LAST_RUNNER)
-    ensemble.relative_tolerance = _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0)
-    ensemble.threads = _whole("threads", (os.cpu_count() or 1) if threads is None else threads)
-    ensemble.instructions = _number(instructions)
+    check_alike(all_cases)
+    runner = all_cases[0].runner
+    sections = sections_of("starts", starts, runner.coordinates)
+    ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
     most_strides, near = _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf)
-    c_cases, kept = _c_cases(all_cases, most_strides, near)
-    ensemble.cases = c_cases
+    made, kept = c_cases(all_cases, most_strides, near)
+    ensemble.cases = made
     ensemble.case_count = len(all_cases)
     if case_of is not None:
         numbers = _case_numbers(case_of, len(sections), len(all_cases))
         ensemble.case_of = ffi.cast("int *", ffi.from_buffer(numbers))
     ends = np.zeros(len(sections), dtype=END)
-    work = ffi.new("tdmf_ensemble_work *")
-    if not c.tdmf_run_ensemble(ensemble, ffi.cast("tdmf_ensemble_end *", ffi.from_buffer(ends)), work):
-        raise MemoryError("the ensemble engine found no memory")
-    del kept
+    work = run(ensemble, ends)
+    del made, kept
     return ends, Work(work.strides, work.events, work.steps, work.places, work.evaluations)
 
 
-def _c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Struct, list[object]]:
-    """The cases as the library takes them, and what has to live as long."""
-    made = ffi.new("tdmf_ensemble_case[]", len(cases))
-    kept: list[object] = []
-    for case, its in zip(cases, made, strict=True):
-        coordinates = case.runner.coordinates
-        gaits = case.gaits if len(case.gaits) else np.empty((0, len(coordinates)))
-        apices = _apices("gaits", gaits, coordinates)
-        if not np.isfinite(apices).all():
-            raise InputError(f"gaits: {apices.tolist()}: allowed: finite numbers")
-        c_gaits = ffi.new("double[][6]", apices.tolist())
-        its.model, its.inputs = case.runner.model, case.runner.inputs[0]
-        its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
-        its.rules.distance, its.rules.most_strides = near, most_strides
-        its.rules.roughness, its.rules.seed = case.ground.roughness, case.ground.seed
-        kept += [c_gaits, case.runner]
-    return made, kept
+def ensemble_of(
+    runner: Runner,
+    sections: NDArray[np.float64],
+    first_number: int,
+    tolerance: float,
+    threads: int | None,
+    instructions: str | None,
+) -> Ensemble:
+    """A request of the library that is complete but for its cases.
+
+    Parameters
+    ----------
+    runner : Runner
+        By whose map all go.
+    sections : ndarray of float, shape (runners, 6)
+        Where they start; it has to live as long as the request.
+    first_number : int
+        As in `run_ensemble`, as what follows.
+    tolerance : float
+        Of a step.
+    threads : int or None
+        At once.
+    instructions : str or None
+        One of `instruction_sets()`.
+
+    Returns
+    -------
+    Ensemble
+        The library's `tdmf_ensemble *`.
+
+    Raises
+    ------
+    InputError
+        A value that is not allowed.
+    """
+    ensemble: Ensemble = ffi.new("tdmf_ensemble *")
+    settings = {
+        "map": c.TDMF_REDUCED_MAP if runner.reduced else c.TDMF_RETURN_MAP,
+        "starts": ffi.cast("double (*)[6]", ffi.from_buffer(sections)),
+        "count": len(sections),
+        "first_number": checked_whole("first_number", first_number, 0, LAST_RUNNER),
+        "relative_tolerance": _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0),
+        "threads": _whole("threads", (os.cpu_count() or 1) if threads is None else threads),
+        "instructions": _number(instructions),
+    }
+    for name, value in settings.items():
+        setattr(ensemble, name, value)
+    return ensemble
+
+
+def run(ensemble: Ensemble, ends: NDArray[np.void]) -> Any:
+    """Run a request whose values are checked.
+
+    Parameters
+    ----------
+    ensemble : Ensemble
+        The library's `tdmf_ensemble *`.
+    ends : structured ndarray, shape (runners,)
+        Of the type `END`: what became of each runner is written there.
+
+    Returns
+    -------
+    Struct
+        The library's `tdmf_ensemble_work *`.
+
+    Raises
+    ------
+    MemoryError
+        There is no memory.
+    """
+    work = ffi.new("tdmf_ensemble_work *")
+    if not c.tdmf_run_ensemble(ensemble, ffi.cast("tdmf_ensemble_end *", ffi.from_buffer(ends)), work):
+        raise MemoryError("the ensemble engine found no memory")
+    return work
 
 
 def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.intc]:
@@ -197,21 +221,6 @@ def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.in
     if numbers is None or given.shape != (runners,) or not np.all((given >= 0) & (given < cases)):
         raise InputError(f"case_of: allowed: {runners} numbers from 0 to {cases - 1}, one for each runner")
     return np.ascontiguousarray(numbers)
-
-
-def _apices(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:
-    """One to a row, with zeros for the coordinates that the reduced map has not."""
-    try:
-        apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(coordinates)}") from None
-    if apices.ndim != 2 or apices.shape[1] != len(coordinates):
-        raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(coordinates)}")
-    if len(coordinates) == len(COORDINATES):
-        return apices
-    sections = np.zeros((len(apices), len(COORDINATES)))
-    sections[:, : len(coordinates)] = apices
-    return sections
 
 
 def _within(name: str, value: object, low: float, high: float) -> float:
@@ -235,13 +244,28 @@ def _number(instructions: str | None) -> int:
     return _INSTRUCTIONS[instructions]
 
 
-def _dtype_of(name: str) -> np.dtype[np.void]:
-    """A C struct of numbers and arrays of numbers as NumPy sees it."""
-    struct = ffi.typeof(name)
+def dtype_of(struct: Any) -> np.dtype[np.void]:
+    """A C struct of numbers, structs and arrays as NumPy sees it.
+
+    Parameters
+    ----------
+    struct : CType
+        As `ffi.typeof` gives it.
+
+    Returns
+    -------
+    numpy.dtype
+        With the struct's members as fields.
+    """
     codes = {"int": "i4", "double": "f8"}
 
     def code(kind: Any) -> Any:
-        return (codes[kind.item.cname], kind.length) if kind.kind == "array" else codes[kind.cname]
+        if kind.kind == "struct":
+            return dtype_of(kind)
+        if kind.kind == "array":
+            text = kind.item.cname == "char"
+            return f"S{kind.length}" if text else (codes[kind.item.cname], kind.length)
+        return codes[kind.cname]
 
     return np.dtype(
         {
@@ -253,7 +277,7 @@ def _dtype_of(name: str) -> np.dtype[np.void]:
     )
 
 
-END = _dtype_of("tdmf_ensemble_end")
+END = dtype_of(ffi.typeof("tdmf_ensemble_end"))
 """Of a row that `run_ensemble` gives."""
 _INSTRUCTIONS: Mapping[str, int] = {
     text_of(c.tdmf_instructions_name(number)): number for number in range(1, c.TDMF_INSTRUCTIONS_COUNT)

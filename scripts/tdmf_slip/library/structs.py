@@ -101,6 +101,20 @@ class Refusal(Protocol):
     variable: object
 
 
+class Ensemble(Protocol):
+    """`tdmf_ensemble *`: runners that are to be run; what is left as it was made is not told here."""
+
+    cases: object
+    case_count: int
+    case_of: object
+    given: object
+    strides: object
+    first_stride: int
+    stride_count: int
+    places: object
+    goes_on: bool
+
+
 class Classic(Protocol):
     """`tdmf_classic *`: parameters of the classic SLIP."""
 

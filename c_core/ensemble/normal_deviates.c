@@ -1,21 +1,24 @@
-/* Steps of rough ground: normal deviates, each of its own counter, without a rounded operation before the
- * last sum. They come by comparing uniform numbers only, hence the same bits from every compiler and
- * processor: algorithm N of C. F. F. Karney, "Sampling exactly from the normal distribution", ACM Trans.
- * Math. Softw. 42, 3 (2016), which goes back to von Neumann. */
+/* Steps of rough ground and noise of sensors: normal deviates, each of its own counter, without a rounded
+ * operation before the last sum. They come by comparing uniform numbers only, hence the same bits from every
+ * compiler and processor: algorithm N of C. F. F. Karney, "Sampling exactly from the normal distribution",
+ * ACM Trans. Math. Softw. 42, 3 (2016), which goes back to von Neumann. */
 #include "tdmf_slip/ensemble.h"
 
 #include "philox.h"
 
-/* Uniform numbers of one step: 64 bits stand for a fraction of 1. */
+/* Uniform numbers of one deviate: 64 bits stand for a fraction of 1. */
 typedef struct {
     uint32_t counter[4], key[2];
     uint32_t words[4];
     int left; /* of the words */
 } uniform_source;
 
-static uniform_source source_of(uint64_t seed, uint64_t runner, uint32_t stride) {
+/* Deviates of a stride are so many counters apart; none takes a millionth of them. */
+static const uint32_t counters_of_deviate = (uint32_t)1 << 28;
+
+static uniform_source source_of(uint64_t seed, uint64_t runner, uint32_t stride, uint32_t deviate) {
     const uniform_source source = {
-        .counter = {0, stride, (uint32_t)runner, (uint32_t)(runner >> 32)},
+        .counter = {deviate * counters_of_deviate, stride, (uint32_t)runner, (uint32_t)(runner >> 32)},
         .key = {(uint32_t)seed, (uint32_t)(seed >> 32)},
     };
     return source;
@@ -80,19 +83,28 @@ static uint32_t draw_whole_part(uniform_source *source) {
     }
 }
 
-double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride) {
-    uniform_source source = source_of(seed, runner, stride);
+static double draw_normal(uniform_source *source) {
     for (;;) {
-        const uint32_t k = draw_whole_part(&source);
-        const uint64_t x = draw(&source);
+        const uint32_t k = draw_whole_part(source);
+        const uint64_t x = draw(source);
         uint32_t tests = k + 1;
-        while (tests > 0 && passes_part(&source, k, x)) {
+        while (tests > 0 && passes_part(source, k, x)) {
             --tests;
         }
         if (tests == 0) {
             /* 53 bits are exact in a double, and 2^-53 is a power of two. */
             const double size = (double)k + (double)(x >> 11) / 9007199254740992.0;
-            return draw(&source) >> 63 ? -size : size;
+            return draw(source) >> 63 ? -size : size;
         }
     }
+}
+
+double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride) {
+    uniform_source source = source_of(seed, runner, stride, 0);
+    return draw_normal(&source);
+}
+
+double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate) {
+    uniform_source source = source_of(seed, runner, stride, (uint32_t)coordinate + 1);
+    return draw_normal(&source);
 }

@@ -1,0 +1,128 @@
+/* What a request has to be. */
+#include "request_checks.h"
+
+#include "request.h"
+#include "settings.h"
+
+#include <math.h>
+
+/* Beyond it sums of products would not be finite. */
+static const double largest = 1e100;
+
+static bool is_moderate(double value) {
+    return fabs(value) <= largest; /* NaN is not */
+}
+
+static bool has(const int *settings, int count, int setting) {
+    for (int i = 0; i < count; ++i) {
+        if (settings[i] == setting) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool are_settings(const int *settings, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (tdmf_setting_range(settings[i]) == NULL || has(settings, i, settings[i])) {
+            return false;
+        }
+    }
+    return count >= 0 && count <= TDMF_SETTING_LIMIT;
+}
+
+/* Coordinates that are measured: the others have neither gain nor noise. */
+static bool measures(const tdmf_affine_law *law, int coordinates) {
+    for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+        const double noise = law->noise[j];
+        if (!is_moderate(law->apex[j]) || !(noise >= 0.0 && noise <= largest) ||
+            (j >= coordinates && noise != 0.0)) {
+            return false;
+        }
+        for (int i = 0; i < law->count; ++i) {
+            const double gain = law->gain[i][j];
+            if (!is_moderate(gain) || (j >= coordinates && gain != 0.0)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool has_limits(const tdmf_affine_law *law) {
+    for (int i = 0; i < law->count; ++i) {
+        const tdmf_range *range = tdmf_setting_range(law->settings[i]);
+        if (!is_moderate(law->nominal[i]) || !tdmf_in_range(range, law->low[i]) ||
+            !tdmf_in_range(range, law->high[i]) || law->low[i] > law->high[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_law(const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
+    const tdmf_given_settings *given = ensemble->given;
+    const int coordinates =
+        ensemble->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
+    if (!are_settings(law->settings, law->count) || !measures(law, coordinates) || !has_limits(law)) {
+        return false;
+    }
+    for (int i = 0; given != NULL && i < given->count; ++i) {
+        if (has(law->settings, law->count, given->settings[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool are_given(const tdmf_given_settings *given, int64_t runners) {
+    if (!are_settings(given->settings, given->count) || given->first < 0 || given->strides <= 0) {
+        return false;
+    }
+    for (int64_t row = 0; row < runners * given->strides; ++row) {
+        for (int i = 0; i < given->count; ++i) {
+            if (!tdmf_in_range(tdmf_setting_range(given->settings[i]),
+                               given->values[row * given->count + i])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
+    const int height = tdmf_setting_of("ground.height");
+    const tdmf_given_settings *given = ensemble->given;
+    if (rules->roughness == 0.0) {
+        return true;
+    }
+    return isfinite(rules->roughness) && rules->roughness > 0.0 && ensemble->map == TDMF_RETURN_MAP &&
+           !(given != NULL && has(given->settings, given->count, height)) &&
+           !(rules->law != NULL && has(rules->law->settings, rules->law->count, height));
+}
+
+static bool is_case(const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
+    return (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
+}
+
+static bool has_cases(const tdmf_ensemble *ensemble) {
+    for (int64_t i = 0; ensemble->case_of && i < ensemble->count; ++i) {
+        if (ensemble->case_of[i] < 0 || ensemble->case_of[i] >= ensemble->case_count) {
+            return false;
+        }
+    }
+    for (int i = 0; i < ensemble->case_count; ++i) {
+        if (!is_case(&ensemble->cases[i].rules, ensemble)) {
+            return false;
+        }
+    }
+    return ensemble->count <= 0 || ensemble->case_count > 0;
+}
+
+bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble) {
+    return ensemble->threads > 0 && tdmf_is_tolerance(ensemble->relative_tolerance) &&
+           tdmf_has_instructions(ensemble->instructions) &&
+           (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&
+           (ensemble->given == NULL || are_given(ensemble->given, ensemble->count)) && has_cases(ensemble) &&
+           (!ensemble->goes_on || ensemble->places != NULL);
+}

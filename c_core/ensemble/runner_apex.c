@@ -1,0 +1,313 @@
+/* A runner at an apex: where it begins and where a stride closes, what it is set to, and its ground. */
+#include "runner.h"
+
+#include "events.h"
+#include "ground_line.h"
+#include "longest_stride.h"
+#include "reduced_stride.h"
+#include "settings.h"
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/orbit.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A stride is given up after so many steps or events; none that closes comes near. */
+static const long step_limit = 200000;
+static const long event_limit = 100000;
+
+static void open_stride(tdmf_runner *runner) {
+    runner->stride_began = runner->motion.time;
+    runner->steps = opened_steps((double)step_limit);
+    runner->events_left = event_limit;
+    runner->false_crossings = 0;
+}
+
+/* ---- what is set -------------------------------------------------------------------------------------- */
+
+/* Where the stride under way is noted, or NULL. */
+static tdmf_ensemble_stride *open_note(const tdmf_runner *runner) {
+    const tdmf_ensemble *ensemble = runner->ensemble;
+    const int stride = runner->end->strides - ensemble->first_stride;
+    return ensemble->strides && stride >= 0 && stride < ensemble->stride_count
+               ? &ensemble->strides[runner->index * ensemble->stride_count + stride]
+               : NULL;
+}
+
+static void set_all(tdmf_runner *runner, const int *settings, const double *values, int count) {
+    for (int i = 0; i < count; ++i) {
+        tdmf_write_setting(settings[i], values[i], &runner->set.parameters, &runner->inputs);
+    }
+}
+
+static void set_given(tdmf_runner *runner, const tdmf_given_settings *given) {
+    int stride = runner->end->strides - given->first;
+    stride = stride < 0 ? 0 : stride < given->strides ? stride : given->strides - 1;
+    const double *values = &given->values[(runner->index * given->strides + stride) * given->count];
+    set_all(runner, given->settings, values, given->count);
+}
+
+static void set_by_law(tdmf_runner *runner, const tdmf_affine_law *law) {
+    double values[TDMF_SETTING_LIMIT];
+    tdmf_ensemble_stride *note = open_note(runner);
+    const tdmf_ensemble_end *end = runner->end;
+    tdmf_affine_settings(law, end->apex, runner->number, (uint32_t)end->strides, values);
+    set_all(runner, law->settings, values, law->count);
+    if (note) {
+        memcpy(note->set, values, (size_t)law->count * sizeof *values);
+    }
+}
+
+static bool is_set(const tdmf_runner *runner) {
+    return runner->model == &runner->set;
+}
+
+/* The settings of the stride that begins. */
+static void set(tdmf_runner *runner) {
+    const tdmf_affine_law *law = runner->its_case->rules.law;
+    if (runner->ensemble->given) {
+        set_given(runner, runner->ensemble->given);
+    }
+    if (law) {
+        set_by_law(runner, law);
+    }
+}
+
+/* ---- from an apex on ---------------------------------------------------------------------------------- */
+
+/* From an apex of the reduced map into contact; an apex of the return map is flown on from. False where the
+ * run has ended. */
+static bool leave_apex(tdmf_runner *runner) {
+    if (runner->map != TDMF_REDUCED_MAP) {
+        return true;
+    }
+    const tdmf_reduced_outcome outcome =
+        tdmf_reduced_touch_down(runner->model, &runner->inputs,
+                                TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion, NULL);
+    runner->direction = tdmf_leg_direction_of(runner->motion.state);
+    if (outcome != TDMF_REDUCED_CLOSED) {
+        tdmf_runner_give_up_reduced(runner, outcome);
+        return false;
+    }
+    return true;
+}
+
+/* Takes what has become due by new settings and ground. False where the run has ended. */
+static bool resolve(tdmf_runner *runner) {
+    tdmf_motion *motion = &runner->motion;
+    const tdmf_resolution resolution =
+        tdmf_resolve_along(runner->model, &runner->inputs, motion->time, motion->state, runner->direction,
+                           &motion->mode, &motion->record);
+    if (motion->mode.fallen || resolution.unresolved) {
+        tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
+        return false;
+    }
+    return true;
+}
+
+static void step_ground(tdmf_runner *runner) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    const double step = tdmf_ground_step(rules->seed, runner->number, (uint32_t)runner->end->strides);
+    runner->inputs.ground.height += rules->roughness * step;
+}
+
+/* False where the run has ended: a runner that has not got onto its last ground in a whole stride is below
+ * it. */
+static bool is_above_ground(tdmf_runner *runner) {
+    if (tdmf_ground_is_pending(&runner->inputs, &runner->motion.mode)) {
+        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
+    }
+    return true;
+}
+
+static void note_beginning(tdmf_runner *runner) {
+    tdmf_ensemble_stride *note = open_note(runner);
+    if (note) {
+        note->began = 1;
+        note->ground_height = runner->inputs.ground.height;
+    }
+}
+
+/* From an apex with the settings of the stride that begins. False where the run has ended. */
+static bool begin_stride(tdmf_runner *runner) {
+    const bool is_rough = runner->its_case->rules.roughness != 0.0;
+    if (is_rough) {
+        step_ground(runner);
+    }
+    note_beginning(runner);
+    if (runner->map == TDMF_REDUCED_MAP) {
+        return leave_apex(runner);
+    }
+    return !(is_rough || is_set(runner)) || resolve(runner);
+}
+
+/* From the apex at which a stride has closed. False where the run has ended. */
+static bool begin_next_stride(tdmf_runner *runner) {
+    if ((is_set(runner) || runner->its_case->rules.roughness != 0.0) && !is_above_ground(runner)) {
+        return false;
+    }
+    if (is_set(runner)) {
+        set(runner);
+        if (runner->map == TDMF_REDUCED_MAP) {
+            tdmf_reduced_place(runner->model, &runner->inputs, &runner->motion);
+        }
+    }
+    return begin_stride(runner);
+}
+
+/* ---- where a run begins ------------------------------------------------------------------------------- */
+
+/* At the apex that a runner starts from. False where it is none. */
+static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT]) {
+    const tdmf_model *model = runner->model;
+    tdmf_motion *motion = &runner->motion;
+    if (runner->map == TDMF_REDUCED_MAP) {
+        return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_REDUCED_CLOSED;
+    }
+    motion->time = 0.0;
+    tdmf_section_state(model, &runner->inputs, section, motion->state);
+    return !tdmf_start(model, &runner->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable &&
+           motion->record.open.began_at_apex;
+}
+
+static void meet(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemble_end *end) {
+    runner->ensemble = ensemble;
+    runner->index = index;
+    runner->its_case = &ensemble->cases[ensemble->case_of ? ensemble->case_of[index] : 0];
+    runner->model = runner->its_case->model;
+    runner->map = ensemble->map;
+    runner->number = ensemble->first_number + (uint64_t)index;
+    runner->inputs = runner->its_case->inputs;
+    runner->end = end;
+    if (ensemble->given || runner->its_case->rules.law) {
+        runner->set = *runner->its_case->model;
+        runner->model = &runner->set;
+    }
+}
+
+static bool begin(tdmf_runner *runner) {
+    static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
+    const double *section = runner->ensemble->starts[runner->index];
+    tdmf_ensemble_end *end = runner->end;
+    *end = nothing_yet;
+    memcpy(end->apex, section, sizeof end->apex);
+    if (runner->ensemble->places) {
+        runner->ensemble->places[runner->index].stands = false;
+    }
+    if (is_set(runner)) {
+        set(runner);
+    }
+    if (!start(runner, section)) {
+        end->fate = TDMF_FATE_NO_START;
+        return false;
+    }
+    runner->direction = tdmf_leg_direction_of(runner->motion.state);
+    open_stride(runner);
+    return runner->its_case->rules.most_strides > 0 && begin_stride(runner);
+}
+
+/* Where it stood at the end of an earlier call. */
+static bool go_on(tdmf_runner *runner) {
+    tdmf_ensemble_place *place = &runner->ensemble->places[runner->index];
+    if (!place->stands || runner->end->strides >= runner->its_case->rules.most_strides) {
+        return false;
+    }
+    const tdmf_leg_direction direction = {place->leg_sine, place->leg_cosine};
+    place->stands = false;
+    runner->motion = place->motion;
+    runner->direction = direction;
+    runner->inputs.ground.height = place->ground_height;
+    open_stride(runner);
+    return begin_next_stride(runner);
+}
+
+bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,
+                       tdmf_ensemble_end *end) {
+    meet(runner, ensemble, index, end);
+    return ensemble->goes_on ? go_on(runner) : begin(runner);
+}
+
+/* ---- where a stride closes ---------------------------------------------------------------------------- */
+
+static void note_apex(tdmf_runner *runner) {
+    const tdmf_record *record = &runner->motion.record;
+    const double *state = runner->motion.state;
+    tdmf_ensemble_end *end = runner->end;
+    const double apex[TDMF_SECTION_COUNT] = {record->apex.com_height,      record->apex.com_speed,
+                                             record->apex.leg_length,      record->apex.leg_angle,
+                                             record->apex.leg_length_rate, record->apex.leg_angle_rate};
+    memcpy(end->apex, apex, sizeof apex);
+    end->time = record->apex.time;
+    end->distance += record->stride.length;
+    end->hip_work = state[TDMF_HIP_WORK];
+    end->leg_work = state[TDMF_LEG_WORK];
+    end->work = end->hip_work + end->leg_work;
+    end->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
+    end->damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
+    end->friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
+    end->impact_loss = record->impact_loss;
+    end->word_code = record->stride.word_code;
+}
+
+/* Of the stride that has closed between these ends. */
+static void note_stride(const tdmf_runner *runner, const tdmf_ensemble_end *before,
+                        tdmf_ensemble_stride *note) {
+    const tdmf_ensemble_end *end = runner->end;
+    memcpy(note->apex, end->apex, sizeof note->apex);
+    note->stride = runner->motion.record.stride;
+    note->liftoff_angle = runner->motion.mode.liftoff_angle;
+    note->external_work = end->external_work - before->external_work;
+    note->damper_loss = end->damper_loss - before->damper_loss;
+    note->friction_loss = end->friction_loss - before->friction_loss;
+    note->impact_loss = end->impact_loss - before->impact_loss;
+}
+
+/* The gait that an apex is near, or -1. */
+static int gait_near(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    double scales[TDMF_SECTION_COUNT];
+    const int coordinates = runner->map == TDMF_REDUCED_MAP ? TDMF_REDUCED_COUNT : TDMF_SECTION_COUNT;
+    tdmf_section_scales(runner->model, scales);
+    for (int gait = 0; gait < rules->gait_count; ++gait) {
+        bool is_near = true;
+        for (int i = 0; i < coordinates; ++i) {
+            is_near = is_near && fabs(apex[i] - rules->gaits[gait][i]) <= rules->distance * scales[i];
+        }
+        if (is_near) {
+            return gait;
+        }
+    }
+    return -1;
+}
+
+static void stand(const tdmf_runner *runner) {
+    tdmf_ensemble_place *places = runner->ensemble->places;
+    if (places) {
+        const tdmf_ensemble_place place = {true, runner->motion, runner->direction.sine,
+                                           runner->direction.cosine, runner->inputs.ground.height};
+        places[runner->index] = place;
+    }
+}
+
+bool tdmf_runner_close_stride(tdmf_runner *runner) {
+    tdmf_ensemble_end *end = runner->end;
+    tdmf_ensemble_stride *note = open_note(runner);
+    const tdmf_ensemble_end before = *end;
+    note_apex(runner);
+    if (note) {
+        note_stride(runner, &before, note);
+    }
+    open_stride(runner);
+    ++end->strides;
+    end->gait = gait_near(runner, end->apex);
+    if (end->gait >= 0) {
+        end->fate = TDMF_FATE_SETTLED;
+        return false;
+    }
+    if (end->strides >= runner->its_case->rules.most_strides) {
+        stand(runner);
+        return false;
+    }
+    return begin_next_stride(runner);
+}

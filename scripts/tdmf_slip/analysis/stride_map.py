@@ -1,0 +1,263 @@
+"""The stride map of many runners: from apex to apex, with settings that may change from stride to stride."""
+
+import reprlib
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import xarray
+from numpy.typing import ArrayLike, NDArray
+
+from ..blocks.running import run_blocks
+from ..checks import check_kind, checked_whole
+from ..errors import InputError
+from ..library.affine_law import AffineLaw, check_law
+from ..library.crowd import Crowd, numbers
+from ..library.ensemble import TOLERANCE
+from ..library.members import STATES
+from ..library.noted_strides import ONE_BY_ONE, STRIDE_FATES, Columns, Request, noted_strides
+from ..library.orbit import LEDGER
+from ..library.rough_ground import LAST_RUNNER, RoughGround
+from ..library.runner import Runner
+from ..library.settings import check_acts, checked_values, setting_number
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .function_law import FunctionLaw, Law, check_set
+from .search import model_of
+
+MOST_STRIDES = 1_000_000
+STRIDES_IN_A_BLOCK = 100_000
+"""At the most, unless runners are few: the library hears of no interrupt until it returns."""
+LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
+"""Runners; fewer would leave lanes empty."""
+
+
+def stride_map(
+    apices: ArrayLike,
+    parameters: Runner | Mapping[str, Given | ArrayLike],
+    *,
+    strides: int = 1,
+    settings: Mapping[str, ArrayLike] | None = None,
+    law: Law | AffineLaw | None = None,
+    roughness: float = 0.0,
+    seed: int = 0,
+    first_number: int = 0,
+    tolerance: float = TOLERANCE,
+    instructions: str = ONE_BY_ONE,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> xarray.Dataset:
+    """Strides of many runners in a row, each kept with its apices and quantities.
+
+    Settings are in force from the apex on at which a stride begins, and what they are is up to `settings` or
+    to a law. A stride that does not close leaves NaN in all its quantities and those of the strides to come,
+    and `fate` says why. On rough ground the ground steps at each apex, the start's too, as in
+    `strides_to_fall`; the height of an apex is that above the ground that the runner came from, before the
+    ground steps, and this is what a law sees of it.
+
+    Parameters
+    ----------
+    apices : array_like of float, shape (n,) or (runners, n)
+        Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; of
+        runners by the reduced map the first two.
+    parameters : Runner or mapping of str to float or array_like of float
+        A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
+        for each runner.
+    strides : int, default 1
+        How many each runner makes.
+    settings : mapping of str to array_like of float, optional
+        By name, one of `library.settings.SETTINGS`: tunable settings of the control law, as
+        `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
+        (strides,), or of each runner and stride, shape (runners, strides).
+    law : callable or AffineLaw, optional
+        What is set at each apex. A function is called with the apices, shape (runners, n), once for each
+        stride and for all runners at once, and gives arrays by name, the same names each time; rows of
+        runners whose run is over are NaN, and what it gives for them does not matter. An `AffineLaw` is
+        followed by the engine itself.
+    roughness : float, default 0
+        Standard deviation of a step of the ground, m.
+    seed : int, default 0
+        Of the ground.
+    first_number : int, default 0
+        Of the first runner; by their numbers ground and noise are drawn.
+    tolerance : float, default 2e-10
+        Relative tolerance of a step.
+    instructions : str, default "one by one"
+        One of `library.ensemble.instruction_sets()`. Results differ by rounding. Only the native solver,
+        which is the default, finds `positive_work` and `peak_force`: by the others, which are faster, they
+        are NaN.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    workers : int, optional
+        Processes on this machine. By default this one does it all, with a thread for each processor.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        Whose start values and ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `runner` and `stride`: `fate`, by the flag values of its attribute; `apex` and `next_apex`, over
+        `coordinate` too; quantities of the stride by the names of `library.orbit.STRIDE_QUANTITIES` and
+        `LEDGER`, `liftoff_angle` and `word`; what was set, by the names of the settings; `ground.height` on
+        rough ground. Over `runner` the parameters that vary. A runner's other values are attributes.
+
+    Raises
+    ------
+    InputError
+        A value that is not allowed, which is told with its runner and stride.
+    RunError
+        See `run_blocks`.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> low = gait.apex - [0.01, 0, 0, 0, 0, 0]
+    >>> run = tdmf_slip.stride_map([gait.apex, low], gait.runner, strides=3)
+    >>> run["word"].shape, bool((run["fate"] == 0).all())
+    ((2, 3), True)
+
+    A law that places the leg by the height of the apex:
+
+    >>> def by_height(apices):
+    ...     return {"hip.touchdown_angle": 0.64 + 0.1 * (apices[:, 0] - gait.apex[0])}
+    >>> run = tdmf_slip.stride_map(low, gait.runner, strides=3, law=by_height)
+    >>> run["hip.touchdown_angle"].shape
+    (1, 3)
+    """
+    unit = load(unit)
+    crowd = Crowd.of(parameters, unit)  # type: ignore[arg-type] # which refuses what is none of it
+    strides = checked_whole("strides", strides, 1, MOST_STRIDES)
+    starts, given = _broadcast(apices, crowd, settings or {}, strides)
+    ground = RoughGround(roughness, seed)
+    _check_all(crowd, given, law, ground)
+    affine = law if isinstance(law, AffineLaw) else None
+    request = Request(
+        crowd,
+        starts,
+        strides,
+        given,
+        affine,
+        ground,
+        checked_whole("first_number", first_number, 0, LAST_RUNNER),
+        tolerance,
+        instructions,
+    )
+    if law is None or affine is not None:
+        columns = _in_blocks(request, scheduler, workers, show_progress)
+    elif scheduler is not None or workers is not None:
+        raise InputError(
+            "law: a function is called here, for all runners at once; allowed: no scheduler or workers"
+        )
+    else:
+        assert callable(law)
+        with progress.bar("strides", strides, "strides", show_progress) as bar:
+            columns = noted_strides(request, FunctionLaw(law, request, unit, bar.update))
+    return _dataset(request, columns, unit)
+
+
+def _broadcast(
+    apices: ArrayLike, crowd: Crowd, settings: Mapping[str, ArrayLike], strides: int
+) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
+    """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
+    check_kind(settings, Mapping, "settings", "numbers or arrays by name")
+    coordinates = crowd.runner.coordinates
+    starts = np.atleast_2d(numbers("apices", apices, 2))
+    if starts.shape[1] != len(coordinates):
+        raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
+    given: dict[str, NDArray[np.float64]] = {}
+    for name, values in settings.items():
+        setting_number(name, "settings")
+        given[name] = np.atleast_2d(numbers(f"settings: {name}", values, 2))
+        if given[name].shape[1] not in (1, strides):
+            raise InputError(
+                f"settings: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
+                f"(runners, {strides}), for each stride one"
+            )
+    counts = {"apices": len(starts), "parameters": crowd.size or 1}
+    counts |= {f"settings: {name}": len(values) for name, values in given.items()}
+    runners = max(counts.values())
+    for what, count in counts.items():
+        if count not in (1, runners):
+            most = max(counts, key=lambda name: counts[name])
+            raise InputError(
+                f"{what} of {count} runners, {most} of {runners}; allowed: as many, or one for all"
+            )
+    for name, values in given.items():
+        first = {"runner": 0, "stride": 0}
+        given[name] = np.broadcast_to(checked_values(name, values, "settings", first), (runners, strides))
+    return np.broadcast_to(starts, (runners, len(coordinates))), given
+
+
+def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: RoughGround) -> None:
+    """Refuse what does not go together."""
+    runner = crowd.runner
+    if runner.reduced and ground.roughness:
+        raise InputError("roughness: by the reduced map; allowed: by the full model")
+    set_by_law: tuple[str, ...] = ()
+    if isinstance(law, AffineLaw):
+        check_law(law, runner)
+        set_by_law = tuple(law.settings)
+    elif law is not None and not callable(law):
+        raise InputError(
+            f"law = {reprlib.repr(law)} is not allowed; allowed: a function of apices, or an AffineLaw"
+        )
+    for name in given:
+        check_acts(name, runner, (*given, *crowd.varied), "settings")
+    check_set(set_by_law, tuple(given), ground, "law")
+    check_set(tuple(given), (), ground, "settings")
+
+
+def _in_blocks(request: Request, scheduler: str | None, workers: int | None, show_progress: bool) -> Columns:
+    """Block by block, here by a thread for each processor, or elsewhere by one."""
+    runners = len(request.apices)
+    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
+    here = scheduler is None and workers is None
+    whole = request if here else replace(request, threads=1)
+    blocks = [whole.part(first, min(size, runners - first)) for first in range(0, runners, size)]
+    parts: dict[int, Columns] = {}
+    with (
+        progress.bar("strides", runners, "runners", show_progress) as bar,
+        run_blocks(noted_strides, blocks, scheduler=scheduler, workers=1 if here else workers) as results,
+    ):
+        for number, columns in results:
+            parts[number] = columns
+            bar.update(len(blocks[number].apices))
+    return {name: np.concatenate([parts[n][name] for n in range(len(blocks))]) for name in parts[0]}
+
+
+def _dataset(request: Request, columns: Columns, unit: Unit) -> xarray.Dataset:
+    runner = request.crowd.runner
+    over = ("runner", "stride", "coordinate")
+    data = xarray.Dataset(
+        {name: (over[: values.ndim], values) for name, values in columns.items()}
+        | {name: (over[:1], values) for name, values in request.crowd.varied.items()},
+        coords={
+            "runner": request.first_number + np.arange(len(request.apices)),
+            "stride": np.arange(request.strides),
+            "coordinate": list(runner.coordinates),
+        },
+    )
+    for name in data.data_vars:
+        told = unit.variables.get(f"stride.{name}") or unit.variables.get(str(name))
+        if told is not None and data[name].dtype.kind == "f":
+            data[name].attrs = {"units": told.unit or "1", "long_name": told.description}
+    for name in LEDGER:
+        data[name].attrs = {"units": "J", "long_name": f"{name.replace('_', ' ')} of the stride"}
+    data["liftoff_angle"].attrs = {"units": "rad", "long_name": "leg angle at lift-off"}
+    data["apex"].attrs["long_name"] = "apex at which the stride begins"
+    data["next_apex"].attrs["long_name"] = "apex at which it closes"
+    data["fate"].attrs = {
+        "flag_values": np.arange(len(STRIDE_FATES), dtype=np.int8),
+        "flag_meanings": " ".join(STRIDE_FATES),
+    }
+    fixed = {name: value for name, value in runner.values.items() if name not in data and name not in STATES}
+    data.attrs = {**fixed, **model_of(runner), "tolerance": request.tolerance}
+    if request.ground.roughness:
+        data.attrs |= {"roughness": request.ground.roughness, "seed": str(request.ground.seed)}
+    return data

@@ -1,0 +1,142 @@
+"""What runners of the ensemble engine are given: parameters, gaits, ground and a law."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import check_kind
+from ..errors import InputError
+from .affine_law import AffineLaw, check_law
+from .binding import ffi
+from .rough_ground import RoughGround
+from .runner import Runner
+from .section import COORDINATES, Apex
+from .structs import Struct
+
+
+@dataclass(frozen=True)
+class Case:
+    """Whose parameters runners have, and what they may settle on.
+
+    Start values by name stand for the runner that they make.
+    """
+
+    runner: Runner
+    """Parameters and inputs."""
+    gaits: Sequence[Apex] | NDArray[np.float64] = field(default=())
+    """Apices, shape (gaits, n); without any, runners make the most strides or fall."""
+
+    ground: RoughGround = field(default_factory=RoughGround)
+    """Rough or, by default, level, or as the runner's inputs say."""
+
+    law: AffineLaw | None = None
+    """By which settings are made anew at each apex, the start's too; by default none are."""
+
+    def __post_init__(self) -> None:
+        """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""
+        object.__setattr__(self, "runner", Runner.of(self.runner))
+        check_kind(self.ground, RoughGround, "ground", "a RoughGround")
+        check_kind(self.gaits, (Sequence, np.ndarray), "gaits", f"rows of {', '.join(COORDINATES)}")
+        check_law(self.law, self.runner)
+
+
+def check_alike(cases: Sequence[Case]) -> None:
+    """Refuse cases that the engine does not run together.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+        One or more.
+
+    Raises
+    ------
+    InputError
+        They are by different maps, or on rough ground by the reduced one.
+    """
+    reduced = cases[0].runner.reduced
+    if any(case.runner.reduced != reduced for case in cases):
+        raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
+    if reduced and any(case.ground.roughness for case in cases):
+        raise InputError("cases: on rough ground by the reduced map; allowed: by the full model")
+
+
+def c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Struct, list[object]]:
+    """The cases as the library takes them, and what has to live as long.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+        One or more.
+    most_strides : int
+        Of each runner.
+    near : float
+        Distance from a gait at which a runner counts as settled.
+
+    Returns
+    -------
+    cases : Struct
+        The library's `tdmf_ensemble_case *`.
+    kept : list
+        Structs that they point to.
+
+    Raises
+    ------
+    InputError
+        Gaits of another shape, or a runner whose values are refused.
+    """
+    made = ffi.new("tdmf_ensemble_case[]", len(cases))
+    kept: list[object] = []
+    for case, its in zip(cases, made, strict=True):
+        coordinates = case.runner.coordinates
+        gaits = case.gaits if len(case.gaits) else np.empty((0, len(coordinates)))
+        apices = sections_of("gaits", gaits, coordinates)
+        if not np.isfinite(apices).all():
+            raise InputError(f"gaits: {apices.tolist()}: allowed: finite numbers")
+        c_gaits = ffi.new("double[][6]", apices.tolist())
+        its.model, its.inputs = case.runner.model, case.runner.inputs[0]
+        its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
+        its.rules.distance, its.rules.most_strides = near, most_strides
+        its.rules.roughness, its.rules.seed = case.ground.roughness, case.ground.seed
+        kept += [c_gaits, case.runner]
+        if case.law is not None:
+            c_law, arrays = case.law.c_law()
+            its.rules.law = c_law
+            kept += [c_law, arrays]
+    return made, kept
+
+
+def sections_of(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:
+    """Apices one to a row, with zeros for the coordinates that the reduced map has not.
+
+    Parameters
+    ----------
+    name : str
+        The argument, for the message.
+    given : array_like of float, shape (runners, n)
+        What was given.
+    coordinates : sequence of str, shape (n,)
+        Which an apex has.
+
+    Returns
+    -------
+    ndarray of float, shape (runners, 6)
+        In C's order.
+
+    Raises
+    ------
+    InputError
+        Another shape, or no numbers.
+    """
+    try:
+        apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(coordinates)}") from None
+    if apices.ndim != 2 or apices.shape[1] != len(coordinates):
+        raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(coordinates)}")
+    if len(coordinates) == len(COORDINATES):
+        return apices
+    sections = np.zeros((len(apices), len(COORDINATES)))
+    sections[:, : len(coordinates)] = apices
+    return sections

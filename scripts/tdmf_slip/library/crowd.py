@@ -1,0 +1,181 @@
+"""Runners that differ in some of their parameters and inputs, as the ensemble engine takes them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import check_kind
+from ..errors import InputError
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .affine_law import AffineLaw
+from .binding import c, ffi
+from .members import INPUTS, PARAMETERS, VARIED
+from .rough_ground import RoughGround
+from .runner import Runner, text_of
+from .settings import checked_values
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """A runner, and of how many runners which of its values are others."""
+
+    runner: Runner
+    """Whose values all have but for those that vary."""
+    varied: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    """By name: of each runner, shape (runners,)."""
+
+    @classmethod
+    def of(
+        cls, given: Runner | Mapping[str, Given | NDArray[np.float64]], unit: Unit | None = None
+    ) -> "Crowd":
+        """A runner, or start values by name of which some are one for each runner.
+
+        Parameters
+        ----------
+        given : Runner or mapping of str to float or array_like of float
+            By the unit's names and in its units; arrays of shape (runners,).
+        unit : Unit, optional
+            Whose start values and ranges hold.
+
+        Returns
+        -------
+        Crowd
+            With values in range.
+
+        Raises
+        ------
+        InputError
+            A name or value that is not allowed, or arrays of different lengths.
+        """
+        if isinstance(given, Runner):
+            return cls(given)
+        check_kind(given, Mapping, "parameters", "a Runner, or numbers or arrays by name")
+        rows = {name: value for name, value in given.items() if not isinstance(value, str) and np.ndim(value)}
+        runner = Runner.of({name: value for name, value in given.items() if name not in rows}, unit)  # type: ignore[misc] # no rows
+        varied: dict[str, NDArray[np.float64]] = {}
+        for name, row in rows.items():
+            load(unit).find(name, "parameters")
+            if name not in VARIED:
+                raise InputError(
+                    f"parameters: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
+                    "of the model"
+                )
+            varied[name] = checked_values(
+                name, numbers(f"parameters: {name}", row, 1), "parameters", {"runner": 0}
+            )
+            if len(varied[name]) != len(next(iter(varied.values()))):
+                first = next(iter(varied))
+                raise InputError(
+                    f"parameters: {name} of {len(varied[name])} runners, {first} of {len(varied[first])}; "
+                    "allowed: as many of each"
+                )
+        return cls(runner, varied)
+
+    @property
+    def size(self) -> int | None:
+        """How many runners; None where all are alike."""
+        return len(next(iter(self.varied.values()))) if self.varied else None
+
+    def part(self, first: int, count: int) -> "Crowd":
+        """Some of the runners.
+
+        Parameters
+        ----------
+        first : int
+            From this one on.
+        count : int
+            So many.
+
+        Returns
+        -------
+        Crowd
+            The same where all are alike.
+        """
+        return replace(self, varied={name: row[first : first + count] for name, row in self.varied.items()})
+
+    def c_cases(self, ground: RoughGround, law: AffineLaw | None) -> tuple[Any, list[object]]:
+        """A case for each runner, or one for all, and what has to live as long.
+
+        Parameters
+        ----------
+        ground : RoughGround
+            What they run on.
+        law : AffineLaw or None
+            By which they are set.
+
+        Returns
+        -------
+        cases : Struct
+            The library's `tdmf_ensemble_case *`.
+        kept : list
+            What they point to.
+
+        Raises
+        ------
+        InputError
+            A runner's values do not go together.
+        """
+        count = self.size or 1
+        cases = ffi.new("tdmf_ensemble_case[]", count)
+        models = ffi.new("tdmf_model[]", count)
+        parameters = ffi.new("tdmf_parameters[]", count)
+        kept: list[object] = [models, self.runner]
+        c_law = ffi.NULL
+        if law is not None:
+            c_law, arrays = law.c_law()
+            kept += [c_law, arrays]
+        model: Any = self.runner.model
+        for k in range(count):
+            parameters[k], cases[k].inputs = model.parameters, self.runner.inputs[0]
+            cases[k].model, cases[k].rules.law = models + k, c_law
+            cases[k].rules.roughness, cases[k].rules.seed = ground.roughness, ground.seed
+        for member in (*PARAMETERS, *INPUTS):
+            for k, value in enumerate(self.varied.get(member.name, ())):
+                member.write(parameters[k] if member in PARAMETERS else cases[k].inputs, value)
+        for k in range(count):
+            _check(c.tdmf_model_create(models + k, parameters + k), k)
+        return cases, kept
+
+
+def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
+    """An array of numbers.
+
+    Parameters
+    ----------
+    what : str
+        What it is, for the message.
+    given : array_like of float
+        What was given.
+    dimensions : int
+        How many it has, at the most.
+
+    Returns
+    -------
+    ndarray of float
+        The same numbers.
+
+    Raises
+    ------
+    InputError
+        There are none, or of more dimensions.
+    """
+    try:
+        values = np.asarray(given).astype(float, casting="same_kind")
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{what}: {problem}; allowed: numbers") from None
+    if values.ndim > dimensions or not values.size:
+        raise InputError(
+            f"{what} of shape {values.shape}; allowed: one or more numbers, {dimensions} dimensions"
+        )
+    return values
+
+
+def _check(refusal: Any, number: int) -> None:
+    if refusal.variable != ffi.NULL:
+        text = ffi.new("char[256]")
+        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
+        raise InputError(f"parameters: runner {number}: {text_of(text)}")

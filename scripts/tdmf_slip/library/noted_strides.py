@@ -1,0 +1,212 @@
+"""Strides of many runners by the ensemble engine, each of them noted, with settings that change at apices."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .affine_law import AffineLaw
+from .binding import ffi
+from .crowd import Crowd
+from .ensemble import END, FATES, dtype_of, ensemble_of, run
+from .orbit import LEDGER, STRIDE_QUANTITIES
+from .rough_ground import RoughGround
+from .section import COORDINATES
+from .settings import setting_number
+
+STRIDE_FATES = ("closed", "fell", "too_long", "no_start", "unsolved", "no_stride")
+"""Of a stride: the fates of the engine's runners, who have nothing to settle on. One that is undecided before
+its last stride is in one that takes too long."""
+NOTED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
+CLOSED = STRIDE_FATES.index("closed")
+UNDECIDED = FATES.index("undecided")
+GROUND = "ground.height"
+ONE_BY_ONE = "one by one"
+BY_NATIVE_SOLVER = ("positive_work", "peak_force")
+"""Quantities that lanes do not find."""
+
+Columns: TypeAlias = dict[str, NDArray[Any]]
+"""By name: of each runner and stride, of apices also of each coordinate."""
+Law: TypeAlias = Callable[[int, NDArray[np.float64], NDArray[np.bool_]], Mapping[str, NDArray[np.float64]]]
+"""From a stride's number, apices, and which runners are under way: settings, shape (runners,)."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """Strides to make: a block of work."""
+
+    crowd: Crowd
+    """Who makes them."""
+    apices: NDArray[np.float64]
+    """Where they begin, shape (runners, n)."""
+    strides: int
+    """Of each."""
+    given: Mapping[str, NDArray[np.float64]]
+    """Settings by name, shape (runners, strides) or (runners, 1)."""
+    law: AffineLaw | None = None
+    """Or none."""
+    ground: RoughGround = field(default_factory=RoughGround)
+    """What they run on."""
+    first_number: int = 0
+    """Of the first runner."""
+    tolerance: float = 2e-10
+    """Of a step."""
+    instructions: str = ONE_BY_ONE
+    """One of `instruction_sets()`."""
+    threads: int | None = None
+    """At once; by default one for each processor."""
+
+    def part(self, first: int, count: int) -> "Request":
+        """Some of the runners.
+
+        Parameters
+        ----------
+        first : int
+            From this one on.
+        count : int
+            So many.
+
+        Returns
+        -------
+        Request
+            The same strides.
+        """
+        some = slice(first, first + count)
+        return replace(
+            self,
+            crowd=self.crowd.part(first, count),
+            apices=self.apices[some],
+            given={name: values[some] for name, values in self.given.items()},
+            first_number=self.first_number + first,
+        )
+
+
+def noted_strides(request: Request, law: Law | None = None) -> Columns:
+    """All strides of a block of runners.
+
+    Parameters
+    ----------
+    request : Request
+        Whose values are checked.
+    law : callable, optional
+        Called at each apex, for all runners at once; what it gives is checked, and of the same names each
+        time.
+
+    Returns
+    -------
+    dict of str to ndarray
+        `fate`, a number into `STRIDE_FATES`; where it is closed `apex`, `next_apex`, the quantities of the
+        stride and its `word`, else NaN or empty: but for the apex and the settings of the stride in which a
+        run ends. Settings by their names; `ground.height` where it is rough.
+    """
+    engine = _Engine(request, goes_on=law is not None)
+    if law is None:
+        return engine.run(0, request.strides, request.given)
+    parts: list[Columns] = []
+    for stride in range(request.strides):
+        apices, under_way = engine.where(stride)
+        given = {name: values[:, min(stride, values.shape[1] - 1)] for name, values in request.given.items()}
+        given |= law(stride, apices, under_way)
+        parts.append(engine.run(stride, 1, {name: values[:, None] for name, values in given.items()}))
+    return {name: np.concatenate([part[name] for part in parts], axis=1) for name in parts[0]}
+
+
+class _Engine:
+    """The library's request, which goes on from call to call."""
+
+    def __init__(self, request: Request, goes_on: bool) -> None:
+        self.request = request
+        runner, count = request.crowd.runner, len(request.apices)
+        self.coordinates = len(runner.coordinates)
+        self.sections = np.zeros((count, len(COORDINATES)))
+        self.sections[:, : self.coordinates] = request.apices
+        self.ensemble = ensemble_of(
+            runner,
+            self.sections,
+            request.first_number,
+            request.tolerance,
+            request.threads,
+            request.instructions,
+        )
+        self.cases, self.kept = request.crowd.c_cases(request.ground, request.law)
+        self.case_of = np.arange(count, dtype=np.intc) if request.crowd.varied else np.zeros(count, np.intc)
+        self.ensemble.cases, self.ensemble.case_count = self.cases, len(self.cases)
+        self.ensemble.case_of = ffi.cast("int *", ffi.from_buffer(self.case_of))
+        self.ends = np.zeros(count, END)
+        self.places = ffi.new("tdmf_ensemble_place[]", count) if goes_on else ffi.NULL
+        self.ensemble.places = self.places
+
+    def where(self, stride: int) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """Apices at which a stride begins, NaN of runners whose run is over, and who is under way."""
+        if stride == 0:
+            return self.sections[:, : self.coordinates].copy(), np.full(len(self.ends), True)
+        under_way = (self.ends["fate"] == UNDECIDED) & (self.ends["strides"] == stride)
+        apices = np.where(under_way[:, None], self.ends["apex"][:, : self.coordinates], np.nan)
+        return apices, under_way
+
+    def run(self, first: int, count: int, given: Mapping[str, NDArray[np.float64]]) -> Columns:
+        """So many strides from one on, with these settings."""
+        noted = np.zeros((len(self.ends), count), NOTED)
+        begin = self.where(first)[0]
+        settings = _given(given, first) if given else None
+        self.ensemble.given = ffi.NULL if settings is None else settings[0]
+        self.ensemble.strides = ffi.cast("tdmf_ensemble_stride *", ffi.from_buffer(noted))
+        self.ensemble.first_stride, self.ensemble.stride_count = first, count
+        self.ensemble.goes_on = first > 0
+        for case in self.cases:
+            case.rules.most_strides = first + count
+        run(self.ensemble, self.ends)
+        return self._columns(noted, begin, first, given)
+
+    def _columns(
+        self,
+        noted: NDArray[np.void],
+        begin: NDArray[np.float64],
+        first: int,
+        given: Mapping[str, NDArray[np.float64]],
+    ) -> Columns:
+        made = first + np.arange(noted.shape[1]) - self.ends["strides"][:, None]
+        closed = made < 0
+        begun = noted["began"] == 1
+        next_apex = np.where(closed[..., None], noted["apex"][..., : self.coordinates], np.nan)
+        apex = np.concatenate([begin[:, None], next_apex[:, :-1]], axis=1)
+        columns: Columns = {
+            "fate": np.where(closed, CLOSED, self.ends["fate"][:, None]).astype(np.int8),
+            "apex": apex,
+            "next_apex": next_apex,
+            **{name: _where(closed, noted["stride"][name]) for name in STRIDE_QUANTITIES},
+            **{name: _where(closed, noted[name]) for name in (*LEDGER, "liftoff_angle")},
+            "word": _words(noted["stride"]["word"]),
+        }
+        if self.request.instructions != ONE_BY_ONE:
+            columns |= {name: np.full(closed.shape, np.nan) for name in BY_NATIVE_SOLVER}
+        if self.request.ground.roughness:
+            columns[GROUND] = _where(begun, noted["ground_height"])
+        law = self.request.law
+        for number, name in enumerate(law.settings if law is not None else ()):
+            columns[name] = _where(begun, noted["set"][..., number])
+        return columns | {name: _where(begun, values) for name, values in given.items()}
+
+
+def _given(given: Mapping[str, NDArray[np.float64]], first: int) -> tuple[Any, object]:
+    """Settings as the library takes them, and what has to live as long."""
+    values = np.ascontiguousarray(np.stack(list(given.values()), axis=-1))
+    settings = ffi.new("int[]", [setting_number(name, "settings") for name in given])
+    made = ffi.new("tdmf_given_settings *")
+    made.count, made.settings = len(given), settings
+    made.first, made.strides = first, values.shape[1]
+    made.values = ffi.cast("double *", ffi.from_buffer(values))
+    return made, (settings, values)
+
+
+def _where(there: NDArray[np.bool_], values: NDArray[Any]) -> NDArray[np.float64]:
+    return np.where(there, values, np.nan)
+
+
+def _words(words: NDArray[np.bytes_]) -> NDArray[np.str_]:
+    """As short as the longest of them."""
+    different, numbers = np.unique(words, return_inverse=True)
+    texts = np.array([word.decode() for word in different])
+    return texts[numbers.reshape(words.shape)]

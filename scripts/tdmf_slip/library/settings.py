@@ -1,0 +1,127 @@
+"""What may be set anew at each apex: settings of the control law, and inputs."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import near_matches
+from ..errors import InputError
+from ..unit.unit import Unit, load
+from .binding import c
+from .members import VARIED
+from .runner import Runner
+
+SETTINGS = tuple(name for name in VARIED if c.tdmf_setting_of(name.encode()) >= 0)
+"""By the unit's names."""
+OF_FLIGHT = ("hip.kp", "hip.kd", "hip.liftoff_angle_factor")
+"""Of the leg's motion in flight, which the reduced map has not."""
+BY_GAINS = (
+    "hip.touchdown_angle",
+    "hip.retraction_rate",
+    "hip.liftoff_angle_factor",
+    "control.touchdown_angle",
+)
+"""What the hip does about them is proportional to `hip.kp` and `hip.kd`."""
+
+
+def setting_number(name: object, what: str) -> int:
+    """A setting as the library knows it.
+
+    Parameters
+    ----------
+    name : str
+        In the unit.
+    what : str
+        The argument, for the message.
+
+    Returns
+    -------
+    int
+        Its number.
+
+    Raises
+    ------
+    InputError
+        It cannot change in a run, or there is no such name.
+    """
+    if name in SETTINGS:
+        return int(c.tdmf_setting_of(str(name).encode()))
+    if name in VARIED:
+        raise InputError(f"{what}: {name} cannot change in a run; allowed: {', '.join(SETTINGS)}")
+    raise InputError(
+        f"{what}: {name!r} is not a setting{near_matches(name, SETTINGS)}; allowed: {', '.join(SETTINGS)}"
+    )
+
+
+def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:
+    """Refuse a setting that changes nothing in a runner's motion, whatever its value.
+
+    Parameters
+    ----------
+    name : str
+        One of `SETTINGS`.
+    runner : Runner
+        Who is set.
+    set_too : sequence of str
+        All that is set.
+    what : str
+        The argument, for the message.
+
+    Raises
+    ------
+    InputError
+        It does not act.
+    """
+    if runner.reduced:
+        if name in OF_FLIGHT:
+            raise InputError(
+                f"{what}: {name} does not act in the reduced map, where the leg is placed as if by itself; "
+                "allowed: by the full model"
+            )
+        return
+    gains = ("hip.kp", "hip.kd")
+    if name in BY_GAINS and not any(runner.values[gain] or gain in set_too for gain in gains):
+        raise InputError(f"{what}: {name} does not act where hip.kp and hip.kd are 0; allowed: one above 0")
+
+
+def checked_values(
+    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int], unit: Unit | None = None
+) -> NDArray[np.float64]:
+    """Values of a setting, all within its range.
+
+    Parameters
+    ----------
+    name : str
+        One of `SETTINGS`.
+    values : ndarray of float
+        Of any shape.
+    what : str
+        The argument, for the message.
+    first : mapping of str to int
+        By axis of the values: what it is called, and the number of its first place.
+    unit : Unit, optional
+        Whose ranges hold.
+
+    Returns
+    -------
+    ndarray of float
+        The same.
+
+    Raises
+    ------
+    InputError
+        One is out of range or not a number; the message says which.
+    """
+    variable = load(unit).variables[name]
+    within = (values >= variable.minimum) & (values <= variable.maximum)
+    if not within.all():
+        place = tuple(int(index) for index in np.argwhere(~within)[0])
+        where = ", ".join(
+            f"{axis} {at + begin}" for (axis, begin), at in zip(first.items(), place, strict=True)
+        )
+        value = f"{name} = {values[place]:.9g}"
+        raise InputError(
+            f"{what}: {where + ': ' if where else ''}{value} is not allowed; allowed: {variable.allowed}"
+        )
+    return values

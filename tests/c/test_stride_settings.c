@@ -1,0 +1,481 @@
+/* Settings that change at apices: given for each stride or by an affine law, with limits and noise, each
+ * runner strides as the native solver does that is set so by hand; and what is noted of each stride. */
+#include "compare.h"
+#include "random.h"
+#include "reference_gaits.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNNERS = 60, STRIDES = 8, SETTINGS = 3 };
+
+static const char *const names[SETTINGS] = {"hip.touchdown_angle", "hip.stance_torque", "ground.friction"};
+static const double nominal[SETTINGS] = {0.7, 0.2, 0.6};
+static const double gain[SETTINGS][TDMF_SECTION_COUNT] = {
+    {0.3, 0.1, 0.02, 0.01, 0.03, -0.02}, {0.02, -0.02, 0.01, 0.0, 0.0, 0.01}, {1.0, 0.5, 0.0, 0.2, 0.0, 0.0}};
+static const double low[SETTINGS] = {0.693, 0.1985, 0.57};
+static const double high[SETTINGS] = {0.707, 0.2015, 0.63};
+static const uint64_t seed = 20261122;
+
+typedef struct {
+    tdmf_model model;
+    int settings[SETTINGS];
+    tdmf_affine_law law;
+    tdmf_ensemble_case its_case;
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    double values[RUNNERS][STRIDES][SETTINGS];
+    tdmf_given_settings given;
+    tdmf_ensemble_stride strides[RUNNERS][STRIDES];
+    tdmf_ensemble_place places[RUNNERS];
+    tdmf_ensemble ensemble;
+    tdmf_ensemble_end ends[RUNNERS];
+} crowd;
+
+static crowd *gather(double roughness) {
+    crowd *crowd = calloc(1, sizeof *crowd);
+    random_source source = {3};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    assert_non_null(crowd);
+    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
+    for (int i = 0; i < SETTINGS; ++i) {
+        crowd->settings[i] = tdmf_setting_of(names[i]);
+    }
+    const tdmf_affine_law law = {.count = SETTINGS,
+                                 .settings = crowd->settings,
+                                 .nominal = nominal,
+                                 .gain = gain,
+                                 .low = low,
+                                 .high = high,
+                                 .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
+                                 .seed = seed};
+    crowd->law = law;
+    memcpy(crowd->law.apex, &reference_gaits[2].apex, sizeof crowd->law.apex);
+    const tdmf_ensemble_case its_case = {&crowd->model,
+                                         tdmf_default_inputs(),
+                                         {.most_strides = STRIDES, .roughness = roughness, .seed = seed}};
+    crowd->its_case = its_case;
+    for (int i = 0; i < RUNNERS; ++i) {
+        for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+            crowd->starts[i][j] = crowd->law.apex[j] + random_uniform(&source, -0.05, 0.05);
+        }
+        for (int stride = 0; stride < STRIDES; ++stride) {
+            for (int k = 0; k < SETTINGS; ++k) {
+                crowd->values[i][stride][k] = random_uniform(&source, low[k], high[k]);
+            }
+        }
+    }
+    const tdmf_given_settings given = {SETTINGS, crowd->settings, 0, STRIDES, &crowd->values[0][0][0]};
+    crowd->given = given;
+    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = 1e-11,
+                                    .threads = 1,
+                                    .strides = &crowd->strides[0][0],
+                                    .stride_count = STRIDES};
+    crowd->ensemble = ensemble;
+    return crowd;
+}
+
+/* ---- the same by hand --------------------------------------------------------------------------------- */
+
+/* The law as its formula says. */
+static void follow_law(const crowd *crowd, int number, int stride, const double apex[TDMF_SECTION_COUNT],
+                       double values[SETTINGS]) {
+    const tdmf_affine_law *law = &crowd->law;
+    for (int i = 0; i < SETTINGS; ++i) {
+        values[i] = nominal[i];
+        for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+            const double noise =
+                law->noise[j] * tdmf_sensor_noise(seed, (uint64_t)number, (uint32_t)stride, j);
+            values[i] += gain[i][j] * (apex[j] + noise - law->apex[j]);
+        }
+        values[i] = values[i] < low[i] ? low[i] : values[i] > high[i] ? high[i] : values[i];
+    }
+}
+
+static void set_by_hand(tdmf_parameters *parameters, tdmf_inputs *inputs, const double values[SETTINGS]) {
+    parameters->hip.touchdown_angle = values[0];
+    parameters->hip.stance_torque = values[1];
+    inputs->ground.friction = values[2];
+}
+
+static void read_apex(const tdmf_record *record, double apex[TDMF_SECTION_COUNT]) {
+    const double found[TDMF_SECTION_COUNT] = {record->apex.com_height,      record->apex.com_speed,
+                                              record->apex.leg_length,      record->apex.leg_angle,
+                                              record->apex.leg_length_rate, record->apex.leg_angle_rate};
+    memcpy(apex, found, sizeof found);
+}
+
+static void assert_noted(const tdmf_ensemble_stride *note, const tdmf_motion *motion) {
+    double apex[TDMF_SECTION_COUNT];
+    const tdmf_stride *stride = &motion->record.stride;
+    read_apex(&motion->record, apex);
+    for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+        assert_close(note->apex[j], apex[j], 1e-7);
+    }
+    assert_string_equal(note->stride.word, stride->word);
+    assert_close(note->stride.period, stride->period, 1e-6);
+    assert_close(note->stride.length, stride->length, 1e-6);
+    assert_close(note->stride.work, stride->work, 1e-7);
+    assert_close(note->stride.slip_distance, stride->slip_distance, 1e-6);
+    assert_close(note->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
+}
+
+/* By the native solver, with model and inputs set at each apex. Returns the strides that close. */
+static int stride_by_hand(const crowd *crowd, int number) {
+    const tdmf_ensemble_rules *rules = &crowd->its_case.rules;
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_inputs inputs = crowd->its_case.inputs;
+    tdmf_model model = crowd->model;
+    tdmf_parameters parameters = model.parameters;
+    tdmf_motion motion = {.time = 0.0};
+    double apex[TDMF_SECTION_COUNT], values[SETTINGS];
+    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
+    memcpy(apex, crowd->starts[number], sizeof apex);
+    for (int stride = 0; stride < STRIDES; ++stride) {
+        const tdmf_ensemble_stride *note = &crowd->strides[number][stride];
+        if (rules->law) {
+            follow_law(crowd, number, stride, apex, values);
+            for (int i = 0; i < SETTINGS; ++i) {
+                assert_close(note->set[i], values[i], 1e-7);
+            }
+        } else {
+            memcpy(values, crowd->values[number][stride], sizeof values);
+        }
+        set_by_hand(&parameters, &inputs, values);
+        assert_null(tdmf_model_create(&model, &parameters).variable);
+        if (stride == 0) {
+            tdmf_section_state(&model, &inputs, apex, motion.state);
+            assert_null(
+                tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+        }
+        inputs.ground.height += rules->roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
+        assert_close(note->ground_height, inputs.ground.height, 1e-12);
+        tdmf_resolve(&model, &inputs, motion.time, motion.state, &motion.mode, &motion.record);
+        if (!tdmf_native_stride(&solver, &model, &inputs, motion.time + 1e4, &motion).closed) {
+            return stride;
+        }
+        assert_noted(note, &motion);
+        read_apex(&motion.record, apex);
+        if (motion.mode.ground.height != inputs.ground.height) {
+            return stride + 1;
+        }
+    }
+    return STRIDES;
+}
+
+static void run_in_all_lanes(crowd *crowd) {
+    int closed = 0, sets = 0;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        crowd->ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(crowd->ensemble.instructions)) {
+            continue;
+        }
+        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+        ++sets;
+        for (int i = 0; i < RUNNERS; ++i) {
+            assert_int_equal(crowd->ends[i].strides, stride_by_hand(crowd, i));
+            assert_int_equal(crowd->ends[i].fate,
+                             crowd->ends[i].strides == STRIDES ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
+            closed += crowd->ends[i].strides;
+        }
+    }
+    assert_true(sets >= 1 && closed > sets * RUNNERS * STRIDES / 2);
+}
+
+static void given_settings_are_those_of_the_strides(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    crowd->ensemble.given = &crowd->given;
+    run_in_all_lanes(crowd);
+    free(crowd);
+}
+
+static void the_law_sets_at_each_apex_by_what_its_sensor_sees(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    crowd->its_case.rules.law = &crowd->law;
+    run_in_all_lanes(crowd);
+    free(crowd);
+}
+
+static void the_law_sees_the_height_above_the_ground_before_it_steps(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.1);
+    crowd->its_case.rules.law = &crowd->law;
+    run_in_all_lanes(crowd);
+    free(crowd);
+}
+
+static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.1);
+    int inside = 0, lowest = 0, highest = 0;
+    crowd->its_case.rules.law = &crowd->law;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    for (int i = 0; i < RUNNERS; ++i) {
+        for (int stride = 0; stride < crowd->ends[i].strides; ++stride) {
+            for (int k = 0; k < SETTINGS; ++k) {
+                const double value = crowd->strides[i][stride].set[k];
+                lowest += value == low[k];
+                highest += value == high[k];
+                inside += value > low[k] && value < high[k];
+                assert_true(value >= low[k] && value <= high[k]);
+            }
+        }
+    }
+    assert_true(inside > 100);
+    assert_true(lowest > 100);
+    assert_true(highest > 100);
+    free(crowd);
+}
+
+/* ---- bit for bit -------------------------------------------------------------------------------------- */
+
+static void strides_depend_on_neither_threads_nor_neighbours(void **unused) {
+    (void)unused;
+    enum { FIRST = 17, PART = 31 };
+    crowd *all = gather(0.1), *part = gather(0.1);
+    all->its_case.rules.law = &all->law;
+    part->its_case.rules.law = &part->law;
+    part->ensemble.threads = 2;
+    part->ensemble.first_number = FIRST;
+    part->ensemble.starts += FIRST;
+    part->ensemble.count = PART;
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        all->ensemble.instructions = part->ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(all->ensemble.instructions)) {
+            assert_true(tdmf_run_ensemble(&all->ensemble, all->ends, NULL));
+            assert_true(tdmf_run_ensemble(&part->ensemble, part->ends, NULL));
+            assert_memory_equal(part->ends, &all->ends[FIRST], PART * sizeof *part->ends);
+            assert_memory_equal(part->strides, all->strides[FIRST], PART * sizeof *part->strides);
+        }
+    }
+    free(all);
+    free(part);
+}
+
+static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) {
+    (void)unused;
+    crowd *whole = gather(0.1), *parts = gather(0.1);
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        whole->ensemble.instructions = parts->ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(whole->ensemble.instructions)) {
+            continue;
+        }
+        whole->its_case.rules.law = &whole->law;
+        assert_true(tdmf_run_ensemble(&whole->ensemble, whole->ends, NULL));
+        parts->its_case.rules.law = &parts->law;
+        parts->ensemble.places = parts->places;
+        for (int stride = 0; stride < STRIDES; ++stride) {
+            parts->its_case.rules.most_strides = stride + 1;
+            parts->ensemble.goes_on = stride > 0;
+            assert_true(tdmf_run_ensemble(&parts->ensemble, parts->ends, NULL));
+        }
+        assert_memory_equal(parts->ends, whole->ends, sizeof parts->ends);
+        assert_memory_equal(parts->strides, whole->strides, sizeof parts->strides);
+    }
+    free(whole);
+    free(parts);
+}
+
+/* ---- the reduced map ---------------------------------------------------------------------------------- */
+
+/* Each stride begins at the last apex with the leg where the settings have it. */
+static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    tdmf_solver solver = tdmf_solver_default();
+    int closed = 0;
+    crowd->ensemble.map = TDMF_REDUCED_MAP;
+    crowd->ensemble.given = &crowd->given;
+    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    for (int i = 0; i < RUNNERS; ++i) {
+        double apex[TDMF_REDUCED_COUNT] = {crowd->starts[i][0], crowd->starts[i][1]};
+        for (int stride = 0; stride < crowd->ends[i].strides; ++stride, ++closed) {
+            const tdmf_ensemble_stride *note = &crowd->strides[i][stride];
+            tdmf_model model = crowd->model;
+            tdmf_inputs inputs = crowd->its_case.inputs;
+            set_by_hand(&model.parameters, &inputs, crowd->values[i][stride]);
+            const tdmf_reduced_return found =
+                tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
+            assert_int_equal(found.outcome, TDMF_REDUCED_CLOSED);
+            memcpy(apex, found.apex, sizeof apex);
+            assert_close(note->apex[0], apex[0], 1e-7);
+            assert_close(note->apex[1], apex[1], 1e-7);
+            assert_close(note->stride.work, found.stride.work, 1e-7);
+            assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
+            assert_close(note->friction_loss, found.friction_loss, 1e-7);
+        }
+    }
+    assert_true(closed > RUNNERS * STRIDES / 2);
+    free(crowd);
+}
+
+/* ---- noise -------------------------------------------------------------------------------------------- */
+
+/* As to the products of neighbours, and of noise and steps of the same seed. */
+static void noise_is_normal_and_drawn_by_itself(void **unused) {
+    (void)unused;
+    enum { DRAWS = 100000 };
+    double square = 0.0, by_step = 0.0, by_coordinate = 0.0, by_stride = 0.0;
+    for (uint32_t i = 0; i < DRAWS; ++i) {
+        const int j = (int)(i % 5);
+        const double noise = tdmf_sensor_noise(seed, i, 3 * i, j);
+        square += noise * noise;
+        by_step += noise * tdmf_ground_step(seed, i, 3 * i);
+        by_coordinate += noise * tdmf_sensor_noise(seed, i, 3 * i, j + 1);
+        by_stride += noise * tdmf_sensor_noise(seed, i, 3 * i + 1, j);
+    }
+    assert_close(square / DRAWS, 1.0, 4.0 * sqrt(2.0 / DRAWS));
+    assert_close(by_step / DRAWS, 0.0, 4.0 / sqrt(DRAWS));
+    assert_close(by_coordinate / DRAWS, 0.0, 4.0 / sqrt(DRAWS));
+    assert_close(by_stride / DRAWS, 0.0, 4.0 / sqrt(DRAWS));
+}
+
+/* ---- requests ----------------------------------------------------------------------------------------- */
+
+static void settings_are_what_may_change_at_events(void **unused) {
+    (void)unused;
+    static const char *const fixed[] = {"leg.stiffness", "gravity", "foot.y", "hip.torque", ""};
+    static const char *const set[TDMF_SETTING_LIMIT] = {"hip.stance_torque",
+                                                        "hip.touchdown_angle",
+                                                        "hip.kp",
+                                                        "hip.kd",
+                                                        "hip.liftoff_angle_factor",
+                                                        "hip.retraction_rate",
+                                                        "leg.thrust",
+                                                        "ground.friction",
+                                                        "ground.height",
+                                                        "ground.slope",
+                                                        "leg.extension",
+                                                        "hip.external_torque",
+                                                        "body.external_fx",
+                                                        "body.external_fy",
+                                                        "control.thrust",
+                                                        "control.touchdown_angle",
+                                                        "control.stance_torque"};
+    for (int i = 0; i < TDMF_SETTING_LIMIT; ++i) {
+        assert_true(tdmf_setting_of(set[i]) >= 0);
+        for (int j = 0; j < i; ++j) {
+            assert_int_not_equal(tdmf_setting_of(set[i]), tdmf_setting_of(set[j]));
+        }
+    }
+    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; ++i) {
+        assert_int_equal(tdmf_setting_of(fixed[i]), -1);
+    }
+}
+
+static void assert_refused(crowd *crowd) {
+    assert_false(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+}
+
+static void refuses_laws_that_are_none(void **unused) {
+    (void)unused;
+    static const double none[] = {NAN, INFINITY, -INFINITY, 2e100};
+    crowd *crowd = gather(0.0);
+    tdmf_affine_law law = crowd->law;
+    double numbers[SETTINGS], gains[SETTINGS][TDMF_SECTION_COUNT];
+    crowd->its_case.rules.law = &law;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
+        memcpy(numbers, nominal, sizeof numbers);
+        memcpy(gains, gain, sizeof gains);
+        gains[1][2] = none[i];
+        law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
+        assert_refused(crowd);
+        law.gain = gain;
+        numbers[2] = none[i];
+        law.nominal = numbers;
+        assert_refused(crowd);
+        law.nominal = nominal;
+        law.noise[4] = none[i];
+        assert_refused(crowd);
+        law.noise[4] = 0.0;
+        law.apex[4] = none[i];
+        assert_refused(crowd);
+        law.apex[4] = 0.0;
+    }
+    law.noise[4] = -1e-9;
+    assert_refused(crowd);
+    law.noise[4] = 0.0;
+    law.low = high;
+    law.high = low;
+    assert_refused(crowd);
+    law.low = low;
+    memcpy(numbers, high, sizeof numbers);
+    numbers[2] = -1e-9; /* a friction */
+    law.high = numbers;
+    assert_refused(crowd);
+    law.high = high;
+    crowd->settings[1] = crowd->settings[0];
+    assert_refused(crowd);
+    crowd->settings[1] = -1;
+    assert_refused(crowd);
+    free(crowd);
+}
+
+static void refuses_settings_that_are_none(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    const double angle = crowd->values[3][2][0];
+    crowd->ensemble.given = &crowd->given;
+    crowd->values[3][2][0] = NAN;
+    assert_refused(crowd);
+    crowd->values[3][2][0] = 1e9;
+    assert_refused(crowd);
+    crowd->values[3][2][0] = angle;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    crowd->its_case.rules.law = &crowd->law; /* which sets the same */
+    assert_refused(crowd);
+    crowd->its_case.rules.law = NULL;
+    crowd->ensemble.goes_on = true; /* from nowhere */
+    assert_refused(crowd);
+    crowd->ensemble.goes_on = false;
+    crowd->settings[2] = tdmf_setting_of("ground.height");
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    crowd->its_case.rules.roughness = 0.1;
+    assert_refused(crowd);
+    free(crowd);
+}
+
+static void the_reduced_map_measures_height_and_speed_alone(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    double gains[SETTINGS][TDMF_SECTION_COUNT] = {{0.0}};
+    crowd->ensemble.map = TDMF_REDUCED_MAP;
+    crowd->its_case.rules.law = &crowd->law;
+    crowd->law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
+    memset(&crowd->law.noise[2], 0, 4 * sizeof *crowd->law.noise);
+    gains[0][1] = 0.1;
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    gains[0][2] = 0.1;
+    assert_refused(crowd);
+    gains[0][2] = 0.0;
+    crowd->law.noise[5] = 0.1;
+    assert_refused(crowd);
+    free(crowd);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(given_settings_are_those_of_the_strides),
+        cmocka_unit_test(the_law_sets_at_each_apex_by_what_its_sensor_sees),
+        cmocka_unit_test(the_law_sees_the_height_above_the_ground_before_it_steps),
+        cmocka_unit_test(no_setting_is_beyond_its_limits_and_some_are_at_them),
+        cmocka_unit_test(strides_depend_on_neither_threads_nor_neighbours),
+        cmocka_unit_test(going_on_stride_by_stride_is_the_same_as_in_one_call),
+        cmocka_unit_test(strides_of_the_reduced_map_are_those_of_its_settings),
+        cmocka_unit_test(noise_is_normal_and_drawn_by_itself),
+        cmocka_unit_test(settings_are_what_may_change_at_events),
+        cmocka_unit_test(refuses_laws_that_are_none),
+        cmocka_unit_test(refuses_settings_that_are_none),
+        cmocka_unit_test(the_reduced_map_measures_height_and_speed_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

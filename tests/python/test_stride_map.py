@@ -1,0 +1,457 @@
+"""The stride map of many runners: settings by stride, by a function and by the engine's law; what is kept."""
+
+import re
+
+import numpy as np
+import pytest
+import tdmf_slip
+import xarray
+from tdmf_slip import AffineLaw, InputError, Runner, find_orbit, stride_map
+from tdmf_slip.analysis import stride_map as module
+from tdmf_slip.library.ensemble import instruction_sets
+from tdmf_slip.library.noted_strides import BY_NATIVE_SOLVER, STRIDE_FATES
+from tdmf_slip.library.orbit import LEDGER, STRIDE_QUANTITIES
+from tdmf_slip.library.rough_ground import RoughGround
+from tdmf_slip.library.settings import SETTINGS
+from tdmf_slip.library.strides import strides_from
+
+RUNNERS, STRIDES = 30, 6
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+NAMES = (ANGLE, TORQUE)
+CLOSED, FELL = STRIDE_FATES.index("closed"), STRIDE_FATES.index("fell")
+
+
+@pytest.fixture(scope="module")
+def gait(unit):
+    return find_orbit(Runner.of({"ground.friction": 0.6}, unit))
+
+
+@pytest.fixture(scope="module")
+def starts(gait):
+    return gait.apex + np.random.default_rng(1).uniform(-0.05, 0.05, (RUNNERS, 6))
+
+
+def law_of(gait, noise=None, seed=4):
+    gain = np.random.default_rng(2).uniform(-0.3, 0.3, (2, 6)) * [[1.0], [0.1]]
+    nominal = np.array([gait.runner.values[name] for name in NAMES])
+    return AffineLaw(NAMES, gait.apex, nominal, gain, nominal - 0.01, nominal + 0.01, noise, seed)
+
+
+def function_of(law, noise=lambda stride: 0.0):
+    """The same with NumPy, in the order of the engine's sum."""
+    calls = []
+
+    def function(apices):
+        deviation = apices + noise(len(calls)) - np.array(law.apex)
+        calls.append(len(apices))
+        values = {}
+        for name, nominal, gain, low, high in zip(
+            law.settings, law.nominal, law.gain, law.low, law.high, strict=True
+        ):
+            value = np.full(len(apices), nominal)
+            for j in range(6):
+                value = value + gain[j] * deviation[:, j]
+            values[name] = np.clip(value, low, high)
+        return values
+
+    function.calls = calls
+    return function
+
+
+def assert_same(one, other):
+    """Bit for bit, in all that is kept."""
+    assert set(one.data_vars) == set(other.data_vars)
+    for name in one.data_vars:
+        np.testing.assert_array_equal(one[name].values, other[name].values, err_msg=name)
+
+
+# ---- what is kept -----------------------------------------------------------------------------------------
+
+
+def test_each_stride_is_that_of_the_return_map(gait, starts):
+    found = stride_map(starts, gait.runner, strides=2, tolerance=1e-13)
+    compared = 0
+    for number, start in enumerate(starts):
+        for stride in (0, 1):
+            here = found.sel(runner=number, stride=stride)
+            assert here["fate"] == CLOSED
+            orbit = strides_from(gait.runner, here["apex"].values)
+            for name in (*STRIDE_QUANTITIES, *LEDGER):
+                assert here[name] == pytest.approx(orbit.stride[name], abs=1e-8), name
+            assert here["word"] == orbit.word
+            assert here["liftoff_angle"] == pytest.approx(orbit.liftoff_angle, abs=1e-9)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-9)
+            compared += 1
+        np.testing.assert_array_equal(found["apex"][number, 0], start)
+    np.testing.assert_array_equal(found["apex"][:, 1], found["next_apex"][:, 0])
+    assert compared == 2 * RUNNERS
+
+
+def test_after_a_fall_there_is_nothing_but_the_fate(gait):
+    low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
+    below = gait.apex * [0.1, 1.0, 1.0, 1.0, 1.0, 1.0]
+    angle = gait.runner.values[ANGLE]
+    found = stride_map(
+        [gait.apex, gait.apex, low, below],
+        gait.runner,
+        strides=4,
+        settings={ANGLE: [[angle] * 4, [angle, -0.5, angle, angle], [angle] * 4, [angle] * 4]},
+    )
+    fates = [[STRIDE_FATES[fate] for fate in row] for row in found["fate"].values]
+    assert fates[0] == ["closed"] * 4
+    assert fates[1] == ["closed", "fell", "fell", "fell"]
+    assert fates[3] == ["no_start"] * 4
+    closed = found["fate"].values == CLOSED
+    for name in (*STRIDE_QUANTITIES, *LEDGER, "liftoff_angle", "next_apex"):
+        kept = np.isfinite(found[name].values)
+        np.testing.assert_array_equal(kept if kept.ndim == 2 else kept.all(axis=-1), closed, err_msg=name)
+    np.testing.assert_array_equal(found["word"].values != "", closed)
+    np.testing.assert_array_equal(found[ANGLE][1], [angle, -0.5, np.nan, np.nan])
+    assert np.isnan(found[ANGLE][3]).all()
+    assert np.isfinite(found["apex"][1, :2]).all() and np.isnan(found["apex"][1, 2:]).all()
+
+
+def test_the_dataset_goes_through_a_file_and_back(gait, starts, tmp_path):
+    made = stride_map(starts, gait.runner, strides=2, roughness=0.3, seed=2**63)
+    made.to_netcdf(tmp_path / "strides.nc")
+    with xarray.open_dataset(tmp_path / "strides.nc") as found:
+        xarray.testing.assert_equal(found.load(), made)
+        assert found.attrs["seed"] == str(2**63)
+        assert found["speed"].attrs["units"] == "m/s"
+        assert found["fate"].attrs["flag_meanings"].split() == list(STRIDE_FATES)
+
+
+# ---- settings ---------------------------------------------------------------------------------------------
+
+
+def test_runners_have_their_own_parameters_and_settings(gait, starts):
+    rng = np.random.default_rng(3)
+    stiffness, friction = rng.uniform(0.9, 1.1, RUNNERS), rng.uniform(0.4, 0.8, RUNNERS)
+    angle, torque = rng.uniform(0.69, 0.71, (RUNNERS, 2)), rng.uniform(0.195, 0.205, 2)
+    found = stride_map(
+        starts,
+        {"foot.mass": 0.11, "leg.stiffness": stiffness, "ground.friction": friction},
+        strides=2,
+        settings={ANGLE: angle, TORQUE: torque, "hip.kd": 0.5},
+        tolerance=1e-13,
+    )
+    compared = 0
+    for number in range(RUNNERS):
+        for stride in (0, 1):
+            values = {
+                "foot.mass": 0.11,
+                "leg.stiffness": stiffness[number],
+                "ground.friction": friction[number],
+                ANGLE: angle[number, stride],
+                TORQUE: torque[stride],
+                "hip.kd": 0.5,
+            }
+            here = found.sel(runner=number, stride=stride)
+            orbit = strides_from(Runner.of(values), here["apex"].values)
+            assert here["word"] == orbit.word
+            assert here["cost_of_transport"] == pytest.approx(orbit.stride["cost_of_transport"], abs=1e-8)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-8)
+            compared += 1
+    assert compared == 2 * RUNNERS
+    np.testing.assert_array_equal(found[TORQUE], np.tile(torque, (RUNNERS, 1)))
+    np.testing.assert_array_equal(found["leg.stiffness"], stiffness)
+    assert "leg.stiffness" not in found.attrs and found.attrs["foot.mass"] == 0.11
+
+
+def test_every_setting_may_change_and_acts(gait):
+    """From the second stride on."""
+    usual = gait.runner.values
+    as_ever = stride_map(gait.apex, gait.runner, strides=2)
+    for name in SETTINGS:
+        change = 1e-3 if name.startswith(("leg", "hip", "control")) else 1e-4
+        settings = {name: [usual[name], usual[name] + change]}
+        found = stride_map(gait.apex, gait.runner, strides=2, settings=settings)
+        np.testing.assert_array_equal(found["next_apex"][:, 0], as_ever["next_apex"][:, 0], err_msg=name)
+        moved = (
+            np.abs(found["next_apex"] - as_ever["next_apex"])[:, 1].max() if name != "ground.height" else 1
+        )
+        assert found["fate"][0, 1] == CLOSED and moved > 1e-7, name
+
+
+# ---- laws -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("instructions", instruction_sets())
+@pytest.mark.parametrize("roughness", [0.0, 0.6])
+def test_the_law_of_the_engine_is_the_function_that_does_the_same(gait, starts, roughness, instructions):
+    law = law_of(gait)
+    function = function_of(law)
+    how = {"strides": STRIDES, "roughness": roughness, "seed": 3, "instructions": instructions}
+    found = stride_map(starts, gait.runner, law=law, **how)
+    assert_same(stride_map(starts, gait.runner, law=function, **how), found)
+    assert function.calls == [RUNNERS] * STRIDES
+    settings = np.array([found[name].values for name in NAMES])
+    at_limits = settings == np.array(law.low)[:, None, None]
+    assert at_limits.any() and not at_limits.all()
+    fell = (found["fate"] == FELL).values.any()
+    assert fell == (roughness > 0.0)
+    known = instructions == "one by one"
+    assert all(np.isfinite(found[name].values).any() == known for name in BY_NATIVE_SOLVER)
+
+
+def test_a_law_that_is_told_what_the_ground_does_sees_it_before_it_steps(gait, starts):
+    """The height that the function is called with is above the ground under the last stride."""
+    steps = np.array([RoughGround(0.05, 3).steps(number, 2) for number in range(RUNNERS)])
+    seen = []
+
+    def look(apices):
+        seen.append(apices.copy())
+        return {ANGLE: gait.runner.values[ANGLE]}
+
+    found = stride_map(starts, gait.runner, strides=2, law=look, roughness=0.05, seed=3)
+    np.testing.assert_array_equal(seen[0], starts)
+    np.testing.assert_array_equal(seen[1], found["next_apex"][:, 0])
+    np.testing.assert_allclose(found["ground.height"], np.cumsum(steps, axis=1), atol=1e-15)
+    # The centre of mass rises by its own height over both grounds, and by the first step.
+    rise = found["next_apex"][:, 0, 0] - starts[:, 0] + steps[:, 0]
+    np.testing.assert_allclose(found["rise"][:, 0], rise, atol=1e-12)
+
+
+def test_one_law_sets_while_another_is_given(gait, starts):
+    friction = np.random.default_rng(5).uniform(0.5, 0.7, (RUNNERS, STRIDES))
+    law = law_of(gait)
+    how = {"strides": STRIDES, "settings": {"ground.friction": friction}}
+    found = stride_map(starts, gait.runner, law=law, **how)
+    assert_same(stride_map(starts, gait.runner, law=function_of(law), **how), found)
+    np.testing.assert_array_equal(found["ground.friction"], friction)
+
+
+def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypatch):
+    law = law_of(gait, noise=[0.01] * 6)
+    how = {"strides": STRIDES, "law": law, "roughness": 0.1}
+    whole = stride_map(starts, gait.runner, **how)
+    part = stride_map(starts[7:19], gait.runner, first_number=7, **how)
+    assert_same(whole.isel(runner=slice(7, 19)), part)
+    np.testing.assert_array_equal(part["runner"], np.arange(7, 19))
+    monkeypatch.setattr(module, "LEAST_IN_A_BLOCK", 11)
+    monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
+    assert_same(stride_map(starts, gait.runner, **how), whole)
+    assert_same(stride_map(starts, gait.runner, workers=2, **how), whole)
+
+
+# ---- noise ------------------------------------------------------------------------------------------------
+
+
+class Philox:
+    """Philox4x32-10, two words to a number, by itself: of Salmon et al. (2011)."""
+
+    def __init__(self, counter, key):
+        self.counter, self.key, self.words = list(counter), key, []
+
+    def draw(self):
+        if not self.words:
+            (x0, x1, x2, x3), (k0, k1) = self.counter, self.key
+            for _ in range(10):
+                p0, p1 = 0xD2511F53 * x0, 0xCD9E8D57 * x2
+                x0, x1, x2, x3 = (p1 >> 32) ^ x1 ^ k0, p1 % 2**32, (p0 >> 32) ^ x3 ^ k1, p0 % 2**32
+                k0, k1 = (k0 + 0x9E3779B9) % 2**32, (k1 + 0xBB67AE85) % 2**32
+            self.words = [x0 << 32 | x1, x2 << 32 | x3]
+            self.counter[0] += 1
+        return self.words.pop()
+
+
+def decides(source, threshold, passes=lambda: True):
+    """Whether a falling run, from a threshold on, has an even length."""
+    even = True
+    while True:
+        following = source.draw()
+        if following >= threshold or not passes():
+            return even
+        threshold, even = following, not even
+
+
+def normal(source):
+    """Karney's algorithm N (2016)."""
+    while True:
+        k = 0
+        while decides(source, 2**63):
+            k += 1
+        if not all(decides(source, 2**63) for _ in range(k * (k - 1))):
+            continue
+        x = source.draw()
+
+        def passes(k=k, x=x):
+            choice = ((source.draw() >> 32) * (2 * k + 2)) >> 32
+            return choice < 2 * k or (choice == 2 * k and source.draw() < x)
+
+        if all(decides(source, x, passes) for _ in range(k + 1)):
+            size = k + (x >> 11) / 2**53
+            return -size if source.draw() >> 63 else size
+
+
+def test_noise_is_that_of_the_published_generators(gait, starts):
+    deviations, seed = np.array([0.01, 0.02, 0.0, 0.03, 0.0, 0.01]), 2**40 + 5
+    first = 2**33
+
+    def noise(stride):
+        return [
+            [
+                deviation
+                * normal(Philox([(j + 1) << 28, stride, n % 2**32, n >> 32], (seed % 2**32, seed >> 32)))
+                for j, deviation in enumerate(deviations)
+            ]
+            for n in range(first, first + RUNNERS)
+        ]
+
+    law = law_of(gait, deviations, seed)
+    assert law.is_noisy
+    how = {"strides": 3, "first_number": first}
+    found = stride_map(starts, gait.runner, law=law, **how)
+    assert_same(stride_map(starts, gait.runner, law=function_of(law, noise), **how), found)
+    other = stride_map(starts, gait.runner, law=law_of(gait, deviations, seed + 1), **how)
+    assert not np.array_equal(other[ANGLE], found[ANGLE])
+    told = law.settings_at(starts[2], runner=first + 2)
+    assert told == {name: found[name].values[2, 0] for name in NAMES}
+
+
+# ---- the reduced map --------------------------------------------------------------------------------------
+
+
+def test_the_reduced_map_has_laws_too(unit):
+    gait = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    starts = gait.apex + np.random.default_rng(6).uniform(-0.03, 0.03, (RUNNERS, 2))
+    nominal = gait.runner.values[ANGLE]
+    law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
+
+    def function(apices):
+        deviation = apices - np.array(law.apex)
+        value = (nominal + law.gain[0][0] * deviation[:, 0]) + law.gain[0][1] * deviation[:, 1]
+        return {ANGLE: np.clip(value, law.low[0], law.high[0])}
+
+    found = stride_map(starts, gait.runner, strides=3, law=law)
+    assert_same(stride_map(starts, gait.runner, strides=3, law=function), found)
+    assert found["apex"].shape == (RUNNERS, 3, 2) and found.attrs["model"] == "reduced"
+    compared = 0
+    for number in range(RUNNERS):
+        here = found.sel(runner=number, stride=1)
+        orbit = strides_from(gait.runner.but(ANGLE, float(here[ANGLE])), here["apex"].values)
+        np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-8)
+        compared += 1
+    assert compared == RUNNERS
+
+
+# ---- what is refused --------------------------------------------------------------------------------------
+
+
+def refuses(message, *args, **kwargs):
+    with pytest.raises(InputError, match=re.escape(message)):
+        stride_map(*args, **kwargs)
+
+
+def test_settings_that_are_none_are_told(gait):
+    def refused(message, **settings):
+        names = {name.replace("__", "."): value for name, value in settings.items()}
+        refuses(message, gait.apex, gait.runner, strides=3, settings=names)
+
+    refused(
+        "settings: leg.stiffness cannot change in a run; allowed: leg.thrust, hip.stance_torque",
+        leg__stiffness=1,
+    )
+    refused("settings: 'hip.angle' is not a setting; near matches: ", hip__angle=1)
+    refused("settings: hip.kp of shape (2,); allowed: a number, (3,) or (runners, 3)", hip__kp=[1, 2])
+    refused(
+        "settings: runner 0, stride 1: ground.friction = -0.5 is not allowed; allowed: 0 to",
+        ground__friction=[1, -0.5, 1],
+    )
+    refused("settings: runner 0, stride 2: hip.kp = nan is not allowed", hip__kp=[1, 1, np.nan])
+    refused("settings: hip.kp: Cannot cast", hip__kp="much")
+
+
+def test_settings_that_do_not_act_are_told(gait, unit):
+    slack = gait.runner.but("hip.kp", 0.0).but("hip.kd", 0.0)
+    message = "settings: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
+    refuses(message, gait.apex, slack, settings={ANGLE: 0.6})
+    assert stride_map(gait.apex, slack, settings={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
+    reduced = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    message = "settings: hip.kp does not act in the reduced map"
+    refuses(message, reduced.apex, reduced.runner, settings={"hip.kp": 1.0})
+
+
+def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
+    def refused(message, law, **more):
+        refuses(message, starts, gait.runner, strides=3, law=law, **more)
+
+    def gives(value, at=1, of=4):
+        calls = []
+
+        def law(apices):
+            calls.append(None)
+            angles = np.full(len(apices), 0.7)
+            if len(calls) > at:
+                angles[of] = value
+            return {ANGLE: angles}
+
+        return law
+
+    allowed = "is not allowed; allowed: -1.5708 to 1.5708 rad"
+    refused(f"law: stride 1: runner 4: hip.touchdown_angle = nan {allowed}", gives(np.nan))
+    refused(f"law: stride 2: runner 0: hip.touchdown_angle = 2 {allowed}", gives(2.0, 2, 0))
+    refused(
+        "law: stride 0: hip.kp of shape (2,); allowed: (30,), or one for all", lambda _: {"hip.kp": [1, 2]}
+    )
+    refused("law: gravity cannot change in a run", lambda _: {"gravity": 1})
+    refused(
+        "law: stride 0: what it gives = 3 is not allowed; allowed: numbers or arrays by name", lambda _: 3
+    )
+    refused("law = 3 is not allowed; allowed: a function of apices, or an AffineLaw", 3)
+    refused("law: hip.kp is in the settings, too", lambda _: {"hip.kp": 1}, settings={"hip.kp": 1})
+    refused("law: hip.touchdown_angle is in the settings, too", law_of(gait), settings={ANGLE: 0.7})
+    refused("law: ground.height on rough ground", lambda _: {"ground.height": 0}, roughness=0.1)
+    refused("law: a function is called here, for all runners at once", lambda _: {}, workers=2)
+
+
+def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
+    found = stride_map(
+        starts,
+        gait.runner,
+        strides=STRIDES,
+        law=lambda apices: {ANGLE: np.where(np.isnan(apices[:, 0]), np.nan, 0.698)},
+        roughness=0.6,
+    )
+    fell = (found["fate"] == FELL).values[:, -1]
+    assert fell.any() and not fell.all()
+
+
+def test_an_affine_law_is_checked_when_it_is_made(gait):
+    def refused(message, **changed):
+        given = {
+            "settings": ["hip.kp"],
+            "apex": gait.apex,
+            "nominal": [1],
+            "gain": [[0] * 6],
+            "low": [0],
+            "high": [2],
+        }
+        with pytest.raises(InputError, match=re.escape(message)):
+            AffineLaw(**(given | changed))
+
+    refused("settings: leg.damping cannot change in a run", settings=["leg.damping"])
+    refused("settings = 'hip.kp' is not allowed; allowed: one or more names in a list", settings="hip.kp")
+    refused("gain of shape (1, 5): allowed: (1, 6)", gain=[[0] * 5])
+    refused("gain = [[nan, nan, nan, nan, nan, nan]] is not allowed", gain=[[np.nan] * 6])
+    refused("high = [nan] is not allowed", high=[np.nan])
+    refused("low: hip.kp = -1 is not allowed", low=[-1])
+    refused("low: hip.kp = 3 is not allowed; allowed: up to high = 2", low=[3])
+    refused(
+        "noise = [-1.0, 0.0, 0.0, 0.0, 0.0, 0.0] is not allowed; allowed: 0 or above", noise=[-1] + [0] * 5
+    )
+    refused("seed = -1 is not allowed", seed=-1)
+    twice = {"nominal": [1, 1], "gain": [[0] * 6] * 2, "low": [0, 0], "high": [2, 2]}
+    refused("settings: hip.kp is there twice", settings=["hip.kp", "hip.kp"], **twice)
+
+
+def test_what_does_not_go_together_is_told(gait, starts):
+    refuses("parameters of 4 runners, apices of 30", starts, {"leg.damping": np.full(4, 0.2)})
+    refuses("parameters: runner 2: leg.damping = -1", starts[:3], {"leg.damping": [0.2, 0.2, -1]})
+    refuses("apices of shape (30, 5); allowed: rows of com_height", starts[:, :5], gait.runner)
+    refuses("strides = 0 is not allowed", gait.apex, gait.runner, strides=0)
+    refuses("instructions fast: allowed here", gait.apex, gait.runner, instructions="fast")
+
+
+def test_the_names_are_at_the_top():
+    assert tdmf_slip.stride_map is stride_map and tdmf_slip.AffineLaw is AffineLaw
