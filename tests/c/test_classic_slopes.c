@@ -136,13 +136,15 @@ static void friction_holds_against_the_normal_of_the_ground(void **state) {
     slip.ground_slope = -slip.ground_slope;
     assert_true(tdmf_classic_return_map(&slip, energy, 1.3).stance_friction >= tan(42.0 * degree));
     /* A foot that is turned back as fast as the ground passes by needs no friction at its impact. */
-    slip = with(30.0, 0.0, 0.0);
-    const double speed = sqrt(2.0 * (energy / slip.mass - slip.gravity * 1.3));
-    for (int i = 0; i < 200; ++i) {
-        const double needed = speed / tdmf_classic_return_map(&slip, energy, 1.3).touchdown.y;
-        slip.retraction_rate += 0.2 * (needed - slip.retraction_rate);
+    slip = with(80.0, 0.0, 0.0);
+    const double speed = sqrt(2.0 * (energy / slip.mass - slip.gravity * 0.9));
+    tdmf_classic_step step = tdmf_classic_return_map(&slip, energy, 0.9);
+    for (int i = 0; i < 400; ++i) {
+        slip.retraction_rate += 0.1 * (speed / step.touchdown.y - slip.retraction_rate);
+        step = tdmf_classic_return_map(&slip, energy, 0.9);
+        assert_int_equal(step.outcome, TDMF_CLASSIC_FLIES);
     }
-    assert_close(tdmf_classic_return_map(&slip, energy, 1.3).impact_friction, 0.0, 1e-9);
+    assert_close(step.impact_friction, 0.0, 1e-12);
 }
 
 static void what_comes_down_before_the_foot_has_fallen(void **state) {
