@@ -214,7 +214,7 @@ static void assert_agreement(crowd *crowd, double tolerance) {
         for (int i = 0; i < RUNNERS; ++i) {
             const tdmf_model *model = &crowd->models[i];
             if (way_is_certain(&native, i)) {
-                const double magnified = 1e3 * spread_of(model, &native, i);
+                const double magnified = 100.0 * spread_of(model, &native, i);
                 assert_true(took_the_same_way(&lanes[i], &native.ends[i]));
                 assert_same_end(model, &lanes[i], &native.ends[i], fmax(tolerance, magnified));
                 assert_int_not_equal(native.ends[i].fate, TDMF_FATE_UNSOLVED);
@@ -232,12 +232,12 @@ static void assert_agreement(crowd *crowd, double tolerance) {
 
 static void runners_near_the_gait_end_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_crowd(place_near_the_gait, 3), 1e-8);
+    assert_agreement(make_crowd(place_near_the_gait, 3), 1e-12);
 }
 
 static void any_runner_ends_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_crowd(place_anywhere, 2), 1e-7);
+    assert_agreement(make_crowd(place_anywhere, 2), 1e-12);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */

@@ -12,7 +12,8 @@ extern "C" {
 #endif
 
 /* How runners are stepped: one by one, which is the native solver, or so many of them side by side, in the
- * lanes of an instruction set. Results differ by rounding. */
+ * lanes of an instruction set. Results are not the same bit for bit: they differ by rounding, after a stride
+ * near a gait by some 1e-14 of the section's scales, and by more where a stride magnifies the least error. */
 typedef enum {
     TDMF_BEST_INSTRUCTIONS, /* the best that this processor and this build have */
     TDMF_ONE_BY_ONE,        /* the native solver */
