@@ -236,13 +236,19 @@ static void pass_variables(transfer *bytes, unit *unit, unsigned storages) {
     }
 }
 
+/* Of an input that changes at events only it is 0. */
+static void pass_rate(transfer *bytes, unit *unit, const unit_variable *input) {
+    const double largest = input->variability == VARIABILITY_CONTINUOUS ? DBL_MAX : 0.0;
+    double rate = unit_get_number_rate(unit, input);
+    pass_between(bytes, "the rate of an input", &rate, -largest, largest);
+    unit_set_number_rate(unit, input, rate);
+}
+
 static void pass_surroundings(transfer *bytes, unit *unit) {
     pass_variables(bytes, unit, 1U << STORED_PARAMETER | 1U << STORED_SETTING | 1U << STORED_INPUT);
     for (size_t i = 0; i < unit_variable_count; ++i) {
         if (unit_variables[i].storage == STORED_INPUT) {
-            double rate = unit_get_number_rate(unit, &unit_variables[i]);
-            pass_finite(bytes, "the rate of an input", &rate);
-            unit_set_number_rate(unit, &unit_variables[i], rate);
+            pass_rate(bytes, unit, &unit_variables[i]);
         }
     }
     pass_between(bytes, "the importer's tolerance", &unit->importer_tolerance, DBL_MIN * DBL_EPSILON,

@@ -12,7 +12,8 @@ static inline bool tdmf_is_tolerance(double relative_tolerance) {
     return relative_tolerance > 0.0 && relative_tolerance < 1.0;
 }
 
-/* Inputs, those at the end included, are within their ranges: beyond, numbers overflow. */
+/* Inputs, those at the end included, are within their ranges: beyond, numbers overflow. None ramps that
+ * changes at events only: between them no guard looks at it. */
 static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_inputs *rates,
                                          double duration) {
     if (tdmf_check_inputs(inputs).variable != NULL || !tdmf_are_rates(rates)) {

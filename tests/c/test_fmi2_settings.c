@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 
+#include "tdmf_slip/cvode.h"
 #include "unit.h"
 #include "variables.h"
 
@@ -127,23 +128,36 @@ static void only_continuous_inputs_have_rates(void **state) {
     fmi2FreeInstance(component);
 }
 
+/* Native and CVODE, where it is there. */
 static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
     const tdmf_parameters parameters = tdmf_default_parameters();
     const tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_model model;
     tdmf_motion motion = {.time = 0.0};
+    int refused = 0;
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     tdmf_default_state(motion.state);
     assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
-    for (int i = 0; i < 3; ++i) {
-        tdmf_solver solver = tdmf_solver_default();
-        tdmf_motion run = motion;
-        tdmf_inputs rates = {.ground = {.friction = 0.0}};
-        *(i == 0 ? &rates.ground.height : i == 1 ? &rates.control.thrust : &rates.ground.friction) = 1e-3;
-        assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, &rates, 0.1, &run),
-                         i < 2 ? TDMF_REFUSED : TDMF_ARRIVED);
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        const unit_variable *input = &unit_variables[i];
+        if (input->storage == STORED_INPUT) {
+            tdmf_solver solver = tdmf_solver_default();
+            tdmf_motion run = motion, other = motion;
+            unit ramping = {.input_rates = {.ground = {.friction = 0.0}}};
+            unit_set_number_rate(&ramping, input, 1e-3);
+            const tdmf_outcome expected =
+                input->variability == VARIABILITY_CONTINUOUS ? TDMF_ARRIVED : TDMF_REFUSED;
+            const tdmf_inputs *rates = &ramping.input_rates;
+            assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, rates, 0.1, &run), expected);
+            if (tdmf_cvode_is_available()) {
+                assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, rates, 0.1, &other), expected);
+            }
+            refused += expected == TDMF_REFUSED;
+            assert_true(run.time == (expected == TDMF_REFUSED ? 0.0 : 0.1));
+        }
     }
+    assert_int_equal(refused, DISCRETE_INPUTS);
 }
 
 /* ---- in force at once --------------------------------------------------------------------------------- */

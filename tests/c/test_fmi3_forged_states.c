@@ -232,6 +232,38 @@ static void a_parameter_out_of_range_is_refused(void **unused) {
     assert_refused(STEPS, &bad, "leg.min_length = 2 m is refused");
 }
 
+/* Of one that changes at events only: the solver would refuse every step. */
+static void a_rate_of_a_discrete_input_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    const double rate = 0.015625;
+    int refused = 0, accepted = 0;
+    fmi3Instance instance = new_on_its_way(STEPS);
+    ((struct instance *)instance)->unit.input_rates.ground.friction = rate;
+    serialize(instance, &state);
+    size_t place = place_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
+    for (size_t i = 0; i < unit_variable_count; ++i) {
+        if (unit_variables[i].storage == STORED_INPUT) {
+            serialized forged = state;
+            memcpy(forged.bytes + place, &rate, sizeof rate);
+            forge_checksum(forged.bytes, forged.size);
+            place += sizeof rate;
+            if (unit_variables[i].variability == VARIABILITY_DISCRETE) {
+                assert_refused(STEPS, &forged, "the rate of an input");
+                ++refused;
+            } else {
+                assert_int_equal(restore(instance, &forged), fmi3OK);
+                assert_true(unit_get_number_rate(&((struct instance *)instance)->unit, &unit_variables[i]) ==
+                            rate);
+                ++accepted;
+            }
+        }
+    }
+    assert_int_equal(refused, 5);
+    assert_int_equal(accepted, 5);
+    fmi3FreeInstance(instance);
+}
+
 /* At 55 s the leg is placed since the apex. A clock that runs backwards, or that counts in stance. */
 static void a_clock_of_no_phase_is_refused(void **unused) {
     (void)unused;
@@ -520,6 +552,7 @@ int main(void) {
         cmocka_unit_test(whatever_is_forged_is_refused_or_goes_on),
         cmocka_unit_test(no_field_holds_what_is_not_a_number),
         cmocka_unit_test(a_parameter_out_of_range_is_refused),
+        cmocka_unit_test(a_rate_of_a_discrete_input_is_refused),
         cmocka_unit_test(a_clock_of_no_phase_is_refused),
         cmocka_unit_test(a_word_without_an_end_is_refused),
         cmocka_unit_test(a_word_of_other_letters_or_code_is_refused),

@@ -38,8 +38,8 @@ typedef struct {
     } hip;
 } tdmf_parameters;
 
-/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held,
- * as ground line and control are between events. */
+/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
+ * ground.height, ground.slope and control change at events only: their rates are always zero. */
 typedef struct {
     struct {
         double friction; /* mu, of stick and slip alike */

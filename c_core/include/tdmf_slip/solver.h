@@ -66,8 +66,8 @@ tdmf_solver tdmf_solver_default(void);
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time,
  * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
  * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are a tolerance out of
- * range, inputs that are or will be, rates that are not finite, and a time before the present one or not a
- * number. */
+ * range, inputs that are or will be, rates that are not finite, a rate other than 0 of an input that changes
+ * at events only, and a time before the present one or not a number. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
