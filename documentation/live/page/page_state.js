@@ -59,9 +59,15 @@ export class PageState {
     return "";
   }
 
+  /** Soon, unless somebody goes elsewhere on the page until then. */
   writeAddress() {
+    const { hash } = location;
     clearTimeout(this.writing);
-    this.writing = setTimeout(() => history.replaceState(null, "", this.link), ADDRESS_DELAY);
+    this.writing = setTimeout(() => {
+      if (location.hash === hash) {
+        history.replaceState(null, "", this.link);
+      }
+    }, ADDRESS_DELAY);
   }
 
   /** The address of this state. */
