@@ -9,6 +9,10 @@ from .analysis.stride_map import stride_map
 from .analysis.sweep import Sweep, sweep
 from .analysis.tracing import continue_branch
 from .errors import InputError, RunError, TdmfSlipError
+from .feedback.controllability import Controllability, controllability
+from .feedback.feedback import Feedback
+from .feedback.gains import dead_beat, lqr, place_poles
+from .feedback.noise import apex_covariance
 from .fitting.fitted import fit
 from .fitting.result import Fit
 from .library.affine_law import AffineLaw
@@ -27,7 +31,9 @@ from .version import __version__
 __all__ = [
     "AffineLaw",
     "Branch",
+    "Controllability",
     "Curve",
+    "Feedback",
     "Fit",
     "InputError",
     "Orbit",
@@ -41,14 +47,19 @@ __all__ = [
     "Unit",
     "Validation",
     "__version__",
+    "apex_covariance",
     "basin",
     "continue_branch",
     "continue_curves",
+    "controllability",
+    "dead_beat",
     "find_gait",
     "find_orbit",
     "fit",
     "fmu_path",
     "load",
+    "lqr",
+    "place_poles",
     "read_parameters",
     "run_batch",
     "run_ensemble",

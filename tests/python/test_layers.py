@@ -14,9 +14,10 @@ KNOWS = {
     "unit": {"terminal", "files", "blocks"},
     "library": {"unit"},
     "analysis": {"library", "unit", "blocks", "files", "terminal"},
+    "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "fitting": {"analysis", "library", "unit", "files", "terminal"},
     "pictures": {"fitting", "analysis", "library", "unit", "files", "terminal"},
-    "paper": {"pictures", "fitting", "analysis", "library", "unit", "files", "terminal"},
+    "paper": {"pictures", "feedback", "fitting", "analysis", "library", "unit", "files", "terminal"},
     "bench": {"library", "unit", "terminal"},
     "cli": {"bench", "paper", "pictures", "fitting", "analysis", "library", "unit", "files", "terminal"},
 }

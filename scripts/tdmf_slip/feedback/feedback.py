@@ -1,0 +1,120 @@
+"""A feedback: an affine law from the apex to settings, with what its closed loop does to first order."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import check_kind, is_number, near_matches
+from ..errors import InputError
+from ..library.affine_law import AffineLaw
+from ..unit.unit import FRICTION, Unit, load
+from .linearization import Linearization
+
+Limits: TypeAlias = Mapping[str, tuple[float, float]]
+"""The least and the largest value of settings, by name, in their units."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Feedback(AffineLaw):
+    """An affine law that holds a gait, as `law=` takes it; `dataclasses.replace` gives it noise or limits."""
+
+    linearization: Linearization
+    """The gait and its settings, to first order."""
+    eigenvalues: NDArray[Any]
+    """Of the closed loop within its limits, shape (n,), the largest first; complex where any is."""
+    strides: int | None = None
+    """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
+
+    def __repr__(self) -> str:
+        """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
+        orbit = self.linearization.orbit
+        return (
+            f"<Feedback by {', '.join(self.settings)} at the gait {orbit.word}, {FRICTION} = "
+            f"{orbit.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {orbit.lambda_max:.4g} without>"
+        )
+
+    @property
+    def lambda_max(self) -> float:
+        """Size of the largest eigenvalue."""
+        return float(abs(self.eigenvalues[0]))
+
+    @property
+    def closed_loop(self) -> NDArray[np.float64]:
+        """A + B G over the scales, shape (n, n): the next apex's deviation by this one's."""
+        return self.linearization.closed_loop(np.asarray(self.gain))
+
+
+def feedback_of(
+    model: Linearization,
+    gain: NDArray[np.float64],
+    limits: Limits | None = None,
+    *,
+    strides: int | None = None,
+    unit: Unit | None = None,
+) -> Feedback:
+    """The feedback that a gain makes.
+
+    Parameters
+    ----------
+    model : Linearization
+        The gait and its settings.
+    gain : ndarray of float, shape (k, n)
+        Change of each setting by each coordinate of the apex, in their units.
+    limits : mapping of str to (float, float), optional
+        By setting: the least and the largest value, in its unit; by default its range.
+    strides : int, optional
+        Of a dead-beat law.
+    unit : Unit, optional
+        Whose ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Feedback
+        With the closed loop's eigenvalues.
+
+    Raises
+    ------
+    InputError
+        Limits of another setting, that are no range, or that the gait's own settings are beyond.
+    """
+    low, high = _checked_limits(model, limits, load(unit))
+    found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
+    return Feedback(
+        settings=model.settings,
+        apex=model.orbit.apex,
+        nominal=model.nominal,
+        gain=gain,
+        low=low,
+        high=high,
+        linearization=model,
+        eigenvalues=found[np.argsort(-np.abs(found), kind="stable")],
+        strides=strides,
+    )
+
+
+def _checked_limits(
+    model: Linearization, limits: Limits | None, unit: Unit
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    check_kind(limits or {}, Mapping, "limits", "pairs of numbers by setting")
+    given = dict(limits or {})
+    unknown = next((name for name in given if name not in model.settings), None)
+    if unknown is not None:
+        raise InputError(
+            f"limits: {unknown!r} is not allowed; allowed: {', '.join(model.settings)}"
+            f"{near_matches(unknown, model.settings)}"
+        )
+    found = []
+    for name, nominal in zip(model.settings, model.nominal, strict=True):
+        variable = unit.variables[name]
+        pair = given.get(name, (variable.minimum, variable.maximum))
+        allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
+        if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2 or not all(map(is_number, pair)):
+            raise InputError(f"limits: {name}: {pair!r} is not allowed; allowed: {allowed}")
+        if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum or pair[0] == pair[1]:
+            raise InputError(f"limits: {name}: {pair[0]:g} to {pair[1]:g} is not allowed; allowed: {allowed}")
+        found.append((float(pair[0]), float(pair[1])))
+    low, high = np.array(found).T
+    return low, high

@@ -1,0 +1,279 @@
+"""Gains from a gait's exact return map: dead-beat, linear quadratic, and poles placed.
+
+Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..checks import check_kind
+from ..errors import InputError
+from ..library.orbit import Orbit
+from ..unit.unit import Unit
+from .controllability import Controllability, controllability_of
+from .dead_beat_gain import dead_beat_gain
+from .feedback import Feedback, Limits, feedback_of
+from .linearization import Linearization, linearize
+from .modes import FORGOTTEN, Modes, lasting_modes
+
+
+def dead_beat(
+    orbit: Orbit,
+    settings: Sequence[str],
+    *,
+    limits: Limits | None = None,
+    forgotten: float = FORGOTTEN,
+    unit: Unit | None = None,
+) -> Feedback:
+    """The feedback that brings a runner back to its gait in the fewest strides, to first order.
+
+    With as many settings as modes that last it is one stride; with fewer it takes more, as `controllability`
+    tells. Where several feedbacks do it, this is the one with the least settings, over their scales. What a
+    setting moves after the foot has last come to stick is forgotten in the stride that follows.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    settings : sequence of str
+        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+    limits : mapping of str to (float, float), optional
+        By setting: the least and the largest value, in its unit; by default its range.
+    forgotten : float, default 1e-5
+        Modes whose eigenvalue is smaller are left alone: 0.05 leaves a mode that a stride shrinks to a
+        twentieth, and spares the settings what it would take to move it.
+    unit : Unit, optional
+        Whose ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Feedback
+        An affine law, whose closed loop has eigenvalues 0, but for modes left alone.
+
+    Raises
+    ------
+    InputError
+        As `linearize`; limits that the gait's settings are beyond; or a mode that lasts cannot be moved.
+    RunError
+        The stride has no derivatives.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> held = tdmf_slip.dead_beat(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+    >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
+    (2, True)
+    """
+    model = linearize(orbit, settings, unit=unit)
+    modes = lasting_modes(model, forgotten)
+    told = _movable(modes, model)
+    try:
+        gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
+    except ArithmeticError:
+        raise _not_movable(model, told.eigenvalues[told.rank - 1 :]) from None
+    return feedback_of(model, modes.gain_of(model, gain), limits, strides=told.strides, unit=unit)
+
+
+def place_poles(
+    orbit: Orbit,
+    settings: Sequence[str],
+    eigenvalues: Sequence[complex] | NDArray[Any],
+    *,
+    limits: Limits | None = None,
+    forgotten: float = FORGOTTEN,
+    unit: Unit | None = None,
+) -> Feedback:
+    """The feedback whose closed loop has eigenvalues that are chosen, by `scipy.signal.place_poles`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    settings : sequence of str
+        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+    eigenvalues : sequence of complex
+        One for each mode that lasts, complex ones in conjugate pairs; none more often than settings are
+        independent.
+    limits : mapping of str to (float, float), optional
+        By setting: the least and the largest value, in its unit; by default its range.
+    forgotten : float, default 1e-5
+        Modes whose eigenvalue is smaller are left alone.
+    unit : Unit, optional
+        Whose ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Feedback
+        An affine law with these eigenvalues, and those of modes left alone.
+
+    Raises
+    ------
+    InputError
+        As `dead_beat`; or other eigenvalues.
+    RunError
+        The stride has no derivatives.
+    """
+    from scipy.signal import place_poles as place  # slow to load
+
+    model = linearize(orbit, settings, unit=unit)
+    modes = lasting_modes(model, forgotten)
+    told = _movable(modes, model)
+    wanted = _checked_eigenvalues(eigenvalues, told)
+    try:
+        placed = place(modes.state_matrix, modes.input_matrix, wanted)
+    except ValueError as problem:
+        raise InputError(f"eigenvalues = {_listed(wanted)} are not allowed: {problem}") from None
+    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits, unit=unit)
+
+
+def lqr(
+    orbit: Orbit,
+    settings: Sequence[str],
+    state_weight: ArrayLike = 1.0,
+    setting_weight: ArrayLike = 1.0,
+    *,
+    limits: Limits | None = None,
+    unit: Unit | None = None,
+) -> Feedback:
+    """The linear quadratic regulator: the feedback of least cost, by `scipy.linalg.solve_discrete_are`.
+
+    With the deviations x of the apices and u of the settings, each over its scale, the cost is the sum over
+    all strides of x' Q x + u' R u.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    settings : sequence of str
+        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+    state_weight : array_like of float, default 1
+        Q: a number for all coordinates of the section, one for each, or a matrix of shape (n, n);
+        symmetric, and without negative eigenvalues.
+    setting_weight : array_like of float, default 1
+        R: likewise for the k settings; with positive eigenvalues only.
+    limits : mapping of str to (float, float), optional
+        By setting: the least and the largest value, in its unit; by default its range.
+    unit : Unit, optional
+        Whose ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Feedback
+        An affine law, under which the gait is stable.
+
+    Raises
+    ------
+    InputError
+        As `linearize`; limits that the gait's settings are beyond; weights that are none; or the gait is
+        unstable in a mode that cannot be moved.
+    RunError
+        The stride has no derivatives.
+    """
+    model = linearize(orbit, settings, unit=unit)
+    state = _weight("state_weight", state_weight, len(model.scales), 0.0)
+    setting = _weight("setting_weight", setting_weight, len(model.settings), np.finfo(float).tiny)
+    gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
+    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits, unit=unit)
+
+
+def riccati_gain(
+    state_matrix: NDArray[np.float64],
+    input_matrix: NDArray[np.float64],
+    state_weight: NDArray[np.float64],
+    setting_weight: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """The gain G of the linear quadratic regulator of x' = A x + B u, in u = G x.
+
+    Parameters
+    ----------
+    state_matrix, input_matrix : ndarray of float
+        A, of shape (n, n), and B, of shape (n, k).
+    state_weight, setting_weight : ndarray of float
+        Q, of shape (n, n), and R, of shape (k, k).
+
+    Returns
+    -------
+    ndarray of float, shape (k, n)
+        The gain.
+
+    Raises
+    ------
+    InputError
+        No feedback makes the cost finite.
+    """
+    from scipy.linalg import solve_discrete_are  # slow to load
+
+    try:
+        cost = solve_discrete_are(state_matrix, input_matrix, state_weight, setting_weight)
+        weighted = input_matrix.T @ cost
+        gain: NDArray[np.float64] = -np.linalg.solve(
+            setting_weight + weighted @ input_matrix, weighted @ state_matrix
+        )
+    except np.linalg.LinAlgError as problem:
+        raise InputError(
+            f"settings: no feedback of theirs makes the cost finite ({problem}); allowed: settings that move "
+            "every mode that does not decay, and weights that see it"
+        ) from None
+    return gain
+
+
+def _movable(modes: Modes, model: Linearization) -> Controllability:
+    """What is told of the modes, all of which can be moved."""
+    told = controllability_of(modes, model.settings)
+    if not told.controllable:
+        raise _not_movable(model, told.unmovable)
+    return told
+
+
+def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
+    return InputError(
+        f"settings {', '.join(model.settings)} do not move the mode of eigenvalue {_listed(eigenvalues)} at "
+        "this gait; allowed: settings that move every mode that lasts"
+    )
+
+
+def _checked_eigenvalues(given: object, told: Controllability) -> NDArray[Any]:
+    count = len(told.eigenvalues)
+    try:
+        wanted = np.asarray(given, complex)
+    except (TypeError, ValueError):
+        wanted = np.empty(0)
+    if wanted.shape != (count,) or not np.isfinite(wanted).all():
+        raise InputError(
+            f"eigenvalues = {given!r} is not allowed; allowed: {count} numbers, one for each mode that "
+            f"lasts, which are {_listed(told.eigenvalues)} without feedback"
+        )
+    pairs = np.sort_complex(wanted)
+    if not np.allclose(pairs, np.sort_complex(pairs.conj()), rtol=0.0, atol=1e-14):
+        raise InputError(
+            f"eigenvalues = {_listed(wanted)} are not allowed; allowed: complex ones in conjugate pairs"
+        )
+    return wanted if np.any(wanted.imag) else wanted.real
+
+
+def _listed(values: NDArray[Any]) -> str:
+    return ", ".join(f"{value:.4g}" for value in values)
+
+
+def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np.float64]:
+    """A weight as a symmetric matrix."""
+    allowed = (
+        f"a number, {count} of them, or a symmetric matrix of {count} by {count}, "
+        f"{'none negative' if least == 0.0 else 'positive'}"
+    )
+    check_kind(given, (int, float, Sequence, np.ndarray, np.number), name, allowed)
+    try:
+        weight = np.asarray(given, float)
+    except (TypeError, ValueError):
+        weight = np.array(np.nan)
+    if weight.shape in ((), (count,)):
+        weight = np.diag(np.broadcast_to(weight, count))
+    sound = weight.shape == (count, count) and np.isfinite(weight).all() and np.allclose(weight, weight.T)
+    rounding = 1e-12 * np.abs(weight).max() if sound else 0.0
+    if not sound or np.linalg.eigvalsh(weight)[0] < least - (rounding if least == 0.0 else 0.0):
+        raise InputError(f"{name} = {given!r} is not allowed; allowed: {allowed}")
+    return weight

@@ -1,0 +1,201 @@
+"""A gait's return map with settings that are chosen at each apex, to first order.
+
+With the deviations x of an apex from the gait's and u of the settings from theirs, the next apex deviates by
+
+    x' = A x + B u,
+
+both matrices exact, by the variational equations of the C library. The horizontal position and the time are
+no coordinates of the section: the map does not depend on them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import near_matches
+from ..errors import InputError
+from ..library.orbit import Orbit, check_orbit
+from ..library.return_map import stride_from
+from ..library.runner import Runner
+from ..library.settings import SETTINGS
+from ..unit.unit import Unit, load
+
+CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
+"""What a controller may choose anew at each apex: settings that are not the ground's."""
+THRUSTS = ("leg.thrust", "control.thrust")
+"""Their sum is held at 0 and above."""
+CLOSED = 1e-9
+"""Largest difference of an apex and the next over the scales, of what counts as a gait."""
+IDLE = 1e-12
+"""A setting that moves no coordinate by more, over the scales, does not act."""
+
+
+@dataclass(frozen=True, eq=False)
+class Linearization:
+    """The return map of a gait and its settings, to first order."""
+
+    orbit: Orbit
+    """The gait."""
+    settings: tuple[str, ...]
+    """Those that are chosen at each apex, of `CHOSEN`."""
+    nominal: NDArray[np.float64]
+    """The settings of the gait, shape (k,), in their units."""
+    state_matrix: NDArray[np.float64]
+    """A, shape (n, n): the change of the next apex by this one, in the units of the section."""
+    input_matrix: NDArray[np.float64]
+    """B, shape (n, k): its change by the settings."""
+    setting_scales: NDArray[np.float64]
+    """Of the settings, shape (k,): 1 rad, sqrt(k/m), l0, k l0, k l0^2, and for gains of the hip k l0^2
+    and l0^2 sqrt(k m), each per rad."""
+
+    @cached_property
+    def scales(self) -> NDArray[np.float64]:
+        """Of the section's coordinates, shape (n,)."""
+        return self.orbit.runner.scales
+
+    @cached_property
+    def scaled_state_matrix(self) -> NDArray[np.float64]:
+        """A of deviations over their scales, shape (n, n)."""
+        scaled: NDArray[np.float64] = self.state_matrix * self.scales / self.scales[:, None]
+        return scaled
+
+    @cached_property
+    def scaled_input_matrix(self) -> NDArray[np.float64]:
+        """B of deviations and settings over their scales, shape (n, k)."""
+        scaled: NDArray[np.float64] = self.input_matrix * self.setting_scales / self.scales[:, None]
+        return scaled
+
+    def closed_loop(self, gain: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The state matrix of the loop that a feedback closes, of deviations over their scales.
+
+        Parameters
+        ----------
+        gain : ndarray of float, shape (k, n)
+            Change of each setting by each coordinate, in their units.
+
+        Returns
+        -------
+        ndarray of float, shape (n, n)
+            A + B G over the scales.
+        """
+        closed = self.state_matrix + self.input_matrix @ gain
+        scaled: NDArray[np.float64] = closed * self.scales / self.scales[:, None]
+        return scaled
+
+
+def linearize(orbit: Orbit, settings: Sequence[str], *, unit: Unit | None = None) -> Linearization:
+    """The return map of a gait to first order, by the apex and by settings.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait, of one stride.
+    settings : sequence of str
+        Which settings are chosen at each apex, of `CHOSEN`.
+    unit : Unit, optional
+        Whose ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Linearization
+        Both matrices, exact.
+
+    Raises
+    ------
+    InputError
+        No gait, a gait of several strides, or a stride that does not lead back to its apex; no settings, an
+        unknown one, one named twice, one that does not act at this gait, or one at the end of its range,
+        where it can be moved to one side only.
+    RunError
+        The stride has no derivatives.
+    """
+    _check_gait(orbit)
+    runner, unit = orbit.runner, load(unit)
+    names = _checked_names(settings)
+    for name in names:
+        _check_inside(runner, name, unit)
+    by_setting = []
+    jacobian = orbit.jacobian
+    for name in names:
+        _, jacobian, column = stride_from(runner, orbit.apex, name)
+        by_setting.append(column)
+    model = Linearization(
+        orbit=orbit,
+        settings=names,
+        nominal=np.array([runner.values[name] for name in names]),
+        state_matrix=jacobian,
+        input_matrix=np.array(by_setting).T,
+        setting_scales=np.array([_scale(runner, unit.variables[name].unit) for name in names]),
+    )
+    moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
+    for name, most in zip(names, moved, strict=True):
+        if most <= IDLE:
+            raise InputError(
+                f"settings: {name} does not act at this gait: it does not change the next apex; "
+                "allowed: settings that do"
+            )
+    return model
+
+
+def _check_gait(orbit: Orbit) -> None:
+    check_orbit(orbit, "orbit")
+    if orbit.following:
+        raise InputError(f"orbit of {orbit.strides} strides is not allowed; allowed: a gait of one stride")
+    if not orbit.error <= CLOSED:
+        raise InputError(
+            f"orbit whose next apex is {orbit.error:.2g} of the scales away is not allowed; allowed: a gait, "
+            f"which leads back to within {CLOSED:g}, as find_orbit gives"
+        )
+
+
+def _checked_names(given: object) -> tuple[str, ...]:
+    allowed = f"allowed: {', '.join(CHOSEN)}"
+    if isinstance(given, str) or not isinstance(given, Sequence) or not len(given):
+        raise InputError(f"settings = {given!r} is not allowed; one or more in a list; {allowed}")
+    for name in given:
+        if name not in CHOSEN:
+            raise InputError(f"settings: {name!r} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
+    twice = next((name for name in given if list(given).count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"settings: {twice} is named twice; allowed: each once")
+    return tuple(given)
+
+
+def _check_inside(runner: Runner, name: str, unit: Unit) -> None:
+    """Refuse a setting that has a derivative to one side only."""
+    value, variable = runner.values[name], unit.variables[name]
+    if name in THRUSTS:
+        total = sum(runner.values[thrust] for thrust in THRUSTS)
+        if total <= 0.0:
+            raise InputError(
+                f"settings: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "
+                "above, so that it acts to one side only and its derivative is one-sided; allowed: a gait "
+                "with a thrust above 0"
+            )
+    elif not variable.minimum < value < variable.maximum:
+        raise InputError(
+            f"settings: {name} = {value:g} at this gait is at the end of its range, so that it can be moved "
+            f"to one side only and its derivative is one-sided; allowed: inside {variable.allowed}"
+        )
+
+
+def _scale(runner: Runner, unit: str) -> float:
+    """Of a setting, by its unit: what m, k and l0 make of it."""
+    mass, stiffness, length = (
+        runner.values[name] for name in ("body.mass", "leg.stiffness", "leg.free_length")
+    )
+    energy, frequency = stiffness * length**2, (stiffness / mass) ** 0.5
+    scales: dict[str, float] = {
+        "1": 1.0,
+        "rad": 1.0,
+        "m": length,
+        "rad/s": frequency,
+        "N": stiffness * length,
+        "N.m": energy,
+        "N.m/rad": energy,
+        "N.m.s/rad": energy / frequency,
+    }
+    return scales[unit]

@@ -1,0 +1,486 @@
+"""Feedback from stride to stride: gains against differences of the return map, brute force and simulation."""
+
+import dataclasses
+import pathlib
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import (
+    InputError,
+    Runner,
+    apex_covariance,
+    controllability,
+    dead_beat,
+    find_orbit,
+    lqr,
+    place_poles,
+)
+from tdmf_slip.feedback.controllability import controllability_of
+from tdmf_slip.feedback.dead_beat_gain import dead_beat_gain
+from tdmf_slip.feedback.gains import riccati_gain
+from tdmf_slip.feedback.linearization import CHOSEN, linearize
+from tdmf_slip.feedback.modes import Modes, lasting_modes
+from tdmf_slip.library.ensemble import instruction_sets
+from tdmf_slip.library.return_map import stride_from
+
+ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
+ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)
+HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
+FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
+SIZES = {1: 1e-6, 2: 1e-5, 3: 3e-4}
+"""Of what dead-beat laws of so many settings are to take away: the fewer, the farther they go on the way."""
+RUNNERS = {
+    "default": {THRUST: 0.05},
+    "slippery": {"ground.friction": 0.1, THRUST: 0.05},
+    "human": {**tdmf_slip.read_parameters(HUMAN), THRUST: 0.001},
+    "stiff": {"leg.stiffness": 4.0, "gravity": 0.04, TORQUE: 0.8, "hip.kp": 0.4, "hip.kd": 0.2, THRUST: 0.05},
+}
+
+
+@pytest.fixture(scope="module")
+def gaits():
+    return {friction: find_orbit({"ground.friction": friction}) for friction in FRICTIONS}
+
+
+def next_apex(runner, apex, settings):
+    """By the return map alone."""
+    for name, value in settings.items():
+        runner = runner.but(name, value)
+    return stride_from(runner, apex, ANGLE)[0]
+
+
+def strides_under(law, apex, count):
+    """Apices in a row, the first one too, by a plain loop over the return map."""
+    apices = [apex]
+    for _ in range(count):
+        apices.append(next_apex(law.linearization.orbit.runner, apices[-1], law.settings_at(apices[-1])))
+    return np.array(apices)
+
+
+def deviations(law, apices):
+    gait = law.linearization.orbit
+    return (apices - gait.apex) / gait.runner.scales
+
+
+def away(gait, size, seed=0):
+    """An apex so far from the gait's, over the scales, in a direction of all coordinates."""
+    direction = np.random.default_rng(seed).normal(size=len(gait.apex))
+    return gait.apex + size * direction / np.linalg.norm(direction) * gait.runner.scales
+
+
+# ---- to first order ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", RUNNERS)
+def test_both_matrices_are_differences_of_the_return_map(name):
+    gait = find_orbit(RUNNERS[name])
+    model = linearize(gait, ALL)
+    step = 1e-6
+    for i, scale in enumerate(model.scales):
+        moved = step * scale * np.eye(len(gait.apex))[i]
+        ends = [next_apex(gait.runner, gait.apex + side * moved, {}) for side in (1, -1)]
+        column = (ends[0] - ends[1]) / (2 * step) / model.scales
+        assert column == pytest.approx(model.scaled_state_matrix[:, i], rel=1e-6, abs=1e-7)
+    for i, setting in enumerate(ALL):
+        value, size = gait.runner.values[setting], step * model.setting_scales[i]
+        ends = [next_apex(gait.runner, gait.apex, {setting: value + side * size}) for side in (1, -1)]
+        column = (ends[0] - ends[1]) / (2 * step) / model.scales
+        assert column == pytest.approx(model.scaled_input_matrix[:, i], rel=1e-6, abs=1e-6), setting
+
+
+def test_a_foot_that_sticks_makes_the_stride_forget_three_modes_and_one_that_slips_two(gaits):
+    forgets = {
+        friction: controllability(gaits[friction], [ANGLE], forgotten=1e-8).forgotten
+        for friction in FRICTIONS
+    }
+    assert forgets == {0.1: 2, 0.2: 2, 0.6: 3, 1.0: 3, 10.0: 3}
+    assert controllability(gaits[0.2], [ANGLE]).forgotten == 3  # the fourth eigenvalue is -1.1e-7
+
+
+def test_lasting_modes_obey_the_map_of_their_own(gaits):
+    model = linearize(gaits[0.6], [ANGLE, TORQUE])
+    modes = lasting_modes(model)
+    x, u = np.random.default_rng(1).normal(size=6), np.array([0.3, -0.2])
+    after = model.scaled_state_matrix @ x + model.scaled_input_matrix @ u
+    own = modes.state_matrix @ (modes.directions.T @ x) + modes.input_matrix @ u
+    assert modes.directions.T @ after == pytest.approx(own, rel=1e-12, abs=1e-12)
+    assert sorted(np.linalg.eigvals(modes.state_matrix)) == pytest.approx(
+        sorted(gaits[0.6].eigenvalues.real[:3]), rel=1e-9
+    )
+
+
+def test_gains_of_a_scaled_runner_are_scaled():
+    """The same groups at m = 80, k = 20000, l0 = 0.9: the same closed loop, and gains in its units."""
+    m, k, l0 = 80.0, 20_000.0, 0.9
+    energy, time = k * l0**2, (m / k) ** 0.5
+    scaled = {
+        "body.mass": m,
+        "foot.mass": 0.1 * m,
+        "leg.stiffness": k,
+        "leg.damping": 0.2 * (m * k) ** 0.5,
+        "leg.free_length": l0,
+        "leg.min_length": 0.05 * l0,
+        "gravity": 0.01 * k * l0 / m,
+        TORQUE: 0.2 * energy,
+        "hip.kp": 0.1 * energy,
+        "hip.kd": 0.1 * energy * time,
+    }
+    scales = {ANGLE: 1.0, TORQUE: energy, "leg.extension": l0, "body.external_fx": k * l0}
+    scales |= {"hip.retraction_rate": 1.0 / time, "hip.kp": energy, "hip.kd": energy * time}
+    gait = find_orbit()
+    runner = Runner.of(scaled)
+    other = find_orbit(runner, gait.apex * runner.scales)
+    for name, scale in scales.items():
+        assert linearize(other, [name]).setting_scales == pytest.approx([scale], rel=1e-12), name
+    for make in (dead_beat, lqr):
+        ours, theirs = make(gait, [ANGLE, TORQUE, "hip.kd"]), make(other, [ANGLE, TORQUE, "hip.kd"])
+        sizes = np.array([1.0, energy, energy * time])
+        expected = np.asarray(ours.gain) * sizes[:, None] / runner.scales
+        assert np.asarray(theirs.gain) == pytest.approx(expected, rel=1e-6, abs=1e-9 * np.abs(expected).max())
+
+
+# ---- controllability ---------------------------------------------------------------------------------------
+
+
+def test_controllability_is_told_in_numbers(gaits):
+    alone = controllability(gaits[0.6], [ANGLE])
+    both = controllability(gaits[0.6], [ANGLE, TORQUE])
+    assert (alone.rank, alone.strides) == (3, 3) and (both.rank, both.strides) == (3, 2)
+    assert alone.controllable and alone.stabilizable and not len(alone.unmovable)
+    # The touchdown angle hardly moves the mode of the speed; the torque does.
+    assert both.mobility[0, 0] < 0.2 * both.mobility[0, 1] and both.conditioning > 5 * alone.conditioning
+    assert set(both.as_json()) == {
+        "settings",
+        "eigenvalues",
+        "forgotten",
+        "rank",
+        "singular_values",
+        "mobility",
+        "unmovable",
+        "strides",
+    }
+
+
+def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
+    """By the left eigenvectors of the whole Jacobian instead of those of the modes alone."""
+    model = linearize(gaits[1.0], [ANGLE, TORQUE])
+    values, left = np.linalg.eig(model.scaled_state_matrix.T)
+    order = np.argsort(-np.abs(values))[:3]
+    left = left[:, order] / np.linalg.norm(left[:, order], axis=0)
+    told = controllability(gaits[1.0], [ANGLE, TORQUE])
+    assert told.mobility == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
+
+
+def test_a_mode_that_no_setting_moves_is_named():
+    modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
+    told = controllability_of(modes, (ANGLE,))
+    assert told.rank == 2 and told.unmovable == pytest.approx([1.1]) and told.strides is None
+    assert not told.controllable and not told.stabilizable
+    with pytest.raises(ArithmeticError, match="not controllable"):
+        dead_beat_gain(modes.state_matrix, modes.input_matrix)
+
+
+def test_the_settings_of_so_few_strides_reach_the_gait_and_those_of_one_less_do_not(gaits):
+    """Brute force: the least squares of all settings of n strides, from random apices."""
+    compared = 0
+    for friction, gait in gaits.items():
+        for settings in ([ANGLE], [ANGLE, TORQUE], [ANGLE, TORQUE, "hip.kp"]):
+            modes = lasting_modes(linearize(gait, settings))
+            strides = controllability(gait, settings).strides
+            z = np.random.default_rng(2).normal(size=modes.count)
+            for count, reaches in ((strides, True), (strides - 1, False)):
+                parts = [
+                    np.linalg.matrix_power(modes.state_matrix, i) @ modes.input_matrix for i in range(count)
+                ]
+                free = np.linalg.matrix_power(modes.state_matrix, count) @ z
+                reach = np.hstack([np.zeros((modes.count, 1)), *parts])
+                left = free - reach @ np.linalg.lstsq(reach, free)[0]
+                assert (np.linalg.norm(left) < 1e-9) == reaches, (friction, settings, count)
+                compared += 1
+    assert compared == 30
+
+
+# ---- dead-beat ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("friction", FRICTIONS)
+@pytest.mark.parametrize("settings", [(ANGLE,), (ANGLE, TORQUE), (ANGLE, TORQUE, "hip.kp")])
+def test_a_dead_beat_law_reaches_the_gait_and_its_error_falls_with_the_square(gaits, friction, settings):
+    gait = gaits[friction]
+    law = dead_beat(gait, settings)
+    assert law.strides == 4 - len(settings)
+    modes = lasting_modes(law.linearization)
+    errors = []
+    for size in SIZES[len(settings)] * np.array([4.0, 2.0, 1.0]):
+        x = deviations(law, strides_under(law, away(gait, size), law.strides))
+        errors.append(np.linalg.norm(modes.directions.T @ x[-1]))
+    assert errors[-1] < 0.2 * SIZES[len(settings)]
+    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
+
+
+def test_what_is_moved_after_the_foot_has_stuck_goes_in_the_stride_that_follows(gaits):
+    gait = gaits[0.6]
+    law = dead_beat(gait, [ANGLE, TORQUE, "hip.kp"])
+    x = np.abs(deviations(law, strides_under(law, away(gait, 1e-4), 2))).max(axis=1)
+    assert x[1] > 1e-7 and x[2] < 1e-9
+
+
+def test_a_mode_left_alone_keeps_its_eigenvalue(gaits):
+    gait = gaits[0.6]
+    law = dead_beat(gait, [ANGLE, TORQUE], forgotten=0.05)
+    assert law.strides == 1
+    assert law.eigenvalues[0] == pytest.approx(gait.eigenvalues[2], rel=1e-9)
+    assert abs(law.eigenvalues[1]) < 1e-6
+
+
+def test_the_least_settings_reach_the_gait():
+    """Two settings that act alike share the work: the law is that of least norm."""
+    gait = find_orbit()
+    law = dead_beat(gait, [ANGLE, "control.touchdown_angle"])
+    alone = dead_beat(gait, [ANGLE])
+    assert np.asarray(law.gain) == pytest.approx(
+        np.tile(0.5 * np.asarray(alone.gain), (2, 1)), rel=1e-6, abs=1e-12
+    )
+
+
+# ---- linear quadratic --------------------------------------------------------------------------------------
+
+
+def cost_of(model, gain, state_weight, setting_weight):
+    """The sum over strides from each coordinate in turn, over the scales, until nothing is left."""
+    scaled = np.asarray(gain) * model.scales / model.setting_scales[:, None]
+    strides = model.scaled_state_matrix + model.scaled_input_matrix @ scaled
+    total = state_weight + scaled.T @ setting_weight @ scaled
+    for _ in range(13):  # 8192 strides
+        total, strides = total + strides.T @ total @ strides, strides @ strides
+    assert np.abs(strides).max() < 1e-12
+    return np.trace(total)
+
+
+@pytest.mark.parametrize("friction", FRICTIONS)
+def test_no_neighbour_of_the_quadratic_regulator_is_better(gaits, friction):
+    gait = gaits[friction]
+    law = lqr(gait, [ANGLE, TORQUE], [1, 2, 0.5, 1, 0, 0], [0.3, 0.7])
+    weights = np.diag([1, 2, 0.5, 1, 0, 0]), np.diag([0.3, 0.7])
+    best = cost_of(law.linearization, law.gain, *weights)
+    random = np.random.default_rng(3)
+    size = np.abs(law.gain).max(axis=0) + 1e-3
+    for _ in range(20):
+        neighbour = np.asarray(law.gain) + 0.02 * size * random.normal(size=(2, 6))
+        assert cost_of(law.linearization, neighbour, *weights) > best
+
+
+def test_the_regulator_is_the_limit_of_the_recursion_backwards_in_time(gaits):
+    """An independent derivation: dynamic programming over more and more strides."""
+    model = linearize(gaits[0.2], [ANGLE, TORQUE])
+    a, b, r = model.scaled_state_matrix, model.scaled_input_matrix, np.diag([1.0, 0.1])
+    cost = np.eye(6)
+    for _ in range(500):
+        gain = -np.linalg.solve(r + b.T @ cost @ b, b.T @ cost @ a)
+        cost = np.eye(6) + gain.T @ r @ gain + (a + b @ gain).T @ cost @ (a + b @ gain)
+    assert riccati_gain(a, b, np.eye(6), r) == pytest.approx(gain, rel=1e-8, abs=1e-10)
+
+
+def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):
+    gait = gaits[0.6]
+    law = lqr(gait, [ANGLE, TORQUE])
+    model = law.linearization
+    apices = strides_under(law, away(gait, 1e-4), 40)
+    x = deviations(law, apices)
+    u = np.array([list(law.settings_at(apex).values()) for apex in apices]) - model.nominal
+    found = np.sum(x**2) + np.sum((u / model.setting_scales) ** 2)
+    y, expected = x[0], 0.0
+    scaled = np.asarray(law.gain) * model.scales / model.setting_scales[:, None]
+    for _ in range(41):
+        expected += y @ y + np.sum((scaled @ y) ** 2)
+        y = law.closed_loop @ y
+    assert found == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_gait_that_is_unstable_is_held():
+    runner = Runner.of({"hip.retraction_rate": 0.012, ANGLE: np.radians(45)})
+    gait = find_orbit(runner, find_orbit(runner.but("hip.retraction_rate", 0.0)).apex)
+    assert not gait.stable
+    for law in (lqr(gait, [ANGLE]), dead_beat(gait, [ANGLE, TORQUE])):
+        assert law.lambda_max < 1.0
+        x = np.abs(deviations(law, strides_under(law, away(gait, 1e-4), 60))).max(axis=1)
+        assert x[-1] < 0.05 * x[0]
+
+
+# ---- poles -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("settings", [(ANGLE,), (ANGLE, TORQUE), (ANGLE, TORQUE, "hip.kd")])
+@pytest.mark.parametrize("wanted", [(0.5, -0.3, 0.1), (0.6, 0.2 + 0.3j, 0.2 - 0.3j)])
+def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences(gaits, settings, wanted):
+    gait = gaits[0.6]
+    law = place_poles(gait, settings, wanted)
+    for value in wanted:
+        assert np.abs(law.eigenvalues - value).min() < 1e-9
+    step, columns = 1e-7, []
+    for i, scale in enumerate(gait.runner.scales):
+        moved = step * scale * np.eye(6)[i]
+        ends = [strides_under(law, gait.apex + side * moved, 1)[-1] for side in (1, -1)]
+        columns.append((ends[0] - ends[1]) / (2 * step) / gait.runner.scales)
+    found = np.linalg.eigvals(np.array(columns).T)
+    for value in wanted:
+        assert np.abs(found - value).min() < 1e-4
+
+
+# ---- by the engine -----------------------------------------------------------------------------------------
+
+
+def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
+    gait = gaits[1.0]
+    law = lqr(gait, [ANGLE, TORQUE, "hip.kd"], limits={TORQUE: (0.19, 0.21)})
+    first = away(gait, 0.1)
+    run = tdmf_slip.stride_map(first, gait.runner, strides=5, law=law, tolerance=1e-13)
+    expected = strides_under(law, first, 5)
+    assert np.abs(run["next_apex"].values[0] - expected[1:]).max() < 1e-9
+    assert {0.19, 0.21} & set(run[TORQUE].values[0])
+
+
+@pytest.mark.parametrize("roughness", [0.0, 1e-3])
+@pytest.mark.parametrize("friction", [0.1, 10.0])
+def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction, roughness):
+    """Of 4000 runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / 4000), 2 % of a variance."""
+    gait, runners = gaits[friction], 4000
+    noise = 2e-4 * gait.runner.scales
+    law = dataclasses.replace(lqr(gait, [ANGLE, TORQUE], [1, 1, 0, 0, 0, 0], 0.1), noise=noise, seed=7)
+    strides = 40 if friction < 1.0 else 12
+    assert law.lambda_max**strides < 1e-4
+    run = tdmf_slip.stride_map(
+        np.tile(gait.apex, (runners, 1)),
+        gait.runner,
+        strides=strides,
+        law=law,
+        roughness=roughness,
+        seed=3,
+        instructions=instruction_sets()[-1],
+    )
+    found = np.cov(run["next_apex"].values[:, -1].T)
+    expected = apex_covariance(law, roughness)
+    variances = np.diag(expected)
+    errors = np.sqrt((np.outer(variances, variances) + expected**2) / runners)
+    assert np.abs((found - expected) / errors).max() < 5.0
+    assert variances[0] >= (1.3 if roughness else 1.0) * apex_covariance(law)[0, 0]
+
+
+def test_a_spread_without_end_is_refused(gaits):
+    law = lqr(gaits[0.6], [ANGLE])
+    wild = dataclasses.replace(law, eigenvalues=np.array([1.1]))
+    with pytest.raises(InputError, match="strays without end"):
+        apex_covariance(wild)
+    with pytest.raises(InputError, match="a Feedback, as dead_beat, lqr and place_poles give"):
+        apex_covariance(gaits[0.6])
+    with pytest.raises(InputError, match="roughness"):
+        apex_covariance(law, -1.0)
+
+
+def test_each_is_told_in_a_line(gaits):
+    law = lqr(gaits[0.6], [ANGLE, TORQUE])
+    assert repr(law).startswith("<Feedback by hip.touchdown_angle, hip.stance_torque at the gait +0-0+,")
+    assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8574 without>" in repr(law)
+    told = controllability(gaits[0.6], [ANGLE])
+    assert repr(told).startswith("<Controllability by hip.touchdown_angle: 3 of 3 modes, least over largest")
+
+
+# ---- what is refused ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("settings", "says"),
+    [
+        ([THRUST], "leg.thrust belongs to a thrust of 0 m at this gait, which is held at 0 and above"),
+        (["control.thrust"], "its derivative is one-sided"),
+        (["leg.stiffness"], "'leg.stiffness' is not allowed; allowed: leg.thrust, hip.stance_torque"),
+        (["hip.touchdown"], "near matches: hip.touchdown_angle"),
+        (["ground.friction"], "'ground.friction' is not allowed"),
+        ([ANGLE, ANGLE], "hip.touchdown_angle is named twice"),
+        ([], "one or more in a list"),
+        (ANGLE, "one or more in a list"),
+    ],
+)
+def test_settings_that_cannot_be_chosen_are_refused(gaits, settings, says):
+    for make in (dead_beat, lqr, controllability):
+        with pytest.raises(InputError) as refused:
+            make(gaits[0.6], settings)
+        assert says in str(refused.value) and "\n" not in str(refused.value)
+
+
+def test_a_setting_at_the_end_of_its_range_and_one_that_does_not_act_are_refused():
+    no_derivative_gain = find_orbit({"hip.liftoff_angle_factor": 0.0})
+    with pytest.raises(
+        InputError, match=r"hip.liftoff_angle_factor = 0 at this gait is at the end of its range"
+    ):
+        lqr(no_derivative_gain, ["hip.liftoff_angle_factor"])
+    placed = find_orbit(model="reduced")
+    with pytest.raises(InputError, match=r"hip.kp does not act at this gait"):
+        lqr(placed, [ANGLE, "hip.kp"])
+    assert lqr(placed, [ANGLE, TORQUE]).lambda_max < placed.lambda_max
+
+
+def test_what_is_no_gait_is_refused(gaits):
+    gait = gaits[0.6]
+    wrong = {
+        "an Orbit": gait.apex,
+        "leads back": dataclasses.replace(gait, error=1e-3),
+        "orbit of 2 strides": dataclasses.replace(gait, following=(gait.apex,)),
+    }
+    for says, orbit in wrong.items():
+        with pytest.raises(InputError, match=says):
+            lqr(orbit, [ANGLE])
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"limits": {TORQUE: (0, 1)}}, "'hip.stance_torque' is not allowed; allowed: hip.touchdown_angle"),
+        ({"limits": {ANGLE: (0.7, 0.8)}}, "0.7 to 0.8 is not allowed"),
+        ({"limits": {ANGLE: (-2.0, 0.8)}}, "two numbers within"),
+        ({"limits": {ANGLE: (np.nan, 0.8)}}, "is not allowed"),
+        ({"limits": {ANGLE: 0.1}}, "two numbers"),
+        ({"limits": [1]}, "pairs of numbers by setting"),
+        ({"state_weight": -1.0}, "state_weight = -1.0 is not allowed"),
+        ({"state_weight": [1, 1]}, "6 of them, or a symmetric matrix of 6 by 6"),
+        ({"setting_weight": 0.0}, "setting_weight = 0.0 is not allowed"),
+        ({"setting_weight": "much"}, "setting_weight = 'much' is not allowed"),
+        ({"state_weight": np.triu(np.ones((6, 6)))}, "symmetric"),
+    ],
+)
+def test_limits_and_weights_that_are_none_are_refused(gaits, options, says):
+    with pytest.raises(InputError) as refused:
+        lqr(gaits[0.6], [ANGLE], **options)
+    assert says in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "says"),
+    [
+        ((0.1, 0.2), "allowed: 3 numbers, one for each mode that lasts"),
+        ((0.1, 0.2, "x"), "3 numbers"),
+        ((0.1, 0.2, np.inf), "3 numbers"),
+        ((0.1, 0.2, 0.3j), "in conjugate pairs"),
+        ((0.1, 0.1, 0.3), "repeated"),
+    ],
+)
+def test_eigenvalues_that_cannot_be_placed_are_refused(gaits, wanted, says):
+    with pytest.raises(InputError, match=says):
+        place_poles(gaits[0.6], [ANGLE], wanted)
+
+
+def test_a_bound_on_what_is_forgotten_is_checked(gaits):
+    for bound in (0.0, 1.0, "small", np.nan):
+        with pytest.raises(InputError, match="forgotten = "):
+            dead_beat(gaits[0.6], [ANGLE], forgotten=bound)
+    with pytest.raises(InputError, match="no mode of this gait lasts longer"):
+        dead_beat(gaits[0.6], [ANGLE], forgotten=0.99)
+
+
+def test_every_setting_that_may_be_chosen_has_a_scale():
+    gait = find_orbit({THRUST: 0.05})
+    assert len(CHOSEN) >= 10
+    for name in CHOSEN:
+        assert linearize(gait, [name]).setting_scales > 0.0

@@ -1,0 +1,104 @@
+"""The examples that set the unit by a feedback, in event mode at each apex: strides as of the library."""
+
+import importlib
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import tdmf_slip
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+
+
+@pytest.fixture(scope="module")
+def example():
+    sys.path.insert(0, str(EXAMPLES))
+    yield importlib.import_module("stride_feedback")
+    sys.path.remove(str(EXAMPLES))
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return tdmf_slip.find_orbit()
+
+
+def strides_of_library(law, first, count):
+    """The apices of the library's run, the first one too."""
+    run = tdmf_slip.stride_map(first, {}, strides=count, law=law, tolerance=1e-13)
+    return np.vstack([first, run["next_apex"].values[0]])
+
+
+def check_strides(gait, law, apices):
+    expected = strides_of_library(law, apices[0], len(apices) - 1)
+    assert np.abs((apices - expected) / gait.runner.scales).max() < 1e-8
+    left = np.abs((apices - gait.apex) / gait.runner.scales).max(axis=1)
+    assert left[0] > 0.04 and left[-1] < 1e-6 < left[2]
+
+
+def test_the_unit_driven_by_fmpy_makes_the_strides_of_the_library(example, gait):
+    law = example.law_of(gait)
+    apices, settings = example.run(law, example.pushed(gait))
+    assert len(apices) == example.STRIDES + 1 and len(settings) == example.STRIDES
+    check_strides(gait, law, apices)
+
+
+def test_settings_at_their_limits_are_set_as_the_library_sets_them(example, gait):
+    law = tdmf_slip.dead_beat(gait, example.SETTINGS, limits={"hip.stance_torque": (0.19, 0.203)})
+    apices, settings = example.run(law, example.pushed(gait), strides=3)
+    assert {0.19, 0.203} <= {made["hip.stance_torque"] for made in settings}
+    assert np.abs((apices - strides_of_library(law, apices[0], 3)) / gait.runner.scales).max() < 1e-8
+
+
+def test_a_fall_ends_the_run_of_the_unit(example, gait):
+    law = tdmf_slip.dead_beat(gait, example.SETTINGS)
+    apices, settings = example.run(law, gait.start_values | {"foot.vx": -3.0})
+    assert len(apices) == 1 and len(settings) == 1
+
+
+def test_the_example_prints_each_stride(example, capsys):
+    example.main()
+    rows = capsys.readouterr().out.splitlines()
+    assert len(rows) == example.STRIDES + 2 and rows[0].startswith("stride  height - gait's")
+    assert rows[1].split()[:3] == ["0", "5.00e-02", "5.00e-02"]
+
+
+@pytest.fixture(scope="module")
+def program(fmu, tmp_path_factory):
+    """The program in C, built."""
+    if shutil.which("cmake") is None:
+        pytest.skip("CMake is not installed")
+    folder = tmp_path_factory.mktemp("program")
+    configure = ["cmake", "-S", EXAMPLES / "stride_feedback", "-B", folder, f"-DRUNNER={fmu}"]
+    for command in ([*configure, f"-DPython3_EXECUTABLE={sys.executable}"], ["cmake", "--build", folder]):
+        done = subprocess.run(command, capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+    (built,) = (path for path in folder.iterdir() if path.stem == "stride_feedback" and path.is_file())
+    return built
+
+
+def test_the_unit_driven_by_a_program_in_c_makes_the_strides_of_the_library(example, gait, program):
+    """The program holds the numbers of the law by itself; they are those that the Python example makes."""
+    said = subprocess.run([program], capture_output=True, text=True, check=True)
+    assert said.stderr == ""
+    header, *lines = said.stdout.splitlines()
+    names = [name.partition(".")[2] for name in example.SETTINGS]
+    assert header.split(",") == ["stride", *example.APEX, *names]
+    rows = np.array([[float(value) for value in line.split(",")] for line in lines])
+    law = example.law_of(gait)
+    check_strides(gait, law, rows[:, 1:7])
+    for row in rows:
+        assert list(law.settings_at(row[1:7]).values()) == pytest.approx(row[7:], rel=1e-9)
+
+
+def test_the_program_in_c_names_what_is_not_there(program):
+    description = program.with_name("unit") / "modelDescription.xml"
+    for arguments, says in (
+        (("nothing.xml", "nothing.so"), "cannot be read: nothing.xml"),
+        ((description, "nothing.so"), "not a shared library: nothing.so"),
+        ((program.with_name("CMakeCache.txt"), "nothing.so"), "not a shared library: nothing.so"),
+    ):
+        done = subprocess.run([program, *arguments], capture_output=True, text=True)
+        assert done.returncode == 1 and done.stderr.strip() == says and done.stdout == ""
