@@ -140,7 +140,7 @@ export class Controls {
 /** Variables by group; what can change in a run comes first. */
 function grouped(variables) {
   const groups = new Map();
-  const inputsFirst = [...variables].sort((a, b) => (b.causality === "input") - (a.causality === "input"));
+  const inputsFirst = variables.toSorted((a, b) => (b.causality === "input") - (a.causality === "input"));
   for (const variable of inputsFirst) {
     const name = groupOf(variable);
     groups.set(name, [...(groups.get(name) ?? []), variable]);

@@ -59,6 +59,12 @@ export class PageState {
     return "";
   }
 
+  /** Who runs: parameters and inputs, and the apex of its start. */
+  get runner() {
+    const given = Object.fromEntries(Object.entries(this.values).filter(([name]) => !isStart(name)));
+    return { given, apex: this.core.apexOf(this.values) };
+  }
+
   /** Soon, unless somebody goes elsewhere on the page until then. */
   writeAddress() {
     const { hash } = location;

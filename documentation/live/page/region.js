@@ -42,9 +42,11 @@ const spaced = ([low, high], count) =>
 export class Region {
   /**
    * @param {object} elements Canvas, selects for rows, columns, points and width, list of colours.
+   * @param {Core} core
    * @param {function(number[]): void} chosen Is handed the apex that was clicked.
    */
-  constructor({ canvas, rows, columns, points, width, legend }, chosen) {
+  constructor({ canvas, rows, columns, points, width, legend }, core, chosen) {
+    this.core = core;
     this.chosen = chosen;
     this.selects = { rows, columns, points, width };
     this.painting = 0;
@@ -64,21 +66,19 @@ export class Region {
    * @param {Pool} pool
    * @param {Object<string, number>} given Parameters and inputs.
    * @param {Gait} gait
-   * @param {number[]} scales Of the section.
-   * @param {function(number): void} progress Is told the share that is done.
    * @returns {Promise<boolean>} False where another painting has begun meanwhile.
    */
-  async paint(pool, given, gait, scales, progress) {
+  async paint(pool, given, gait) {
     const painting = ++this.painting;
     const axes = [Number(this.selects.rows.value), Number(this.selects.columns.value)];
     const count = Number(this.selects.points.value);
     const width = Number(this.selects.width.value);
+    const scales = this.core.sectionScales;
     const [rows, columns] = axes.map((axis) => spaced(rangeAround(gait.apex, scales, axis, width), count));
     this.map = { axes, rows, columns, apex: gait.apex, fates: new Int32Array(count * count).fill(-1) };
     this.map.strides = new Int32Array(count * count);
     this.cross = [gait.apex[axes[1]], gait.apex[axes[0]]];
     const blocks = Array.from({ length: Math.ceil(count / ROWS_AT_ONCE) }, (_, i) => i * ROWS_AT_ONCE);
-    const all = blocks.length;
     const work = async (hand) => {
       while (blocks.length && painting === this.painting) {
         const first = blocks.shift();
@@ -86,7 +86,6 @@ export class Region {
         const found = await hand.run("block", { given, apex: gait.apex, from, rules: RULES });
         if (painting === this.painting) {
           this.fill(first * count, found);
-          progress(1 - blocks.length / all);
         }
       }
     };
@@ -145,6 +144,14 @@ export class Region {
       }
     });
     return canvas;
+  }
+
+  /** Paints what is known in the colours that are in force now. */
+  redraw() {
+    if (this.map) {
+      this.map.image = null;
+    }
+    this.draw();
   }
 
   draw() {

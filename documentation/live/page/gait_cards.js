@@ -1,0 +1,114 @@
+/**
+ * The cards of the gait: its numbers, its curve over the friction, its region of attraction.
+ * @module
+ */
+import { FrictionPlot } from "./friction_plot.js";
+import { GaitPanel, lambdaMax } from "./gait_panel.js";
+import { FRICTION } from "./gaits.js";
+import { $, announce, guarded } from "./messages.js";
+import { digits, shownWord } from "./numbers.js";
+import { Region } from "./region.js";
+import { GaitSearch } from "./search.js";
+
+export class GaitCards {
+  /**
+   * @param {{painters: Pool, searchers: Pool}} pools
+   * @param {Core} core
+   * @param {PageState} state Has the runner whose gait it is.
+   * @param {function(number): void} setFriction
+   * @param {function(number[]): void} startFrom Is handed an apex.
+   */
+  constructor({ painters, searchers }, core, state, setFriction, startFrom) {
+    this.painters = painters;
+    this.state = state;
+    this.panel = new GaitPanel($("gait"), $("circle"), $("eigenvalues"));
+    this.frictionPlot = new FrictionPlot($("friction"), setFriction);
+    const selects = { rows: $("region-rows"), columns: $("region-columns"), points: $("region-points") };
+    this.region = new Region(
+      { ...selects, canvas: $("region"), width: $("region-width"), legend: $("region-legend") },
+      core,
+      startFrom,
+    );
+    this.search = new GaitSearch(searchers, () => state.runner, {
+      found: (gait, message) => this.show(gait, message),
+      point: (friction, gait) => this.frictionPlot.add(friction, gait),
+      cleared: () => this.clear(),
+    });
+  }
+
+  async find() {
+    $("gait-hint").textContent = "Looking for the gait …";
+    await guarded(() => this.search.find());
+  }
+
+  show(gait, message) {
+    this.panel.show(gait);
+    this.mark();
+    $("start-gait").disabled = !gait;
+    $("friction-hint").hidden = Boolean(gait);
+    const text = gait ? gaitText(gait) : message;
+    $("gait-hint").textContent = text;
+    announce(text);
+  }
+
+  clear() {
+    this.panel.show(null);
+    this.frictionPlot.clear();
+    $("start-gait").disabled = true;
+    $("friction-hint").hidden = false;
+    $("gait-hint").textContent = "Newton’s method on the return map, from where the runner settles.";
+  }
+
+  /** The present friction, and the gait if there is one, on the curve. */
+  mark() {
+    this.frictionPlot.mark(this.state.values[FRICTION], this.search.gait);
+  }
+
+  /** The runner is another: its gait is not looked for before someone asks. */
+  forget() {
+    this.search.forget();
+    this.search.wanted = false;
+    this.region.clear();
+  }
+
+  /** A parameter or an input is another: a gait that was asked for is looked for again. */
+  changed(name) {
+    if (name === FRICTION) {
+      this.search.frictionChanged();
+    } else {
+      this.search.changed();
+      this.region.clear();
+    }
+  }
+
+  paint() {
+    return guarded(async () => {
+      if (!this.search.gait) {
+        await this.find();
+      }
+      const { gait } = this.search;
+      if (!gait || lambdaMax(gait) >= 1) {
+        $("region-hint").textContent = gait ? "The gait is unstable: it attracts nothing." : "There is no gait.";
+        return;
+      }
+      $("region-hint").textContent = "Painting …";
+      if (await this.region.paint(this.painters, this.state.runner.given, gait)) {
+        const share = digits(100 * this.region.settledShare, 3);
+        $("region-hint").textContent = `${share} % of these starts settle on the gait.`;
+      }
+    });
+  }
+
+  redraw() {
+    this.panel.drawCircle();
+    this.frictionPlot.draw();
+    this.region.redraw();
+  }
+}
+
+/** A gait in a sentence. */
+function gaitText(gait) {
+  const stability = lambdaMax(gait) < 1 ? "stable" : "unstable";
+  const speed = `speed ${digits(gait.stride["stride.speed"])} m/s`;
+  return `Gait ${shownWord(gait.word)}, ${stability}: ${speed}, largest eigenvalue ${digits(lambdaMax(gait))}.`;
+}
