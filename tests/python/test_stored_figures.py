@@ -1,9 +1,16 @@
-"""Data of figures that take minutes, as they are kept: some of it computed anew."""
+"""Data of figures that take minutes, as they are kept: some of it computed anew. Pictures that are kept."""
+
+import pathlib
+import re
 
 import numpy as np
 import pytest
 from tdmf_slip import Runner, find_orbit, strides_to_fall
 from tdmf_slip.paper.figures import rough, slope, stored, thrust
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+OF_THE_GAITS = {"snapshots", "stride"}
+"""What `tdmf-slip validate --pictures` draws, and the documentation shows."""
 
 
 def test_a_mean_on_rough_ground_is_what_is_kept():
@@ -46,3 +53,20 @@ def test_gaits_of_each_actuation_are_what_is_kept():
 def test_figures_are_drawn_of_what_is_kept(command):
     for name in ("rough", "slope", "thrust"):
         assert command("figures", "--only", name, "--output", "made")[0] == 0
+
+
+def test_each_picture_of_the_documentation_is_shown_and_is_remade_by_one_command(command):
+    """`scripts/pictures` ends with an error where it has not made one; here it is not run."""
+    status, _, said = command("figures", "--only", "?")
+    assert status == 2
+    figures = set(said.partition("allowed: ")[2].strip().split(", "))
+    script = (ROOT / "scripts/pictures").read_text(encoding="utf-8")
+    assert "tdmf-slip figures" in script and "tdmf-slip validate --pictures" in script
+    others = set(re.findall(r"\$made/(\w+)\.png", script))
+    pages = [ROOT / "README.md", *(ROOT / "documentation").rglob("*.md")]
+    text = "".join(page.read_text(encoding="utf-8") for page in pages)
+    pictures = list((ROOT / "documentation/pictures").iterdir())
+    assert len(pictures) >= 15
+    for picture in pictures:
+        assert picture.stem in figures | OF_THE_GAITS | others, picture.name
+        assert f"pictures/{picture.name}" in text, picture.name
