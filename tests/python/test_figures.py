@@ -5,7 +5,7 @@ import re
 
 import pytest
 from PIL import Image
-from tdmf_slip.pictures import animation
+from tdmf_slip.pictures import animation, style
 
 CENTIMETRE = 72 / 2.54
 """In points of PDF."""
@@ -36,6 +36,21 @@ def test_a_gait_at_human_scale_becomes_an_animation(command, tmp_path):
     assert command("animate", "--output", "run.gif", "--parameters", "human", "--frames", "12")[0] == 0
     with Image.open(tmp_path / "run.gif") as film:
         assert film.n_frames == 12 and film.size == (800, 400)
+
+
+def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
+    options = ("--friction", "0.2", "--set", "ground.slope=1.5 deg", "--frames", "12")
+    assert command("animate", "--output", "run.gif", *options)[0] == 0
+    with Image.open(tmp_path / "run.gif") as film:
+        for number in range(film.n_frames):
+            film.seek(number)
+            picture = film.convert("L")
+            assert picture.crop((0, 0, picture.width, 10)).getextrema()[0] > 250, number
+
+
+def test_axes_tell_units_as_they_are_printed():
+    shown = [style.with_unit("leg.damping", unit) for unit in ("N.s/m", "m/s2", "1", "")]
+    assert shown == ["leg.damping (N·s/m)", "leg.damping (m/s²)", "leg.damping", "leg.damping"]
 
 
 def test_a_page_has_its_frames_in_it_and_fetches_nothing(command, tmp_path):

@@ -37,7 +37,7 @@ MOST_REPEATED = 50
 SLOWED = 40.0
 """How many times more frames a unit of time gets in the stance than in flight."""
 HEADROOM = 0.15
-"""Shown above the body's highest place, over l0."""
+"""Shown above the highest place of body and foot, over l0."""
 FORMATS = (".gif", ".mp4", ".html")
 FORCE_SCALE = 1.5
 """Length of a force arrow, over l0, for a force k l0."""
@@ -118,8 +118,10 @@ class _Scene:
         self.stride = stride
         self.length = float(stride["com.x"][-1] - stride["com.x"][0])
         self.rise = float(stride["com.y"][-1] - stride["com.y"][0])
-        above = stride["body.y"] - self.line(stride["body.x"])
-        self.half_width = max(HALF_WIDTH, 0.5 * (float(above.max()) + HEADROOM - LOW) * SIZE[0] / SIZE[1])
+        highest = max(
+            float((stride[f"{part}.y"] - self.line(stride[f"{part}.x"])).max()) for part in ("body", "foot")
+        )
+        self.half_width = max(HALF_WIDTH, 0.5 * (highest + HEADROOM - LOW) * SIZE[0] / SIZE[1])
         self.top = LOW + 2 * self.half_width * SIZE[1] / SIZE[0]
         bare(axes, (-self.half_width, self.half_width), (LOW, self.top))
         self._ground()

@@ -173,7 +173,7 @@ def _label(data: xarray.Dataset, axis: str) -> str:
     """With the unit, in which ranges are given too, and how much of it the scale is."""
     unit, scale = data[axis].attrs["units"], SCALES[COORDINATES.index(axis)]
     if not scale:
-        return f"{NAMES[axis]} ({unit})"
+        return style.with_unit(NAMES[axis], unit)
     length = data.attrs["leg.free_length"] if "l₀" in scale else 1.0
     rate = math.sqrt(data.attrs["leg.stiffness"] / data.attrs["body.mass"]) if "√" in scale else 1.0
     return f"{NAMES[axis]} ({unit};  {scale} = {length * rate:.4g} {unit})"

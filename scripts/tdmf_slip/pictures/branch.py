@@ -56,7 +56,7 @@ def figure_of(
         _eigenvalues(panels[0], values, orbits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
             _draw(axes, values, [orbit.stride[quantity] for orbit in orbits], orbits)
-            axes.set_ylabel(_with_unit(label, unit.variables[f"stride.{quantity}"].unit))
+            axes.set_ylabel(style.with_unit(label, unit.variables[f"stride.{quantity}"].unit))
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
@@ -65,7 +65,7 @@ def figure_of(
             panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
             panels[-1].minorticks_off()
-        panels[-1].set_xlabel(_with_unit(name, unit.variables[name].unit))
+        panels[-1].set_xlabel(style.with_unit(name, unit.variables[name].unit))
         figure.draw_without_rendering()  # lays out the axes
         _words(panels[0], values, orbits)
     return figure
@@ -105,7 +105,3 @@ def _words(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None
             middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
             top = ("data", "axes fraction")
             axes.annotate(word, (middle, 1.02), xycoords=top, ha="center", fontsize=9)
-
-
-def _with_unit(name: str, unit: str) -> str:
-    return name if unit in ("", "1") else f"{name} in {unit}"

@@ -102,9 +102,9 @@ def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
         kind = "apex" if quantity in COORDINATES else "stride"
         variable = unit.variables.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity
-        panels[0].set_ylabel(_label(label, variable.unit if variable else ""))
+        panels[0].set_ylabel(style.with_unit(label, variable.unit if variable else ""))
         panels[1].set_ylabel("largest eigenvalue, size")
-        panels[1].set_xlabel(_label(branch.name, unit.variables[branch.name].unit))
+        panels[1].set_xlabel(style.with_unit(branch.name, unit.variables[branch.name].unit))
         panels[0].set_title(f"{branch.name} from {branch.values[0]:g}: {branch.ended}", wrap=True)
         for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
             _draw(axes, branch, drawn, 0)
@@ -133,10 +133,6 @@ def draw(path: Path, branch: Branch, quantity: str) -> None:
 def _bound(axes: Axes) -> None:
     """Eigenvalues may be large beside an event that is just touched: what matters is around 1."""
     axes.set_ylim(0.0, min(axes.get_ylim()[1], LARGEST_SHOWN))
-
-
-def _label(name: str, unit: str) -> str:
-    return name if unit in ("", "1") else f"{name} ({unit})"
 
 
 def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:

@@ -45,8 +45,7 @@ def figure_of(curves: Sequence[Curve], over: Sequence[str]) -> Figure:
                 text = f"{style.word(curve.words[0])} | {style.word(curve.words[1])}"
                 middle = curve.points[len(curve.points) // 2]
                 axes.annotate(text, middle, xytext=(4, 4), textcoords="offset points", fontsize=8)
-        labels = [f"{name} ({unit.variables[name].unit or '1'})" for name in over]
-        style.label(axes, *labels)
+        style.label(axes, *(style.with_unit(name, unit.variables[name].unit) for name in over))
         if shown:
             axes.legend()
     return figure

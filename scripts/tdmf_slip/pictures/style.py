@@ -170,6 +170,11 @@ def label(axes: Axes, horizontal: str, vertical: str) -> None:
     axes.set_ylabel(vertical)
 
 
+def with_unit(name: str, unit: str) -> str:
+    """What an axis shows, with its unit, if it has one, as it is printed: N·s/m for N.s/m, m/s² for m/s2."""
+    return name if unit in ("", "1") else f"{name} ({unit.replace('.', '·').replace('2', '²')})"
+
+
 def dashes(mode: str) -> LineStyle:
     """Line style of a contact mode: slip dashed, all else solid."""
     return SLIP_DASHES if mode in SLIPS else "-"
