@@ -29,6 +29,8 @@ if not (shutil.which("chromium") and shutil.which("chromedriver")):
 
 from browser import chromium, open_page, served, size_of, wait  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.actions.interaction import POINTER_TOUCH  # noqa: E402
+from selenium.webdriver.common.actions.pointer_input import PointerInput  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.support.select import Select  # noqa: E402
@@ -113,6 +115,13 @@ def sentence(driver):
     return driver.execute_script(
         "const p = document.getElementById('problem'); return p.hidden ? '' : p.textContent"
     )
+
+
+def pointer(driver):
+    """Actions of a mouse at a desk, of a finger on a phone."""
+    touches = driver.execute_script("return navigator.maxTouchPoints > 0")
+    finger = PointerInput(POINTER_TOUCH, "finger")
+    return ActionChains(driver, duration=50, devices=[finger] if touches else None)
 
 
 def close(one, other):
@@ -244,7 +253,7 @@ def test_dragging_the_friction_across_a_border_changes_the_word(page):
     page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
     where = "tdmfSlip.gaits.frictionPlot.axes.x(arguments[0]) - tdmfSlip.gaits.frictionPlot.surface.width / 2"
     begin, end = (round(page.execute_script(f"return {where}", friction)) for friction in (0.6, 0.43))
-    drag = ActionChains(page, duration=50).move_to_element_with_offset(canvas, begin, 0).click_and_hold()
+    drag = pointer(page).move_to_element_with_offset(canvas, begin, 0).click_and_hold()
     for step in range(1, 5):
         drag.move_to_element_with_offset(canvas, begin + round((end - begin) * step / 4), 0)
     drag.release().perform()
@@ -315,7 +324,7 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
     )
     canvas = find(page, "region")
     page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
-    ActionChains(page).move_to_element_with_offset(canvas, 30, -40).click().perform()
+    pointer(page).move_to_element_with_offset(canvas, 30, -40).click().perform()
     apex = page.execute_script("return tdmfSlip.core.apexOf(tdmfSlip.state.values)")
     gait = tdmf_slip.find_orbit().apex
     assert apex[0] > 1.2 * gait[0] and apex[3] != gait[3]
