@@ -1,11 +1,12 @@
 """Runners fitted to measured gaits: derivatives, confidence, what the data do not tell, and tables."""
 
 import json
+import re
 
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_orbit, fit, read_parameters
-from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements
+from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements, shipped
 from tdmf_slip.library.orbit import orbit_near
 from tdmf_slip.library.quantities import QUANTITIES, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
@@ -261,3 +262,65 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     assert picture.read_text(encoding="utf-8").startswith("<?xml")
     status, out, _ = command(*arguments[:4])
     assert status == 0 and "leg.stiffness" in out and "degrees of freedom" in out
+
+
+def published(name, columns):
+    """The numbers of the table in a file's comments."""
+    lines = shipped(name).read_text(encoding="utf-8").splitlines()
+    rows = [line.lstrip("# ").split() for line in lines if line.startswith("#")]
+    numbers = [
+        [float(cell) for cell in row] for row in rows if len(row) == columns and all(map(is_number, row))
+    ]
+    return np.array(numbers)
+
+
+def is_number(text):
+    return text.replace(".", "", 1).isdigit()
+
+
+def test_the_numbers_of_a_runner_at_eight_speeds_are_made_of_those_published():
+    weight, rows = 84.0 * 9.81, read_measurements(shipped("human_running.csv")).rows
+    speed, peak, impulse = published("human_running.csv", 3).T
+    assert len(rows) == len(speed) == 8
+    made = {"speed": speed, "frequency": 1.0 / impulse, "peak_force": peak * weight}
+    for name, values in made.items():
+        assert [row[name].value for row in rows] == pytest.approx(values, rel=1e-5)
+    for name, scale in (("frequency", 1.0), ("peak_force", weight)):
+        off = made[name] - np.polyval(np.polyfit(speed, made[name], 1), speed)
+        assert rows[0][name].error == pytest.approx(np.sqrt(off @ off / 6), rel=5e-3), scale
+
+
+def test_the_numbers_of_fast_runners_are_made_of_those_published():
+    text = shipped("human_fast_running.csv").read_text(encoding="utf-8")
+    pairs = re.findall(
+        r"^# (\w[\w ]*) \([^)]*\) +([\d.]+) \(([\d.]+)\) +([\d.]+) \(([\d.]+)\)$", text, re.MULTILINE
+    )
+    told = {name: np.array([float(x) for x in numbers]).reshape(2, 2) for name, *numbers in pairs}
+    scales = {
+        "speed": ("velocity", 1.0 / 3.6),
+        "stance_time": ("contact time", 1.0),
+        "frequency": ("step frequency", 1.0),
+        "peak_force": ("peak vertical force", 84.0 * 9.81),
+    }
+    for number, row in enumerate(read_measurements(shipped("human_fast_running.csv")).rows):
+        for name, (title, scale) in scales.items():
+            mean, deviation = scale * told[title][number]
+            assert row[name].value == pytest.approx(mean, rel=1e-4)
+            assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)
+
+
+def test_one_leg_runs_at_eight_speeds():
+    """What is published of a runner, its frequencies and forces, is within its errors with one stiffness."""
+    each = ["hip.stance_torque", "hip.touchdown_angle"]
+    runner = read_parameters(shipped("human_running.toml"))
+    found = fit("human_running", ["leg.stiffness"], free_each=each, runner=runner, model="reduced")
+    assert found.converged and found.degrees_of_freedom == 7 and found.probability > 0.1
+    stiffness = found.parameters["leg.stiffness"]
+    assert 14e3 < stiffness.low < stiffness.high < 16.5e3
+    torques = [found.parameters[f"hip.stance_torque[{row}]"].value for row in range(1, 9)]
+    assert torques == sorted(torques)
+
+
+def test_a_file_that_does_not_come_with_the_package_is_refused():
+    with pytest.raises(InputError, match="human_running"):
+        shipped("horse.csv")

@@ -62,7 +62,8 @@ def fit_command(
 ) -> None:
     """Parameters of the runner whose gaits are nearest to measured ones, with 95 % intervals.
 
-    FILE is a CSV table with a row for each condition. Its header has any of "speed [m/s]", "frequency [Hz]",
+    FILE is a CSV table with a row for each condition, or one that comes with the package: human_running,
+    human_fast_running. Its header has any of "speed [m/s]", "frequency [Hz]",
     "stance_time [s]", "duty_factor [1]", "slip_distance [m]", "peak_force [N]", each with its standard error,
     as "speed_error [m/s]"; lines that begin with # are skipped. A stride is from one stance of the leg to the
     next. The status is 1 where the search does not end.

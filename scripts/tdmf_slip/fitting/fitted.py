@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from ..analysis.search import find_orbit, runner_by
 from ..checks import check_kind
-from ..errors import InputError
+from ..errors import InputError, RunError
 from ..library.members import check_varied
+from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.unit import Unit, load
@@ -46,8 +47,8 @@ def fit(
     Parameters
     ----------
     data : Measurements, str or Path
-        What was measured, or a CSV file, see `read_measurements`. Each row is a condition with a gait of its
-        own.
+        What was measured, a CSV file, see `read_measurements`, or the name of one that comes with the
+        package, as `human_running`. Each row is a condition with a gait of its own.
     free : sequence of str
         Names of parameters and inputs to be found, of which all rows share one value. They begin with the
         values that the runner has.
@@ -56,7 +57,8 @@ def fit(
     runner : Runner or mapping of str to float, optional
         What is not free: a runner, or start values by the unit's names and in its units, over the unit's own.
     guess : sequence of float, optional
-        An apex near that of the gait that all rows begin with; see `find_orbit`.
+        An apex near that of the gait that all rows begin with; see `find_orbit`. By default the gait that
+        the runner settles on, else that near its start values.
     model : str, optional
         `full` or `reduced`, as in `find_orbit`.
     unit : Unit, optional
@@ -87,12 +89,31 @@ def fit(
     measurements = measurements_of(data)
     shared, each = _checked_names(free, "free"), _checked_names(free_each, "free_each")
     _check_names(shared, each, measurements)
-    first = find_orbit(runner_by(Runner.of(runner, unit), model), guess, unit=unit)
+    first = _first(runner_by(Runner.of(runner, unit), model), guess, unit)
     problem = Problem(first, measurements, shared, each)
     variables = load(unit).variables
     ranges = {name: (variables[name].minimum, variables[name].maximum) for name in (*shared, *each)}
     found = _searched(problem, ranges)
     return _fit_of(problem, measurements, found)
+
+
+def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
+    """The gait that all rows begin with; where nothing settles on it, the one near the start values.
+
+    Raises
+    ------
+    RunError
+        There is neither.
+    """
+    try:
+        return find_orbit(runner, guess, unit=unit)
+    except RunError as problem:
+        if guess is not None:
+            raise
+        try:
+            return orbit_near(runner, runner.start_apex())
+        except RunError:
+            raise problem from None
 
 
 def _searched(problem: Problem, ranges: Mapping[str, tuple[float, float]]) -> Any:

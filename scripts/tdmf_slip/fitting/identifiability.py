@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-ROUNDING = 1e-7
+ROUNDING = 1e-9
 """Of the largest singular value: less is none."""
 SMALL = 1e-5
 """Of a combination's largest member: less has no part in one that is not told at all."""

@@ -21,6 +21,8 @@ UNITS: Mapping[str, str] = {
 """What may be measured, by names of `library.quantities.QUANTITIES`; the frequency is one over the period."""
 ERROR = "_error"
 """What the name of a quantity's column of errors ends with."""
+DATA = Path(__file__).parent / "data"
+"""Tables that come with the package, and the runners that their fits begin with."""
 COMMENT = "#"
 """Lines that begin with it are skipped: they say where the data come from."""
 
@@ -54,13 +56,38 @@ class Measurements:
         return sum(len(row) for row in self.rows)
 
 
+def shipped(name: str) -> Path:
+    """The path of a file that comes with the package: a table, or the runner that its fit begins with.
+
+    Parameters
+    ----------
+    name : str
+        As in `human_running.csv`.
+
+    Returns
+    -------
+    Path
+        Of the file; its first lines say where the numbers come from.
+
+    Raises
+    ------
+    InputError
+        There is no such file.
+    """
+    known = sorted(path.name for path in DATA.iterdir())
+    if name not in known:
+        raise InputError(f"data {name!r} do not come with the package; allowed: {', '.join(known)}")
+    return DATA / name
+
+
 def measurements_of(given: "Measurements | str | Path") -> Measurements:
     """Measurements as they are given, or those of a file.
 
     Parameters
     ----------
     given : Measurements, str or Path
-        Or the path of a CSV file, see `read_measurements`.
+        Or the path of a CSV file, see `read_measurements`, or the name of one that comes with the package,
+        without its suffix.
 
     Returns
     -------
@@ -75,10 +102,12 @@ def measurements_of(given: "Measurements | str | Path") -> Measurements:
     if isinstance(given, Measurements):
         return given
     check_kind(given, (str, os.PathLike), "data", "the path of a CSV file, or Measurements")
+    if str(given) in [path.stem for path in DATA.glob("*.csv")]:
+        return read_measurements(shipped(f"{given}.csv"), str(given))
     return read_measurements(Path(given))
 
 
-def read_measurements(path: Path) -> Measurements:
+def read_measurements(path: Path, name: str | None = None) -> Measurements:
     """Measurements from a CSV file.
 
     The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
@@ -90,6 +119,8 @@ def read_measurements(path: Path) -> Measurements:
     ----------
     path : Path
         Of the file.
+    name : str, optional
+        For messages; by default the path.
 
     Returns
     -------
@@ -101,7 +132,7 @@ def read_measurements(path: Path) -> Measurements:
     InputError
         It cannot be read, or is no such table; the message names the column and the row.
     """
-    where = f"table {path}"
+    where = f"table {name or path}"
     try:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, ValueError) as problem:

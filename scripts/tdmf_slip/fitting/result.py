@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drawable import Drawable
-from ..library.orbit import Orbit, orbit_near
+from ..library.orbit import Orbit
 from ..library.runner import Runner
+from ..library.strides import strides_from
 from ..terminal.text import quantity, table
 from ..unit.unit import load
 from .identifiability import Combination
@@ -119,7 +120,9 @@ class Fit(Drawable):
     @cached_property
     def gaits(self) -> tuple[Orbit, ...]:
         """The fitted gaits, one for each row."""
-        return tuple(orbit_near(runner, apex) for runner, apex in zip(self.runners, self.apexes, strict=True))
+        return tuple(
+            strides_from(runner, apex) for runner, apex in zip(self.runners, self.apexes, strict=True)
+        )
 
     @property
     def parameters(self) -> Mapping[str, Estimate]:
