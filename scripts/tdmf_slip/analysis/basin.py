@@ -1,5 +1,6 @@
 """The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
 
+import json
 import math
 import reprlib
 from collections.abc import Mapping, Sequence
@@ -17,6 +18,7 @@ from ..files.netcdf import write_dataset
 from ..files.resume import resumed
 from ..files.whole import check_place
 from ..library import ensemble
+from ..library.affine_law import AffineLaw
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
@@ -24,7 +26,8 @@ from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .fates import MOST_STRIDES, STARTS_AT_ONCE, fates
-from .search import find_orbit, model_of
+from .held_gait import stable_gait as stable_gait
+from .search import model_of
 
 NOT_YET = -1
 LEG_LENGTH = COORDINATES.index("leg_length")
@@ -52,6 +55,10 @@ class Slice:
     """Values of the first."""
     columns: tuple[float, ...]
     """Values of the second."""
+    numbers: tuple[int, ...] = ()
+    """Of the rows in the whole slice."""
+    law: AffineLaw | None = None
+    """By which runners are set."""
 
     def starts(self) -> NDArray[np.float64]:
         """One to a row, the columns running fastest."""
@@ -74,36 +81,15 @@ def fates_of_slice(part: Slice) -> NDArray[np.void]:
     structured ndarray, shape (rows, columns)
         As `run_ensemble` gives it.
     """
-    ends = fates(part.runner, part.apex, part.starts())
-    return ends.reshape(len(part.rows), len(part.columns))
-
-
-def stable_gait(runner: Runner | Mapping[str, Given], unit: Unit | None = None) -> Orbit:
-    """The gait of a runner, if it attracts anything.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Parameters and friction, or start values by name.
-    unit : Unit, optional
-        Whose start values hold; by default that of `fmu_path`.
-
-    Returns
-    -------
-    Orbit
-        Stable.
-
-    Raises
-    ------
-    InputError
-        It is unstable.
-    RunError
-        There is none.
-    """
-    gait = find_orbit(runner, unit=unit)
-    if not gait.stable:
-        raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
-    return gait
+    starts, columns = part.starts(), len(part.columns)
+    if part.law is None or not part.law.is_noisy:
+        return fates(part.runner, part.apex, starts, law=part.law).reshape(-1, columns)
+    return np.array(
+        [
+            fates(part.runner, part.apex, row, law=part.law, first_number=number * columns)
+            for number, row in zip(part.numbers, np.split(starts, len(part.rows)), strict=True)
+        ]
+    )
 
 
 def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
@@ -144,6 +130,7 @@ def basin(
     axes: tuple[str, str],
     ranges: tuple[ArrayLike, ArrayLike],
     *,
+    law: AffineLaw | None = None,
     path: Path | str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
@@ -163,6 +150,9 @@ def basin(
         Two names of `section.COORDINATES`.
     ranges : pair of sequences of float
         Values along each, in the coordinate's unit.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex; the gait is then the one near the law's apex, which the
+        law keeps as it is and has to make stable.
     path : Path or str, optional
         Of a NetCDF file.
     scheduler : str, optional
@@ -184,22 +174,25 @@ def basin(
     Raises
     ------
     InputError
-        An unknown axis, the file holds another slice, or the gait is unstable.
+        An unknown axis, the file holds another slice, the gait is unstable, or the law does not keep it.
     RunError
         There is no gait.
     """
     unit, runner = load(unit), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")
     axes, values = _checked_slice(axes, ranges, runner.coordinates, unit)
-    gait = stable_gait(runner, unit)
+    gait = stable_gait(runner, unit, law)
     data = _blank(gait, axes, values, unit)
+    if law is not None:
+        data.attrs["law"] = json.dumps(law.as_json())
     if path is not None:
         data = _resumed(path, data)
     missing = [row for row in range(len(values[0])) if (data["fate"].values[row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(values[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
-        Slice(runner, tuple(gait.apex), axes, tuple(values[0][block]), tuple(values[1])) for block in rows
+        Slice(runner, tuple(gait.apex), axes, tuple(values[0][block]), tuple(values[1]), tuple(block), law)
+        for block in rows
     ]
     with (
         progress.bar("basin", len(values[0]), "rows", show_progress) as bar,

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..library import ensemble
+from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.variable import Given
@@ -23,7 +24,13 @@ STARTS_IN_A_CALL = 512
 
 
 def fates(
-    runner: Runner | Mapping[str, Given], apex: Apex, starts: ArrayLike, *, tolerance: float = TOLERANCE
+    runner: Runner | Mapping[str, Given],
+    apex: Apex,
+    starts: ArrayLike,
+    *,
+    tolerance: float = TOLERANCE,
+    law: AffineLaw | None = None,
+    first_number: int = 0,
 ) -> NDArray[np.void]:
     """What becomes of runners that start somewhere, by one thread.
 
@@ -37,6 +44,10 @@ def fates(
         Apices, one to a row.
     tolerance : float, default 1e-5
         Relative tolerance of a step.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex.
+    first_number : int, default 0
+        Of the first runner; by their numbers the law's noise is drawn.
 
     Returns
     -------
@@ -49,7 +60,7 @@ def fates(
         Something given is not allowed.
     """
     starts = np.asarray(starts)
-    case = ensemble.Case(Runner.of(runner), (apex,))
+    case = ensemble.Case(Runner.of(runner), (apex,), law=law)
     calls = range(0, max(1, len(starts)), STARTS_IN_A_CALL)
     return np.concatenate(
         [
@@ -57,6 +68,7 @@ def fates(
                 [case],
                 starts[first : first + STARTS_IN_A_CALL],
                 most_strides=MOST_STRIDES,
+                first_number=first_number + first,
                 tolerance=tolerance,
                 threads=1,
             )[0]

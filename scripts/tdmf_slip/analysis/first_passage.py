@@ -15,6 +15,7 @@ from ..blocks.running import run_blocks
 from ..checks import checked_whole
 from ..errors import InputError
 from ..library import ensemble
+from ..library.affine_law import AffineLaw, check_law
 from ..library.orbit import Orbit
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
@@ -131,6 +132,8 @@ class Share:
     """Runners."""
     most_strides: int
     """Of each."""
+    law: AffineLaw | None = None
+    """By which they are set."""
 
 
 def count_falls(share: Share) -> NDArray[np.int64]:
@@ -146,7 +149,7 @@ def count_falls(share: Share) -> NDArray[np.int64]:
     ndarray of int, shape (4,)
         Falls, strides begun, runners that stopped, and runners that the solver did not get through.
     """
-    case = ensemble.Case(share.runner, ground=share.ground)
+    case = ensemble.Case(share.runner, ground=share.ground, law=share.law)
     ends, _ = ensemble.run_ensemble(
         [case],
         np.tile(share.apex, (share.count, 1)),
@@ -170,6 +173,7 @@ def strides_to_fall(
     most_strides: int = 10_000,
     *,
     gait: Orbit | None = None,
+    law: AffineLaw | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
     show_progress: bool = False,
@@ -196,6 +200,9 @@ def strides_to_fall(
         A runner that has made as many is still up: it is counted as censored, not dropped.
     gait : Orbit, optional
         What they start from; by default the gait that `find_orbit` finds.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex, the start's too, from its height above the ground before
+        it steps.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
@@ -213,7 +220,7 @@ def strides_to_fall(
     Raises
     ------
     InputError
-        A value is not allowed, or the runner goes by the reduced map.
+        A value is not allowed, the runner goes by the reduced map, or the law does not fit it.
     RunError
         There is no gait to start from, or see `run_blocks`.
 
@@ -229,6 +236,7 @@ def strides_to_fall(
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
         )
+    check_law(law, runner)
     ground = RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
     most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
@@ -236,7 +244,7 @@ def strides_to_fall(
     runner, apex = Runner(runner.values), tuple(start.apex)
     size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // most_strides))
     shares = [
-        Share(runner, apex, ground, first, min(size, runners - first), most_strides)
+        Share(runner, apex, ground, first, min(size, runners - first), most_strides, law)
         for first in range(0, runners, size)
     ]
     counted = np.zeros(4, dtype=np.int64)

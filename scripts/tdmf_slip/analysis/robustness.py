@@ -8,10 +8,12 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from ..library import ensemble
-from ..library.orbit import Orbit, check_orbit
+from ..library.affine_law import AffineLaw
+from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .fates import fates
+from .held_gait import check_attracts
 
 FARTHEST = 5.0
 """Over the scales: beyond this no disturbance is tried."""
@@ -50,13 +52,15 @@ class Robustness:
         return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
-def robustness(gait: Orbit) -> Robustness:
+def robustness(gait: Orbit, law: AffineLaw | None = None) -> Robustness:
     """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
 
     Parameters
     ----------
     gait : Orbit
-        Stable.
+        Stable, by itself or under the law.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex, the disturbed one too; it keeps the gait as it is.
 
     Returns
     -------
@@ -66,10 +70,10 @@ def robustness(gait: Orbit) -> Robustness:
     Raises
     ------
     InputError
-        No gait.
+        No gait, or a law that does not keep it.
     """
-    check_orbit(gait, "gait")
-    reach = functools.partial(_reach, gait)
+    check_attracts(gait, law)
+    reach = functools.partial(_reach, gait, law)
     return Robustness(
         push_forward=reach("push_forward", 1.0),
         push_backward=reach("push_backward", -1.0),
@@ -78,7 +82,7 @@ def robustness(gait: Orbit) -> Robustness:
     )
 
 
-def _reach(gait: Orbit, disturbance: str, direction: float) -> float:
+def _reach(gait: Orbit, law: AffineLaw | None, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
     runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
@@ -88,7 +92,7 @@ def _reach(gait: Orbit, disturbance: str, direction: float) -> float:
         starts = np.tile(gait.apex, (COARSE, 1))
         starts[:, index] += direction * tries
         fails = np.flatnonzero(
-            fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE)["fate"] != ensemble.SETTLED
+            fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE, law=law)["fate"] != ensemble.SETTLED
         )
         if not fails.size:
             return math.inf

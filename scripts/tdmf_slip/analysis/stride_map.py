@@ -1,5 +1,6 @@
 """The stride map of many runners: from apex to apex, with settings that may change from stride to stride."""
 
+import json
 import reprlib
 from collections.abc import Mapping
 from dataclasses import replace
@@ -258,6 +259,8 @@ def _dataset(request: Request, columns: Columns, unit: Unit) -> xarray.Dataset:
     }
     fixed = {name: value for name, value in runner.values.items() if name not in data and name not in STATES}
     data.attrs = {**fixed, **model_of(runner), "tolerance": request.tolerance}
+    if request.law is not None:
+        data.attrs["law"] = json.dumps(request.law.as_json())
     if request.ground.roughness:
         data.attrs |= {"roughness": request.ground.roughness, "seed": str(request.ground.seed)}
     return data

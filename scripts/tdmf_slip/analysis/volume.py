@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 from ..blocks.running import run_blocks
 from ..checks import checked_whole
 from ..library import ensemble
-from ..library.orbit import Orbit, check_orbit
+from ..library.affine_law import AffineLaw
+from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal import progress
 from .fates import STARTS_AT_ONCE, fates
+from .held_gait import check_attracts
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -94,6 +96,8 @@ class Drawing:
     """Of the block."""
     count: int
     """Starts in it."""
+    law: AffineLaw | None = None
+    """By which runners are set."""
 
     def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""
@@ -115,7 +119,13 @@ def count_fates(drawing: Drawing) -> NDArray[np.int64]:
     ndarray of int, shape (fates,)
         In the order of `FATES`.
     """
-    ends = fates(drawing.runner, drawing.apex, drawing.starts())
+    ends = fates(
+        drawing.runner,
+        drawing.apex,
+        drawing.starts(),
+        law=drawing.law,
+        first_number=drawing.number * STARTS_AT_ONCE,
+    )
     counted: NDArray[np.int64] = np.bincount(ends["fate"], minlength=len(ensemble.FATES))
     return counted
 
@@ -125,6 +135,7 @@ def volume(
     samples: int,
     *,
     seed: int = 0,
+    law: AffineLaw | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
     show_progress: bool = False,
@@ -134,11 +145,13 @@ def volume(
     Parameters
     ----------
     gait : Orbit
-        Stable.
+        Stable, by itself or under the law.
     samples : int
         How many starts are drawn.
     seed : int, default 0
         Of the drawing.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex; it keeps the gait as it is.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
@@ -154,14 +167,14 @@ def volume(
     Raises
     ------
     InputError
-        No gait, no samples, or no seed.
+        No gait, no samples, no seed, or a law that does not keep the gait.
     """
-    check_orbit(gait, "gait")
+    check_attracts(gait, law)
     samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
     runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
-    drawings = [Drawing(runner, tuple(gait.apex), seed, n, count) for n, count in enumerate(counts)]
+    drawings = [Drawing(runner, tuple(gait.apex), seed, n, count, law) for n, count in enumerate(counts)]
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
         progress.bar("volume", samples, "starts", show_progress) as bar,

@@ -1,7 +1,7 @@
 """A law from apex to settings that the ensemble engine follows by itself, with limits and noise."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -130,6 +130,10 @@ class AffineLaw:
         c.tdmf_affine_settings(law, section, runner, stride, values)
         del kept
         return dict(zip(self.settings, map(float, values), strict=True))
+
+    def as_json(self) -> dict[str, object]:
+        """The law as a plain object, by the names of its arguments."""
+        return asdict(self)
 
     def check_fits(self, runner: Runner) -> None:
         """Refuse a runner whose apices or settings are others.

@@ -1,0 +1,126 @@
+"""A gait under a law from apex to settings: whether it still is one, and stable."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError
+from ..library.affine_law import AffineLaw, check_law
+from ..library.orbit import Orbit, check_orbit
+from ..library.return_map import stride_from
+from ..library.runner import Runner
+from ..unit.unit import Unit
+from ..unit.variable import Given
+from .search import find_orbit
+
+SAME = 1e-6
+"""What a setting may be off the gait's at its apex, over the larger of it and 1."""
+
+
+def jacobian_under(gait: Orbit, law: AffineLaw) -> NDArray[np.float64]:
+    """The Jacobian of a gait's return map under a law that sets at each apex, away from its limits.
+
+    That of the map as it is, plus for each setting the next apex's change by it times its gain.
+
+    Parameters
+    ----------
+    gait : Orbit
+        Of one stride.
+    law : AffineLaw
+        By which the runner is set.
+
+    Returns
+    -------
+    ndarray of float, shape (n, n)
+        [i, k] is the change of coordinate i by coordinate k.
+
+    Raises
+    ------
+    InputError
+        The law does not fit the runner.
+    RunError
+        The gait has no derivatives.
+    """
+    check_law(law, gait.runner)
+    jacobian = gait.jacobian.copy()
+    for name, gain in zip(law.settings, np.asarray(law.gain), strict=True):
+        jacobian += np.outer(stride_from(gait.runner, gait.apex, name)[2], gain)
+    return jacobian
+
+
+def check_attracts(gait: Orbit, law: AffineLaw | None) -> None:
+    """Refuse a law under which a gait is none, or unstable, so that it attracts nothing.
+
+    Parameters
+    ----------
+    gait : Orbit
+        Of one stride.
+    law : AffineLaw or None
+        None is fine.
+
+    Raises
+    ------
+    InputError
+        At the gait's apex the law sets something else than the runner has, or the gait is unstable.
+    RunError
+        The gait has no derivatives.
+    """
+    check_orbit(gait, "gait")
+    check_law(law, gait.runner)
+    if law is None:
+        return
+    if gait.strides > 1:
+        raise InputError(f"law: for a gait of {gait.strides} strides; allowed: of one")
+    for name, value in replace(law, noise=None).settings_at(gait.apex).items():
+        usual = gait.runner.values[name]
+        if abs(value - usual) > SAME * max(1.0, abs(usual)):
+            raise InputError(
+                f"law: {name} = {value:g} at the gait's apex, where the runner has {usual:g}; "
+                "allowed: the same"
+            )
+    largest = float(np.max(np.abs(np.linalg.eigvals(jacobian_under(gait, law)))))
+    if not largest < 1.0:
+        raise InputError(
+            f"law: under it the gait at friction {gait.friction:g} is unstable, with a largest eigenvalue of "
+            f"{largest:.6g}: it attracts nothing; allowed: below 1"
+        )
+
+
+def stable_gait(
+    runner: Runner | Mapping[str, Given], unit: Unit | None = None, law: AffineLaw | None = None
+) -> Orbit:
+    """The gait of a runner, or under a law the one near its apex, if it attracts anything.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Parameters and friction, or start values by name.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+    law : AffineLaw, optional
+        By which the runner is set.
+
+    Returns
+    -------
+    Orbit
+        Stable, by itself or under the law.
+
+    Raises
+    ------
+    InputError
+        It is unstable, or the law is not one that keeps it.
+    RunError
+        There is none.
+    """
+    if law is None:
+        gait = find_orbit(runner, unit=unit)
+        if not gait.stable:
+            raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
+        return gait
+    runner = Runner.of(runner, unit)
+    check_law(law, runner)
+    gait = find_orbit(runner, law.apex, unit=unit)
+    check_attracts(gait, law)
+    return gait

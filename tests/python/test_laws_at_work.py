@@ -1,0 +1,129 @@
+"""Laws from apex to settings: what gaits attract and recover from under them, how long runners stay up."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import xarray
+from tdmf_slip import AffineLaw, InputError, Runner, basin, find_orbit, strides_to_fall
+from tdmf_slip.analysis import basin as basin_module
+from tdmf_slip.analysis.held_gait import check_attracts, jacobian_under
+from tdmf_slip.analysis.robustness import robustness
+from tdmf_slip.analysis.volume import volume
+from tdmf_slip.library.return_map import stride_from
+
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+NAMES = (ANGLE, TORQUE)
+
+
+@pytest.fixture(scope="module")
+def gait(unit):
+    return find_orbit(Runner.of({"ground.friction": 0.6}, unit))
+
+
+@pytest.fixture(scope="module")
+def nothing(gait):
+    """A law that sets what the runner has."""
+    usual = [gait.runner.values[name] for name in NAMES]
+    return AffineLaw(NAMES, gait.apex, usual, np.zeros((2, 6)), usual, usual)
+
+
+@pytest.fixture(scope="module")
+def settling(gait):
+    """By least squares, what makes the next apex the gait's: as nearly as two settings can."""
+    usual = np.array([gait.runner.values[name] for name in NAMES])
+    by_settings = np.array([stride_from(gait.runner, gait.apex, name)[2] for name in NAMES]).T
+    over = 1.0 / gait.runner.scales[:, None]
+    gain = -np.linalg.lstsq(over * by_settings, over * gait.jacobian, rcond=None)[0]
+    return AffineLaw(NAMES, gait.apex, usual, gain, usual * 0.8, usual * 1.2)
+
+
+def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
+    jacobian = jacobian_under(gait, settling)
+    values = gait.runner.values
+
+    def following(apex):
+        runner = Runner(dict(values) | settling.settings_at(apex))
+        return stride_from(runner, apex, ANGLE)[0]
+
+    step = 1e-5
+    for k in range(6):
+        change = step * np.eye(6)[k]
+        slope = (following(gait.apex + change) - following(gait.apex - change)) / (2.0 * step)
+        np.testing.assert_allclose(jacobian[:, k], slope, atol=1e-5)
+    assert np.abs(np.linalg.eigvals(jacobian)).max() < 0.5 * gait.lambda_max
+
+
+def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
+    assert robustness(gait, nothing) == robustness(gait)
+    assert volume(gait, 500, law=nothing, workers=1) == volume(gait, 500, workers=1)
+    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, workers=1)
+    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, workers=1) == free
+    axes, ranges = ("com_height", "leg_angle"), (np.linspace(0.6, 2.6, 7), np.linspace(-1.5, 1.5, 8))
+    one, other = (basin(gait.runner, axes, ranges, law=law, workers=1) for law in (None, nothing))
+    xarray.testing.assert_equal(one, other)
+    assert len(np.unique(one["fate"])) > 1
+    assert json.loads(other.attrs["law"])["settings"] == list(NAMES)
+
+
+def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
+    free, held = (
+        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law, workers=1)
+        for law in (None, settling)
+    )
+    assert held.interval[0] > free.interval[1]
+
+
+def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, tmp_path):
+    """Not by the block, nor by who computes it, nor by where a file was gone on with."""
+    noisy = AffineLaw(
+        settling.settings,
+        settling.apex,
+        settling.nominal,
+        settling.gain,
+        settling.low,
+        settling.high,
+        [0.01] * 6,
+    )
+    axes, ranges = ("com_height", "com_speed"), (np.linspace(0.9, 2.4, 6), np.linspace(0.2, 2.3, 5))
+    whole = basin(gait.runner, axes, ranges, law=noisy, workers=1)
+    assert not whole.equals(basin(gait.runner, axes, ranges, law=settling, workers=1))
+    monkeypatch.setattr(basin_module, "STARTS_AT_ONCE", 10)
+    path = tmp_path / "slice.nc"
+    part = whole.copy(deep=True)
+    for name in ("settled_share", "settled_area"):
+        del part.attrs[name]
+    part["fate"][[1, 3]] = basin_module.NOT_YET
+    part["strides"][[1, 3]] = 0
+    part.to_netcdf(path)
+    xarray.testing.assert_equal(basin(gait.runner, axes, ranges, law=noisy, workers=1, path=path), whole)
+    with pytest.raises(InputError, match="holds another slice"):
+        basin(gait.runner, axes, ranges, law=settling, workers=1, path=path)
+
+
+def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
+    def refused(message, law):
+        for judge in (
+            lambda: check_attracts(gait, law),
+            lambda: robustness(gait, law),
+            lambda: volume(gait, 10, law=law, workers=1),
+        ):
+            with pytest.raises(InputError, match=re.escape(message)):
+                judge()
+
+    usual = gait.runner.values[ANGLE]
+    elsewhere = AffineLaw([ANGLE], gait.apex, [usual + 0.01], [[0] * 6], [0], [1])
+    refused(
+        "law: hip.touchdown_angle = 0.708132 at the gait's apex, where the runner has 0.698132", elsewhere
+    )
+    wild = AffineLaw([ANGLE], gait.apex, [usual], [[3, 0, 0, 0, 0, 0]], [0], [1])
+    refused("law: under it the gait at friction 0.6 is unstable, with a largest eigenvalue of", wild)
+    refused("law = 1 is not allowed; allowed: an AffineLaw", 1)
+    reduced = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    with pytest.raises(
+        InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
+    ):
+        robustness(reduced, nothing)
+    with pytest.raises(InputError, match="law = 'stiff' is not allowed"):
+        strides_to_fall(gait.runner, 0.1, law="stiff", gait=gait)
