@@ -311,7 +311,7 @@ def test_validate_as_json(command):
     status, out, _ = command("validate", "--json")
     found = json.loads(out)
     assert status == 0 and found["passed"]
-    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 14
+    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 20
 
 
 def test_a_run_begins_on_the_gait_that_was_printed(command, monkeypatch):

@@ -8,6 +8,7 @@ from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.parameters import read_parameters
 from ..unit.unit import FRICTION, Unit, load
+from . import guinea_fowl
 from . import reference_gaits as reference
 from .claims import WORDS, Claim, claims, gather, recorded
 from .reference_gaits import Drift
@@ -146,4 +147,5 @@ def validate(
         Drift(float("nan"), what, now, then, abs(now - then), allowed)
         for what, now, then, allowed in recorded(evidence)
     ]
-    return Validation(gaits=gaits, claims=claims(evidence), drifts=drifts)
+    said = [*claims(evidence), *guinea_fowl.claims(guinea_fowl.fall_map())]
+    return Validation(gaits=gaits, claims=said, drifts=drifts)

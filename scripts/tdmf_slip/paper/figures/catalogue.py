@@ -19,6 +19,7 @@ from ...pictures.stride import Stride
 from ...terminal import progress
 from ...unit.parameters import read_parameters
 from ...unit.unit import FRICTION, Unit
+from .. import guinea_fowl as slippery
 from . import (
     attraction,
     energy,
@@ -31,6 +32,7 @@ from . import (
     figure_7,
     figure_8,
     figure_9,
+    guinea_fowl,
     reduced,
     retraction,
     rough,
@@ -172,6 +174,8 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
     def thrusts() -> Columns:
         return thrust.table(thrust.gaits(runner)) if measure else stored.columns("thrust")
 
+    falls = cache(slippery.fall_map)
+
     first, second = figure_8.FRICTIONS
     return {
         "figure_1b": Figure(figure_1.draw, figure_1.table),
@@ -196,6 +200,9 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
         ),
         "rough": Figure(lambda path: rough.draw(path, roughness()), roughness),
         "slope": Figure(lambda path: slope.draw(path, slopes()), slopes),
+        "guinea_fowl": Figure(
+            lambda path: guinea_fowl.draw(path, falls()), lambda: guinea_fowl.table(falls())
+        ),
         "thrust": Figure(lambda path: thrust.draw(path, thrusts()), thrusts),
         "reduced_region": Figure(
             lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())

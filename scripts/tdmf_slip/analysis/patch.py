@@ -1,0 +1,150 @@
+"""Runners that meet a slippery patch, and whether they fall, by the angle at which the leg comes down on it.
+
+A runner on its gait comes to an apex with the patch before it. For that landing the leg is placed at a
+contact angle of its own, and for some strides the friction is another one; then all is as before. By the
+reduced map, whose leg is where it is to be placed.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.ensemble import FATES, Case, run_ensemble
+from ..library.orbit import Orbit
+from ..library.quantities import plain_stride
+from ..library.runner import Runner
+from ..unit.unit import FRICTION
+
+AFTER = 30
+"""Strides after the patch: a runner that has made them is up."""
+CLOSED = FATES.index("undecided")
+"""What has made its strides without gaits to settle on."""
+UP = (FATES.index("settled"), CLOSED)
+STEEPEST = math.pi / 2.0
+"""Of the angle at which a leg may be placed, rad from the vertical."""
+
+
+@dataclass(frozen=True)
+class Meetings:
+    """What came of gaits on a patch, by contact angle."""
+
+    fell: NDArray[np.float64]
+    """1 or 0, shape (gaits, angles); not a number where the leg cannot be placed so."""
+    slip_distance: NDArray[np.float64]
+    """Of the first stride on the patch, m; not a number where it does not close, too."""
+
+
+def contact_angle_of(gait: Orbit) -> float:
+    """The angle of the leg from the ground at touchdown, on a gait.
+
+    Parameters
+    ----------
+    gait : Orbit
+        By the reduced map.
+
+    Returns
+    -------
+    float
+        Degrees; 90 for an upright leg.
+    """
+    angle = dict(zip(("x", "y", "length", "angle"), gait.events[0].state, strict=False))["angle"]
+    return 90.0 - math.degrees(angle)
+
+
+def landing_at(gait: Orbit, contact_angle: float) -> Runner | None:
+    """The runner of a gait whose leg is placed so that it comes down at an angle, from the gait's apex.
+
+    Parameters
+    ----------
+    gait : Orbit
+        By the reduced map, on level ground.
+    contact_angle : float
+        Degrees from the ground.
+
+    Returns
+    -------
+    Runner or None
+        None where the apex is too low for the leg, or it would have to start beyond the horizontal.
+    """
+    values, at = gait.runner.values, math.radians(90.0 - contact_angle)
+    share = values["body.mass"] / (values["body.mass"] + values["foot.mass"])
+    drop = float(gait.apex[0]) - share * values["leg.free_length"] * math.cos(at)
+    if drop <= 0.0:
+        return None
+    placed = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
+    return gait.runner.but("hip.touchdown_angle", placed) if placed < STEEPEST else None
+
+
+def meet_patch(
+    gaits: Sequence[Orbit], contact_angles: Sequence[float], friction: float, strides: int = 1
+) -> Meetings:
+    """What comes of runners on gaits that meet a patch.
+
+    Parameters
+    ----------
+    gaits : sequence of Orbit
+        By the reduced map, on level ground.
+    contact_angles : sequence of float
+        Of the leg at the first touchdown on the patch, degrees from the ground.
+    friction : float
+        Of the patch.
+    strides : int, default 1
+        That it is long.
+
+    Returns
+    -------
+    Meetings
+        Falls, and slips.
+
+    Raises
+    ------
+    InputError
+        The friction is refused.
+    """
+    shape = len(gaits), len(contact_angles)
+    fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
+    landings = {
+        (row, column): runner.but(FRICTION, friction)
+        for row, gait in enumerate(gaits)
+        for column, angle in enumerate(contact_angles)
+        if (runner := landing_at(gait, angle)) is not None
+    }
+    places, apices = list(landings), [gaits[row].apex for row, _ in landings]
+    for place, apex in zip(places, apices, strict=True):
+        slips[place] = _slip(landings[place], apex)
+    for place in places:
+        fell[place] = 1.0
+    up, apices = _followed(places, [Case(landings[place]) for place in places], apices, 1)
+    if strides > 1:
+        on_patch = [Case(gaits[row].runner.but(FRICTION, friction)) for row, _ in up]
+        up, apices = _followed(up, on_patch, apices, strides - 1)
+    after = [Case(gaits[row].runner, [gaits[row].apex]) for row, _ in up]
+    for place in _followed(up, after, apices, AFTER)[0]:
+        fell[place] = 0.0
+    return Meetings(fell, slips)
+
+
+def _followed(
+    places: Sequence[tuple[int, int]],
+    cases: Sequence[Case],
+    apices: Sequence[NDArray[np.float64]],
+    strides: int,
+) -> tuple[list[tuple[int, int]], list[NDArray[np.float64]]]:
+    """Those that are up after some strides, and their apices then."""
+    if not places:
+        return [], []
+    ends, _ = run_ensemble(cases, np.array(apices), range(len(cases)), most_strides=strides)
+    kept = [k for k, fate in enumerate(ends["fate"]) if fate in UP]
+    return [places[k] for k in kept], [ends["apex"][k][: len(apices[k])] for k in kept]
+
+
+def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:
+    """Of one stride; not a number where it does not close."""
+    try:
+        return float(plain_stride(runner, apex, ["slip_distance"]).quantities[0])
+    except (InputError, RunError):
+        return math.nan

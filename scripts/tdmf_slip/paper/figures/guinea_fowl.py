@@ -1,0 +1,83 @@
+"""Do slipping runners fall as guinea fowl do? Falls on a patch over speed and contact angle."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from ...analysis.patch import contact_angle_of
+from ...pictures import style
+from .. import guinea_fowl
+from .columns import Columns
+
+FALLS, UP = "#b3216f", "#cfe8e6"
+SHOWN = (50.5, 75.5)
+"""Contact angles, degrees."""
+
+
+def table(found: guinea_fowl.Map) -> Columns:
+    """The figure's data, by column: where the leg can be placed."""
+    rows = [
+        (friction, speed, angle, meetings.fell[i, k], meetings.slip_distance[i, k])
+        for friction, meetings in found.meetings.items()
+        for i, speed in enumerate(found.speeds)
+        for k, angle in enumerate(guinea_fowl.ANGLES)
+        if np.isfinite(meetings.fell[i, k])
+    ]
+    names = ("friction", "speed", "contact_angle", "fell", "slip_distance")
+    return {name: [float(row[k]) for row in rows] for k, name in enumerate(names)}
+
+
+def draw(path: Path, found: guinea_fowl.Map) -> None:
+    """Draw a panel for each friction of the patch, the last one for a patch that is not slippery."""
+    with style.styled():
+        figure, panels = plt.subplots(
+            2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True, layout="constrained"
+        )
+        for axes, friction in zip(panels.flat, found.meetings, strict=True):
+            _panel(axes, found, friction)
+        for axes in panels[1]:
+            axes.set_xlabel("speed  / m/s")
+        for axes in panels[:, 0]:
+            axes.set_ylabel("contact angle of the leg  / °")
+        figure.legend(handles=_key(), loc="outside lower center", ncols=5)
+        style.save(figure, path)
+
+
+def _panel(axes: Axes, found: guinea_fowl.Map, friction: float) -> None:
+    meetings, speeds, angles = found.meetings[friction], found.speeds, guinea_fowl.ANGLES
+    said = guinea_fowl.published()["published"]
+    axes.pcolormesh(
+        speeds,
+        angles,
+        meetings.fell.T,
+        cmap=ListedColormap([UP, FALLS]),
+        vmin=0.0,
+        vmax=1.0,
+        shading="nearest",
+    )
+    slipped = (meetings.fell == 0.0) & (meetings.slip_distance >= said["slip_distance"])
+    rows, columns = np.nonzero(slipped)
+    axes.plot(speeds[rows], angles[columns], ".", color=style.INK, markersize=3)
+    axes.plot(speeds, [contact_angle_of(gait) for gait in found.gaits], color=style.SECOND_CURVE)
+    axes.axhline(said["contact_angle"], **style.LIMIT_LINE)
+    axes.axvline(said["fast"], **style.LIMIT_LINE)
+    high = guinea_fowl.published()["runner"]["high_friction"]
+    axes.set_title(f"friction {friction:g}" + (", as everywhere else" if friction == high else ""))
+    axes.set_ylim(*SHOWN)
+
+
+def _key() -> list[Line2D | Patch]:
+    return [
+        Patch(color=FALLS, label="falls"),
+        Patch(color=UP, label="stays up"),
+        Line2D(
+            [], [], color=style.INK, marker=".", markersize=4, linestyle="", label="… with a slip of 10 cm"
+        ),
+        Line2D([], [], color=style.SECOND_CURVE, label="angle of the gait itself"),
+        Line2D([], [], **style.LIMIT_LINE, label="70°, 3 m/s: Clark and Higham"),
+    ]

@@ -1,0 +1,235 @@
+"""Falls of guinea fowl on slippery ground, published beside computed.
+
+Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that stands for a bird.
+"""
+
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib import resources
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.ordered import find_gait
+from ..analysis.patch import Meetings, contact_angle_of, meet_patch
+from ..errors import RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.runner import Runner
+from ..unit.unit import FRICTION
+from .claims import Claim
+
+FRICTIONS = (0.05, 0.1, 0.2)
+"""Of the patch, for that of polypropylene is not known."""
+STEP = 0.1
+"""Of speeds, m/s."""
+ANGLES = np.arange(50.0, 76.0, 1.0)
+"""Contact angles, degrees from the ground."""
+NEAR = 5.0
+"""Degrees: how far a border may be from the published one and agree, for the friction is not known."""
+MOST = 0.9
+"""Share that counts as nearly all."""
+
+
+@cache
+def published() -> Mapping[str, Mapping[str, float]]:
+    """The numbers of `guinea_fowl.toml`, by table."""
+    text = resources.files(__package__).joinpath("guinea_fowl.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+@dataclass(frozen=True)
+class Map:
+    """Falls over speed and contact angle."""
+
+    gaits: tuple[Orbit, ...]
+    """On ground of high friction, by rising speed."""
+    meetings: Mapping[float, Meetings]
+    """By the friction of the patch; the high one among them."""
+
+    @property
+    def speeds(self) -> NDArray[np.float64]:
+        """Of the gaits, m/s."""
+        return np.array([gait.stride["speed"] for gait in self.gaits])
+
+    def borders(self, friction: float) -> NDArray[np.float64]:
+        """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own.
+
+        Parameters
+        ----------
+        friction : float
+            Of the patch.
+
+        Returns
+        -------
+        ndarray of float, shape (gaits,)
+            Not a number where it falls at all angles.
+        """
+        found = np.full(len(self.gaits), np.nan)
+        for row, gait in enumerate(self.gaits):
+            up = self.meetings[friction].fell[row] == 0.0
+            if up.any():
+                own = contact_angle_of(gait)
+                column = int(np.argmin(np.where(up, np.abs(ANGLES - own), np.inf)))
+                falls_below = np.flatnonzero(~up[:column])
+                found[row] = ANGLES[falls_below[-1] + 1 if len(falls_below) else 0]
+        return found
+
+
+def runner_of(leg_length: float | None = None) -> Runner:
+    """The runner that stands for a bird, by the reduced map, at the speed that the others are continued from.
+
+    Parameters
+    ----------
+    leg_length : float, optional
+        Another one than that of `guinea_fowl.toml`, m.
+
+    Returns
+    -------
+    Runner
+        With a stiffness and a torque in proportion to its weight.
+    """
+    its, gravity = published()["runner"], 9.81
+    length = leg_length or its["leg_length"]
+    stiffness = its["stiffness"] * its["mass"] * gravity / length
+    values = {
+        "body.mass": its["mass"] / (1.0 + its["foot_share"]),
+        "foot.mass": its["mass"] * its["foot_share"] / (1.0 + its["foot_share"]),
+        "leg.stiffness": stiffness,
+        "leg.damping": 2.0 * its["damping_ratio"] * math.sqrt(its["mass"] * stiffness),
+        "leg.free_length": length,
+        "leg.min_length": 0.05 * length,
+        "gravity": gravity,
+        "hip.stance_torque": its["start_torque"] * stiffness * length**2,
+        "hip.touchdown_angle": math.radians(its["touchdown_angle"]),
+        "hip.retraction_rate": its["start_speed"] / length,
+        FRICTION: its["high_friction"],
+    }
+    return replace(Runner.of(values), reduced=True)
+
+
+def gaits(leg_length: float | None = None) -> tuple[Orbit, ...]:
+    """Gaits over the published speeds, as far as there are any, each from its neighbour.
+
+    Parameters
+    ----------
+    leg_length : float, optional
+        Another one than that of `guinea_fowl.toml`, m.
+
+    Returns
+    -------
+    tuple of Orbit
+        By rising speed; the hip's torque is that which makes it.
+    """
+    its = published()["runner"]
+    runner = runner_of(leg_length)
+    length, begin = runner.values["leg.free_length"], its["start_speed"]
+    first = orbit_near(runner, [its["start_height"] * length, begin])
+    low, high = published()["published"]["slowest"], published()["published"]["fastest"]
+    count = round((high - low) / STEP)
+    speeds = [low + STEP * k for k in range(count + 1)]
+    up = _continued(first, [speed for speed in speeds if speed >= begin])
+    down = _continued(first, [speed for speed in reversed(speeds) if speed < begin])
+    return (*reversed(down), *up)
+
+
+def _continued(gait: Orbit, speeds: Sequence[float]) -> list[Orbit]:
+    """Gaits at speeds in turn, to the last that there is."""
+    found: list[Orbit] = []
+    for speed in speeds:
+        runner = gait.runner.but("hip.retraction_rate", speed / gait.runner.values["leg.free_length"])
+        try:
+            gait = find_gait(runner, {"speed": speed}, ["hip.stance_torque"], guess=gait.apex)
+        except RunError:
+            break
+        found.append(gait)
+    return found
+
+
+def fall_map(leg_length: float | None = None, strides: int = 1) -> Map:
+    """Falls on a slippery patch over speed and contact angle.
+
+    Parameters
+    ----------
+    leg_length : float, optional
+        Another one than that of `guinea_fowl.toml`, m.
+    strides : int, default 1
+        That the patch is long.
+
+    Returns
+    -------
+    Map
+        At `FRICTIONS`, and on a patch that is not slippery.
+    """
+    found = gaits(leg_length)
+    frictions = (*FRICTIONS, published()["runner"]["high_friction"])
+    return Map(found, {mu: meet_patch(found, list(ANGLES), mu, strides) for mu in frictions})
+
+
+def claims(found: Map) -> list[Claim]:
+    """What Clark and Higham say in numbers, beside the map on the most slippery patch.
+
+    Parameters
+    ----------
+    found : Map
+        Falls over speed and contact angle.
+
+    Returns
+    -------
+    list of Claim
+        In the order of their abstract.
+    """
+    said, friction = published()["published"], FRICTIONS[0]
+    on = found.meetings[friction]
+    borders, slow = found.borders(friction), found.speeds <= said["fast"]
+    patch = f"guinea fowl on a patch of friction {friction:g}"
+    steep, anyway = (
+        np.nansum(found.meetings[mu].fell[:, said["contact_angle"] < ANGLES])
+        for mu in (friction, published()["runner"]["high_friction"])
+    )
+    up, down = on.slip_distance[on.fell == 0.0], on.slip_distance[on.fell == 1.0]
+    short = float(np.mean(up < said["slip_distance"]))
+    known = down[np.isfinite(down)]
+    long = float(np.mean(known >= said["slip_distance"]))
+    of_slow, of_fast = np.nanmax(borders[slow]), np.nanmax(borders[~slow])
+    speeds = found.speeds
+    return [
+        Claim(
+            f"{patch}: speeds that it runs at",
+            "1.3 to 3.6 m/s",
+            f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s",
+            bool(speeds[0] < said["slowest"] + 0.5 * STEP and speeds[-1] > said["fastest"] - 0.5 * STEP),
+        ),
+        Claim(
+            f"{patch}: contact angle above which it stays up",
+            "70°",
+            f"{of_slow:.0f}° at up to {said['fast']:g} m/s",
+            bool(abs(of_slow - said["contact_angle"]) <= NEAR),
+        ),
+        Claim(
+            f"{patch}: falls above 70°",
+            "avoided",
+            f"{steep:.0f}, and {anyway:.0f} where it is not slippery",
+            bool(steep == 0.0),
+        ),
+        Claim(
+            f"{patch}: lower angles above {said['fast']:g} m/s",
+            "tolerated",
+            f"down to {of_fast:.0f}° at every such speed",
+            bool(of_fast < of_slow),
+        ),
+        Claim(
+            f"{patch}: slips of those that stay up",
+            "below 10 cm",
+            f"{100 * short:.0f} % of them, the largest {100 * np.max(up):.0f} cm",
+            short >= MOST,
+        ),
+        Claim(
+            f"{patch}: slips of those that fall",
+            "10 cm or more",
+            f"{100 * long:.0f} % of them",
+            long >= MOST,
+        ),
+    ]

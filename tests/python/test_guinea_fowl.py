@@ -1,0 +1,79 @@
+"""Falls on a slippery patch, as guinea fowl fall: the map, and what is published beside it."""
+
+import numpy as np
+import pytest
+from tdmf_slip import RunError
+from tdmf_slip.analysis.patch import AFTER, contact_angle_of, landing_at, meet_patch
+from tdmf_slip.library.quantities import plain_stride
+from tdmf_slip.library.strides import strides_from
+from tdmf_slip.paper import guinea_fowl
+
+
+@pytest.fixture(scope="module")
+def found():
+    return guinea_fowl.fall_map()
+
+
+def stays_up(gait, angle, friction):
+    """By the native solver, stride by stride."""
+    patch, apex = landing_at(gait, angle).but("ground.friction", friction), gait.apex
+    try:
+        for runner in (patch, *[gait.runner] * AFTER):
+            apex = apex + plain_stride(runner, apex, []).left_over
+    except RunError:
+        return False
+    return True
+
+
+def test_gaits_have_the_speeds_that_are_published(found):
+    assert found.speeds == pytest.approx(np.arange(1.4, 3.65, 0.1), rel=1e-9)
+    assert all(gait.stable for gait in found.gaits)
+
+
+def test_the_leg_comes_down_at_the_angle_that_is_asked_for(found):
+    for gait in found.gaits[::6]:
+        for angle in (60.0, 64.0):
+            landed = strides_from(landing_at(gait, angle), gait.apex)
+            assert contact_angle_of(landed) == pytest.approx(angle, abs=1e-9)
+    assert landing_at(found.gaits[-1], 80.0) is None and landing_at(found.gaits[-1], 30.0) is None
+
+
+def test_a_patch_that_is_none_changes_nothing(found):
+    gait = found.gaits[10]
+    meetings = meet_patch([gait], [contact_angle_of(gait)], gait.friction, strides=3)
+    assert meetings.fell[0, 0] == 0.0
+    assert meetings.slip_distance[0, 0] == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
+
+
+@pytest.mark.parametrize("friction", [0.05, 2.0])
+def test_the_native_solver_sees_the_same_falls(found, friction):
+    fell = found.meetings[friction].fell
+    compared = {True: 0, False: 0}
+    for row in range(0, len(found.gaits), 4):
+        for column in range(0, len(guinea_fowl.ANGLES), 5):
+            if np.isfinite(fell[row, column]):
+                up = stays_up(found.gaits[row], guinea_fowl.ANGLES[column], friction)
+                assert up == (fell[row, column] == 0.0), (row, column)
+                compared[up] += 1
+    assert min(compared.values()) >= 3
+
+
+def test_what_is_published_stands_beside_what_is_computed(found):
+    """Where the map is like theirs, and where not: a border near 70 degrees that is lower for fast runners."""
+    verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]
+    assert verdicts == ["differs", "agrees", "differs", "agrees", "differs", "differs"]
+    borders = found.borders(0.05)
+    assert np.max(borders) == 67.0 and borders[-1] == 61.0
+    assert np.all(found.borders(0.05) >= found.borders(2.0))
+
+
+def test_each_number_of_the_claims_is_one_of_the_file():
+    said = guinea_fowl.published()["published"]
+    assert (said["slowest"], said["fastest"], said["fast"]) == (1.3, 3.6, 3.0)
+    assert (said["contact_angle"], said["slip_distance"]) == (70.0, 0.10) and len(said) == 5
+
+
+def test_the_figure_is_drawn_with_its_data(command, tmp_path):
+    assert command("figures", "--only", "guinea_fowl", "--output", "made", "--format", "png")[0] == 0
+    rows = (tmp_path / "made/guinea_fowl.csv").read_text().splitlines()
+    assert rows[0] == "friction,speed,contact_angle,fell,slip_distance" and len(rows) > 1000
