@@ -59,7 +59,7 @@ def test_the_native_solver_sees_the_same_falls(found, friction):
 
 
 def test_what_is_published_stands_beside_what_is_computed(found):
-    """Where the map is like theirs, and where not: a border near 70 degrees that is lower for fast runners."""
+    """Where the map is like theirs, and where not: its border is near 70 degrees, and lower for the fast."""
     verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]
     assert verdicts == ["differs", "agrees", "differs", "agrees", "differs", "differs"]
     borders = found.borders(0.05)

@@ -229,7 +229,7 @@ def claims(found: Map) -> list[Claim]:
         Claim(
             f"{patch}: slips of those that fall",
             "10 cm or more",
-            f"{100 * long:.0f} % of them",
+            f"{100 * long:.0f} % of those that fall later than in that stride",
             long >= MOST,
         ),
     ]
