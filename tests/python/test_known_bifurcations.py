@@ -14,8 +14,9 @@ from closed_form_maps import (
     tent,
     torn,
 )
+from tdmf_slip.analysis import switching
 from tdmf_slip.analysis.steps import Limits
-from tdmf_slip.analysis.switching import doubled_branches
+from tdmf_slip.analysis.switching import with_doubled_branches
 from tdmf_slip.analysis.tracing import whole_branch
 from tdmf_slip.library import classic_slip
 
@@ -36,7 +37,7 @@ def test_the_logistic_map_doubles_its_period_at_3():
     assert branch.values[-1] == 3.8
     for value, orbit in zip(branch.values, branch.orbits, strict=True):
         assert orbit.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
-    (doubled,) = doubled_branches(branch, MapFamily(logistic, 1, strides=2), limits)
+    (doubled,) = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits).branches
     assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
     assert [kind for kind, _ in told(doubled)] == ["period doubling"]
     assert doubled.specials[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
@@ -45,6 +46,51 @@ def test_the_logistic_map_doubles_its_period_at_3():
         both = sorted([orbit.apex[0], orbit.following[0][0]])
         assert both == pytest.approx([(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs=1e-11)
         assert orbit.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
+
+
+def logistic_period(r, longest=16):
+    """Of what plain iterates settle on."""
+    x = 0.4
+    for _ in range(200_000):
+        x = r * x * (1.0 - x)
+    places = [x]
+    for _ in range(longest):
+        places.append(r * places[-1] * (1.0 - places[-1]))
+    return next(n for n in range(1, longest + 1) if abs(places[n] - x) < 1e-6)
+
+
+def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
+    family = MapFamily(logistic, 1)
+    branch, limits = followed(family, family.beginning(2.9, 0.66), 2.9, 3.56, 0.05)
+    doubled = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits)
+    (two,) = doubled.branches
+    (four,) = two.branches
+    assert [b.strides for b in (doubled, two, four)] == [1, 2, 4] and four.branches == ()
+    assert four.began.startswith("period doubling at p = 3.4494897")
+    assert told(four) == [("period doubling", 3.544090359551)]
+    assert four.specials[0].why == "gaits of 8 strides are not followed"
+    assert four.specials[0].as_json()["why"] == four.specials[0].why
+    places = [special.specials[0].value for special in (doubled, two, four)]
+    for number, value in enumerate(places):
+        assert [logistic_period(value + off) for off in (-3e-3, 3e-3)] == [2**number, 2 ** (number + 1)]
+    compared = 0
+    for r, orbit in zip(four.values, four.orbits, strict=True):
+        x, apexes = orbit.apex[0], [orbit.apex, *orbit.following]
+        for apex in apexes:
+            assert apex[0] == pytest.approx(x, abs=1e-11)
+            x = r * x * (1.0 - x)
+        assert x == pytest.approx(orbit.apex[0], abs=1e-11)
+        compared += len(apexes)
+    assert compared >= 20
+
+
+def test_a_period_doubling_beside_which_no_gait_is_found_says_so(monkeypatch):
+    monkeypatch.setattr(switching, "departure", lambda *_: None)
+    family = MapFamily(logistic, 1)
+    branch, limits = followed(family, family.beginning(2.9, 0.66), 2.9, 3.2)
+    doubled = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits)
+    assert doubled.branches == () and told(doubled) == [("period doubling", 3.0)]
+    assert doubled.specials[0].why == "no gait of 2 strides was found beside it"
 
 
 def test_the_henon_map_folds_and_doubles_its_period():

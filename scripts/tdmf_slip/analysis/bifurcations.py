@@ -45,7 +45,7 @@ class Special:
     between: tuple[float, float]
     """Values of the parameter at two gaits around it, in their order along the branch."""
     why: str = ""
-    """Why it is not judged."""
+    """Why it is not judged; of a period doubling, why gaits of twice the period are not followed."""
     words: tuple[str, str] | None = None
     """At a word border, also of what else happens there: the words before and after it."""
     index: int = 0

@@ -1,6 +1,10 @@
-"""From a period doubling to the gaits of twice the period: found beside it, and followed as a branch."""
+"""From a period doubling to the gaits of twice the period: found beside it, and followed as a branch.
 
-from collections.abc import Callable, Iterator, Sequence
+On such a branch the period may double again: its gaits of four strides are followed likewise. A doubling
+whose gaits are not followed says why.
+"""
+
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -13,6 +17,8 @@ from .branch import Branch
 from .family import Family, Point
 from .steps import Limits, follow
 
+MOST_STRIDES = 4
+"""Of the gaits that are followed: a period doubling of theirs is told, and no farther branch."""
 DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Over the scales: how far from a period doubling the first gait of twice the period is sought."""
 DIFFERENT = 1e-3
@@ -54,38 +60,50 @@ def told_branch(family: Family, points: Sequence[Point], began: str, ended: str)
     )
 
 
-def doubled_branches(
-    branch: Branch, family: Family, limits: Limits, step_finished: Callable[[], None] = lambda: None
-) -> Iterator[Branch]:
-    """The branches of twice the period from the period doublings of a branch, each once.
+def with_doubled_branches(
+    branch: Branch,
+    family_of: Callable[[int], Family],
+    limits: Limits,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Branch:
+    """A branch with those of twice the period from its period doublings, each once, and with theirs.
 
     Parameters
     ----------
     branch : Branch
-        On which the period doubles.
-    family : Family
-        Of gaits of twice the period.
+        On which the period may double.
+    family_of : callable
+        The family of gaits that repeat themselves after so many strides.
     limits : Limits
         Where to stop.
     step_finished : callable, optional
         Called after each gait.
 
-    Yields
-    ------
+    Returns
+    -------
     Branch
-        Beginning beside a period doubling.
+        Its `branches` begin beside period doublings; one whose gaits are not followed says `why`.
     """
+    strides = 2 * branch.strides
     met: list[float] = []
-    for special in branch.specials:
+    found: list[Branch] = []
+    specials = list(branch.specials)
+    for number, special in enumerate(branch.specials):
         if special.kind != PERIOD_DOUBLING or any(abs(special.value - v) <= 1e-8 * abs(v) for v in met):
             continue
+        if strides > MOST_STRIDES:
+            specials[number] = replace(special, why=f"gaits of {strides} strides are not followed")
+            continue
+        family = family_of(strides)
         first = departure(family, special)
         if first is None:
+            specials[number] = replace(special, why=f"no gait of {strides} strides was found beside it")
             continue
         points, ended = follow(family, first, limits, step_finished)
-        found = told_branch(family, points, f"period doubling at {family.name} = {special.value:.10g}", ended)
-        met += [other.value for other in found.specials]
-        yield found
+        other = told_branch(family, points, f"period doubling at {family.name} = {special.value:.10g}", ended)
+        met += [of_other.value for of_other in other.specials]
+        found.append(with_doubled_branches(other, family_of, limits, step_finished))
+    return replace(branch, specials=tuple(specials), branches=tuple(found))
 
 
 def departure(family: Family, doubling: Special) -> Point | None:

@@ -17,7 +17,7 @@ from .continuation import gaits_over
 from .family import Family, Point
 from .search import find_orbit
 from .steps import SHORTEST_STEP, Limits, follow
-from .switching import doubled_branches, told_branch
+from .switching import told_branch, with_doubled_branches
 
 LARGEST_STEP = 1e9
 MOST_POINTS = 1_000_000
@@ -57,7 +57,7 @@ def continue_branch(
     most_points : int, default 1000
         Stop after so many gaits, in each direction.
     switch : bool, default True
-        Follow the gaits of two strides from each period doubling, too.
+        Follow the gaits of two strides from each period doubling, and those of four from theirs, too.
     show_progress : bool, default False
         A count of gaits on stderr.
     unit : Unit, optional
@@ -66,7 +66,7 @@ def continue_branch(
     Returns
     -------
     Branch
-        The gaits in their order, with borders and bifurcations, and the branches of two strides.
+        The gaits in their order, with borders and bifurcations, and the branches of more strides.
 
     Raises
     ------
@@ -108,8 +108,7 @@ def continue_branch(
         if not switch:
             return branch
         limits = _limits(begin, end, largest_step, most_points)
-        doubled = Family(first.runner, name, 2)
-        return replace(branch, branches=tuple(doubled_branches(branch, doubled, limits, tell)))
+        return with_doubled_branches(branch, lambda n: Family(first.runner, name, n), limits, tell)
 
 
 def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) -> Orbit:

@@ -57,7 +57,9 @@ from .runner import runner_of
     show_default=True,
     help="Stop after so many gaits, in each direction.",
 )
-@click.option("--no-switch", is_flag=True, help="Do not follow gaits of two strides from period doublings.")
+@click.option(
+    "--no-switch", is_flag=True, help="Do not follow gaits of two and four strides from period doublings."
+)
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the branch: .png, .svg or .pdf."
 )
@@ -92,9 +94,10 @@ def continue_command(
     """A branch of gaits along a parameter, past folds, with every special point found and judged.
 
     Folds, period doublings, Neimark-Sacker points and borders between words are located; a point that cannot
-    be judged is told as such. From period doublings the gaits of two strides are followed, too. Where there
-    is no gait at A, the branch begins where there is one and is followed both ways. Over two parameters, the
-    special points that the branch over the first one has are followed as curves.
+    be judged is told as such. From period doublings the gaits of two strides are followed, too, and from
+    theirs those of four. Where there is no gait at A, the branch begins where there is one and is followed
+    both ways. Over two parameters, the special points that the branch over the first one has are followed as
+    curves.
     """
     unit = load()
     given = values_given(friction, settings)
