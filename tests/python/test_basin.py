@@ -188,7 +188,7 @@ def test_a_map_says_friction_and_units(unit, monkeypatch, preset):
     data = basin.basin(runner, ("leg_length", "leg_angle_rate"), ([1.2], [0.2, 0.4]), workers=1)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")
-    rate = "1" if preset == "paper" else "15.81"
+    rate = "1" if preset == "paper" else "16.52"
     assert axes.get_ylabel() == "leg length (m;  l₀ = 1 m)"
     assert axes.get_xlabel() == f"rate of leg angle (rad/s;  √(k/m) = {rate} rad/s)"
     assert "beyond the map" in figure.legends[0].get_texts()[0].get_text()
