@@ -4,6 +4,7 @@ Unknowns are the apex z and the freed parameters p. With the return map P and th
 method solves P(z, p) - z = 0 and q(z, p) = the order, all over their scales.
 """
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -16,12 +17,17 @@ from ..library.orbit import Orbit, orbit_near
 from ..library.quantities import VariedStride, scales_of, varied_stride
 from ..library.runner import Runner
 
-NEWTON_ITERATIONS, SHORTENINGS = 40, 10
-CLOSING_ITERATIONS, CLOSING_SHORTENINGS = 12, 3
-"""Where a place is near a gait, or else is of no use."""
+NEWTON_ITERATIONS, SHORTENINGS = 40, 6
+"""To what is ordered at once."""
+LONGEST_STEP = 1.0
+"""Of Newton's method, over the scales of apex and parameters: far beyond them a stride may take an age."""
+CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
+"""Where a place is near a gait that is sought, or else is of no use."""
+STEPS = 40
+"""Of the way from the first gait's quantities to those ordered, with those that are refused."""
 CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
 """Largest difference of apex and next apex over the scales, and of quantities over those ordered."""
-SHORTEST_SHARE = 1e-3
+SHORTEST_SHARE = 5e-3
 """Of the way from the first gait's quantities to those ordered."""
 
 
@@ -47,10 +53,15 @@ class Order:
         self._apex_scales = runner.scales
         self._quantity_scales = np.array([abs(value) or 1.0 for value in self.ordered])
 
-    def with_one_more(self, name: str) -> "Order":
-        """The same order with one more parameter freed."""
+    def with_more(self, *names: str) -> "Order":
+        """The same order with more parameters freed."""
         quantities = dict(zip(self.names, map(float, self.ordered), strict=True))
-        return Order(self.runner, quantities, [*self.free, name])
+        return Order(self.runner, quantities, [*self.free, *names])
+
+    def with_one_for(self, name: str, other: str) -> "Order":
+        """The same order with another parameter freed instead of one."""
+        quantities = dict(zip(self.names, map(float, self.ordered), strict=True))
+        return Order(self.runner, quantities, [other if free == name else free for free in self.free])
 
     def runner_at(self, at: NDArray[np.float64]) -> Runner:
         """The runner with the freed parameters' values at a place."""
@@ -105,11 +116,18 @@ class Order:
         """What is left over of the stride, over the scales."""
         return place.varied.left_over / self._apex_scales
 
-    def solved_from(self, place: Place) -> tuple[Place, float]:
+    def solved_from(self, place: Place, steps: int = STEPS) -> tuple[Place, float]:
         """The place that meets the order, or the last one on the way to it.
 
         Newton's method alone, from the place given; where it fails, on a way of orders from what the gait has
         to what is ordered, a share at a time.
+
+        Parameters
+        ----------
+        place : Place
+            That of a gait.
+        steps : int, default 40
+            Of the way at the most.
 
         Returns
         -------
@@ -118,16 +136,23 @@ class Order:
         share : float
             Of the way that was gone: 1 where the order is met.
         """
+        with contextlib.suppress(RunError):
+            return self._by_newton(place, self.ordered), 1.0
         begin, way = place.varied.quantities, self.ordered - place.varied.quantities
-        done, step = 0.0, 1.0
-        while done < 1.0 and step >= SHORTEST_SHARE:
-            to = 1.0 if done + step >= 1.0 else done + step
+        done, step = 0.0, 0.5
+        for _ in range(steps):
+            to = min(done + step, 1.0)
+            goal = self.ordered if to == 1.0 else begin + to * way
             try:
-                place = self._by_newton(place, self.ordered if to == 1.0 else begin + to * way)
+                place = self._by_newton(place, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
             except RunError:
                 step *= 0.5
+                if step < SHORTEST_SHARE:
+                    break
                 continue
             done, step = to, 2.0 * step
+            if done == 1.0:
+                break
         return place, done
 
     def closed_near(self, at: NDArray[np.float64]) -> Place:
@@ -138,7 +163,7 @@ class Order:
         RunError
             There is none.
         """
-        return self._by_newton(self.look(at), None, CLOSING_ITERATIONS, CLOSING_SHORTENINGS)
+        return self._by_newton(self.look(at), None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
     def _by_newton(
         self,
@@ -156,6 +181,7 @@ class Order:
                 step = np.linalg.lstsq(self.rows(place)[: len(off)], -off)[0]
             except np.linalg.LinAlgError as problem:
                 raise RunError(f"Newton's method: {problem}") from None
+            step *= min(1.0, LONGEST_STEP / (float(np.max(np.abs(step))) or 1.0))
             improved = self._improved(place, step, goal, shortenings)
             if improved is None:
                 break

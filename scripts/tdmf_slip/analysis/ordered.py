@@ -14,7 +14,7 @@ from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
-from .nearest import nearest_from, parameters_that_help
+from .nearest import Help, nearest_from, parameters_that_help
 from .order import Order, Place
 from .search import find_orbit, runner_by
 
@@ -24,6 +24,8 @@ LEAST, MOST = 1e-9, 1e9
 """Of what is ordered, in SI units."""
 MET = 1e-10
 """Of what is ordered."""
+LAST_STEPS = 10
+"""From the nearest gait towards the order."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 
@@ -51,10 +53,11 @@ def find_gait(
     show_progress: bool = False,
     unit: Unit | None = None,
 ) -> Orbit:
-    """The periodic gait that has what is ordered, by freeing as many parameters.
+    """The periodic gait that has what is ordered, by freeing as many parameters or more.
 
     Newton's method on apex and freed parameters at once, from the gait that `find_orbit` gives; where it
-    fails, through orders in between. Derivatives are exact.
+    fails, through orders in between. Derivatives are exact. Where more parameters are freed than are ordered,
+    each step is the shortest one, over their values.
 
     Parameters
     ----------
@@ -66,7 +69,7 @@ def find_gait(
         strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
         foot in m, `peak_force` of the ground in N, `cost_of_transport`.
     free : sequence of str
-        Names of parameters and inputs to be found, as many as are ordered.
+        Names of parameters and inputs to be found, as many as are ordered or more.
     guess : sequence of float, optional
         An apex near that of the gait to begin with; see `find_orbit`.
     model : str, optional
@@ -84,11 +87,11 @@ def find_gait(
     Raises
     ------
     InputError
-        Nothing is ordered, or what is not allowed; a name is unknown; not as many parameters are freed; one
-        does not act, or they cannot be told from each other.
+        Nothing is ordered, or what is not allowed; a name is unknown; fewer parameters are freed; one does
+        not act, or they cannot be told from each other.
     OrderNotMetError
-        No such gait was found: `nearest` is the nearest that was, `helps` names parameters that, freed too,
-        bring the order nearer.
+        No such gait was found: `nearest` is the nearest that was, `helps` names parameters that, freed too
+        or instead of another, as the message says, meet the order or bring it nearer.
     RunError
         There is no gait to begin with.
 
@@ -108,7 +111,7 @@ def find_gait(
     place, share = system.solved_from(begin)
     if share < 1.0:
         nearest = nearest_from(system, (place, begin))
-        place, share = system.solved_from(nearest)
+        place, share = system.solved_from(nearest, LAST_STEPS)
         if share < 1.0:
             nearest = min(nearest, place, key=system.gap)
             helps = parameters_that_help(system, nearest, first, show_progress)
@@ -159,10 +162,10 @@ def _checked_free(free: object, order: Mapping[str, float]) -> tuple[str, ...]:
         check_varied(name, "free")
         if names.count(name) > 1:
             raise InputError(f"free: {name} is given twice; allowed: once")
-    if len(names) != len(order):
+    if len(names) < len(order):
         raise InputError(
-            f"free: {', '.join(names) or 'nothing'} for {', '.join(order)}; allowed: as many parameters as "
-            f"are ordered, {len(order)}"
+            f"free: {', '.join(names) or 'nothing'} for {', '.join(order)}; allowed: at least as many "
+            f"parameters as are ordered, {len(order)}"
         )
     return names
 
@@ -182,7 +185,7 @@ def _check_action(order: Order, place: Place) -> None:
         )
 
 
-def _not_met(order: Order, nearest: Place, helps: tuple[str, ...], unit: Unit) -> OrderNotMetError:
+def _not_met(order: Order, nearest: Place, helps: Sequence[Help], unit: Unit) -> OrderNotMetError:
     """With the nearest gait, and what would help."""
     orbit = order.orbit(nearest)
     has = quantities_of(orbit, order.names)
@@ -193,12 +196,12 @@ def _not_met(order: Order, nearest: Place, helps: tuple[str, ...], unit: Unit) -
         for name in order.free
     )
     tip = (
-        f"freeing {' or '.join(helps[:3])} too would help"
+        f"freeing {', '.join(map(str, helps[:3]))}"
         if helps
-        else "no single further parameter that was tried would help"
+        else "no single further parameter that was tried helps"
     )
     return OrderNotMetError(
         f"no gait with {wanted} was found by {', '.join(order.free)}: the nearest has {near}, at {at}; {tip}",
         orbit,
-        helps,
+        tuple(help.name for help in helps),
     )

@@ -43,7 +43,8 @@ def gait_command(
 ) -> None:
     """The periodic gait, stable or not, with the eigenvalues of its return map.
 
-    With --speed and the like, the gait that has what is ordered, by freeing as many parameters with --free.
+    With --speed and the like, the gait that has what is ordered, by freeing as many parameters or more with
+    --free.
     Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
     """
     unit = load()
@@ -79,7 +80,7 @@ def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
     if free is not None and not order:
         raise InputError(f"--free {free}: nothing is ordered; allowed: with {options}")
     if free is None and order:
-        raise InputError("--free is missing; allowed: with an order, as many parameters as are ordered")
+        raise InputError("--free is missing; allowed: with an order, at least as many parameters as ordered")
     return [] if free is None else [name.strip() for name in free.split(",")]
 
 

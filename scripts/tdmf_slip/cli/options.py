@@ -103,7 +103,7 @@ _ORDERS = {
 _FREE_OPTION = click.option(
     "--free",
     metavar="NAMES",
-    help="Parameters to be found for an order, as many as are ordered, as in "
+    help="Parameters to be found for an order, at least as many as are ordered, as in "
     "hip.stance_torque,leg.stiffness; they begin with the values given.",
 )
 SCHEDULER_OPTION = click.option(
