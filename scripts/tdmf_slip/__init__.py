@@ -4,17 +4,17 @@
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
     >>> run.stride["word"], run.fallen
 
-`simulate` runs the FMI unit once, `simulate_over` over the uneven ground of a `Profile`, and `run_batch`
-many times; `find_orbit` finds the periodic gait of a `Runner` with its eigenvalues, `find_gait` the one
-that has a given speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through
-folds with its bifurcations, `basin` what a gait attracts; `dead_beat`, `lqr` and `place_poles` make a
-feedback that holds a gait; `fit` fits a runner to measured gaits; `run_ensemble` follows many runners at
-once; `validate` compares with what the paper publishes. `fmu_path` is the unit itself, for any other
-importer.
+`simulate` runs the FMI unit once, `simulate_over` over the uneven ground of a `Profile`, and `run_batch` many
+times; `find_orbit` finds the periodic gait of a `Runner` with its eigenvalues, `find_gait` the one that has a
+given speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
+its bifurcations, `basin` what a gait attracts; `dead_beat`, `lqr` and `place_poles` make a feedback that
+holds a gait; `fit` fits a runner to measured gaits; `optimize` finds the best runner; `run_ensemble` follows
+many runners at once; `validate` compares with what the paper publishes. `fmu_path` is the unit itself, for
+any other importer.
 
 The sub-packages, each of which knows those before it only: `terminal`, `files` and `blocks`, which know
-nothing of runners; `unit`, `library`, `analysis`, `feedback`, `fitting`, `pictures`; `paper` and `bench`;
-`cli`, the command line.
+nothing of runners; `unit`, `library`, `analysis`, `feedback`, `fitting`, `optimization`, `pictures`; `paper`
+and `bench`; `cli`, the command line.
 
 What is loaded is what is used: the names and their modules are in `__init__.pyi`.
 """

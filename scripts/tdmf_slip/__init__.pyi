@@ -19,6 +19,8 @@ from .library.affine_law import AffineLaw
 from .library.ensemble import run_ensemble
 from .library.orbit import Orbit
 from .library.runner import Runner
+from .optimization.optimize import optimize
+from .optimization.optimum import Optimum
 from .paper.validation import Validation, validate
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
@@ -36,6 +38,7 @@ __all__ = [
     "Feedback",
     "Fit",
     "InputError",
+    "Optimum",
     "Orbit",
     "OrderNotMetError",
     "Profile",
@@ -59,6 +62,7 @@ __all__ = [
     "fmu_path",
     "load",
     "lqr",
+    "optimize",
     "place_poles",
     "read_parameters",
     "run_batch",

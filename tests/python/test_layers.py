@@ -16,10 +16,26 @@ KNOWS = {
     "analysis": {"library", "unit", "blocks", "files", "terminal"},
     "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "fitting": {"analysis", "library", "unit", "files", "terminal"},
+    "optimization": {"analysis", "library", "unit", "terminal"},
     "pictures": {"fitting", "analysis", "library", "unit", "files", "terminal"},
-    "paper": {"pictures", "feedback", "fitting", "analysis", "library", "unit", "files", "terminal"},
+    "paper": {
+        *(
+            "pictures",
+            "optimization",
+            "feedback",
+            "fitting",
+            "analysis",
+            "library",
+            "unit",
+            "files",
+            "terminal",
+        )
+    },
     "bench": {"library", "unit", "terminal"},
-    "cli": {"bench", "paper", "pictures", "fitting", "analysis", "library", "unit", "files", "terminal"},
+    "cli": {
+        *("bench", "paper", "pictures", "optimization", "fitting", "analysis", "library", "unit", "files"),
+        "terminal",
+    },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
 

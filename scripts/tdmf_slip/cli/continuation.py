@@ -101,7 +101,7 @@ def continue_command(
     """
     unit = load()
     given = values_given(friction, settings)
-    spans = dict(_span(unit, text) for text in ranges)
+    spans = dict(span_of(unit, text) for text in ranges)
     for name in spans:
         refuse_given(given, name, "--over")
     if len(spans) != len(ranges) or len(spans) > 2:
@@ -163,7 +163,14 @@ def _curves(
         print(table(tuple(spans), [tuple(f"{v:.10g}" for v in pair) for pair in curve.points]))
 
 
-def _span(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
+def span_of(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
+    """The parameter or input, and the range of it, that NAME=A:B stands for.
+
+    Raises
+    ------
+    InputError
+        It is not of that form, or there is no such parameter or value.
+    """
     name, equals, span = (part.strip() for part in over.partition("="))
     if not equals:
         raise InputError(f"--over {over}: allowed: NAME=A:B")

@@ -23,6 +23,7 @@ COMMANDS = (
     "figures",
     "fit",
     "gait",
+    "optimize",
     "rough",
     "simulate",
     "sweep",

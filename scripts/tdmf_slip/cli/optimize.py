@@ -1,0 +1,161 @@
+"""The command `optimize`: the best runner over parameters within bounds."""
+
+import click
+
+from ..analysis.ordered import OrderNotMetError
+from ..errors import InputError
+from ..library.quantities import QUANTITIES
+from ..optimization.optimize import MOST_STARTS, STARTS, optimize
+from ..optimization.optimum import Optimum, told
+from ..terminal.text import table
+from ..unit.unit import Unit, load
+from .continuation import span_of
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    MODEL_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    refuse_given,
+    values_given,
+)
+from .output import json_text
+from .runner import runner_of
+
+UNITS = {"frequency": "Hz"}
+"""Of what the unit has no variable for."""
+
+
+@click.command("optimize", cls=Command)
+@click.option("--minimize", metavar="QUANTITY", help=f"What is to be the least: {', '.join(QUANTITIES)}.")
+@click.option("--maximize", metavar="QUANTITY", help="What is to be the most.")
+@click.option(
+    "--over",
+    "ranges",
+    required=True,
+    multiple=True,
+    metavar="NAME=A:B",
+    help="Parameter or input that is varied, and its bounds, as in hip.touchdown_angle='30 deg:50 deg'. "
+    "Repeatable.",
+)
+@click.option(
+    "--at",
+    "prescribed",
+    multiple=True,
+    metavar="QUANTITY=VALUE",
+    help="Quantity that is prescribed, in SI units, as in speed=1. Repeatable.",
+)
+@click.option("--stable", is_flag=True, help="Only gaits whose spectral radius is 0.99 at the most.")
+@click.option(
+    "--starts",
+    type=Number(1, MOST_STARTS, whole=True),
+    default=STARTS,
+    show_default=True,
+    help="How many searches are made, from places spread over the bounds.",
+)
+@FRICTION_OPTION
+@SET_OPTION
+@PARAMETERS_OPTION
+@MODEL_OPTION
+@JSON_OPTION
+def optimize_command(
+    minimize: str | None,
+    maximize: str | None,
+    ranges: tuple[str, ...],
+    prescribed: tuple[str, ...],
+    stable: bool,
+    starts: int,
+    friction: float | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    model: str,
+    as_json_object: bool,
+) -> None:
+    """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
+
+    By gradients that are exact through the orbit, across changes of the gait word. Where no gait has what is
+    prescribed, JSON has the nearest one, and the status is 1.
+    """
+    unit = load()
+    given = values_given(friction, settings)
+    over = dict(span_of(unit, text) for text in ranges)
+    for name in over:
+        refuse_given(given, name, "--over")
+    if len(over) != len(ranges):
+        raise InputError("--over: a parameter is given twice; allowed: once")
+    runner = runner_of(unit, parameters, given, model)
+    try:
+        best = optimize(
+            runner,
+            over,
+            minimize=minimize,
+            maximize=maximize,
+            at=_values(prescribed),
+            stable=stable,
+            starts=starts,
+            show_progress=True,
+            unit=unit,
+        )
+    except OrderNotMetError as problem:
+        if as_json_object:
+            print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
+        raise
+    print(json_text(best.as_json()) if as_json_object else _text(best, unit))
+
+
+def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
+    """Of --at.
+
+    Raises
+    ------
+    InputError
+        One is not of the form QUANTITY=VALUE, or given twice.
+    """
+    values: dict[str, float] = {}
+    for text in prescribed:
+        name, _, value = (part.strip() for part in text.partition("="))
+        if name in values:
+            raise InputError(f"--at {text}: {name} is given twice; allowed: once")
+        try:
+            values[name] = float(value)
+        except ValueError:
+            raise InputError(f"--at {text}: allowed: QUANTITY=VALUE, a number in SI units") from None
+    return values
+
+
+def _text(best: Optimum, unit: Unit) -> str:
+    """A table before and after, and what the optimum is."""
+    header = ("", "unit", "before", "after", "bound")
+    rows = [
+        (
+            name,
+            unit.variables[name].unit,
+            f"{best.before.runner.values[name]:.9g}",
+            f"{value:.9g}",
+            best.active_bounds.get(name, ""),
+        )
+        for name, value in best.parameters.items()
+    ]
+    before, after = told(best.before), told(best.gait)
+    for name, value in after.items():
+        variable = unit.variables.get(f"stride.{name}")
+        of = UNITS.get(name, "1") if variable is None else variable.unit
+        rows.append((name, of, f"{before[name]:.9g}", f"{value:.9g}", ""))
+    rows.append(("word", "", best.before.word, best.word, ""))
+    stable = ["yes" if gait.stable else "no" for gait in (best.before, best.gait)]
+    rows.append(("stable", "", stable[0], stable[1], ""))
+    return f"{table(header, rows)}\n\n{_judgement(best)}"
+
+
+def _judgement(best: Optimum) -> str:
+    """In a sentence."""
+    most = "least" if best.is_least else "most"
+    if best.why:
+        return f"the {most} {best.objective} that was found; not shown to be an optimum: {best.why}"
+    words = " and ".join(best.falls)
+    where = f", on the border between {words}, by the gradients of both sides" if best.is_at_border else ""
+    limits = f"; kept by {' and '.join(best.limits)}" if best.limits else ""
+    proved = f"the {most} {best.objective}, an optimum to first order{where}{limits}"
+    return f"{proved}; best of {best.starts} searches"

@@ -1,0 +1,140 @@
+"""Borders between pieces: where the word or the events of a gait change, and its quantities have a kink.
+
+Quantities are continuous across a border and smooth on either side. So the changes of all of them and of the
+apex differ, from one side to the other, by a matrix of rank one, whose rows are along the normal of the
+border: their derivatives along the border are the same. This gives the normal exactly. Where that matrix is
+nothing the functions are smooth, and the border is none for the search.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from ..library.orbit import Orbit
+from .gaits import Candidate, Gaits
+from .problem import Problem
+
+ACCURACY = 1e-10
+"""Distance of the gaits on both sides, over the width of the bounds."""
+SMOOTH = 1e-3
+"""Difference of the changes on both sides, over their size, that counts as none."""
+NARROWEST, WIDEST = 1e-6, 0.3
+"""Distances at which a border is looked for across itself."""
+
+
+@dataclass(frozen=True)
+class Border:
+    """Gaits on both sides of a border between two pieces."""
+
+    short: Candidate
+    """On this side."""
+    beyond: Candidate
+    """On the other."""
+    is_smooth: bool
+    """Nothing has a kink here."""
+    normal: NDArray[np.float64]
+    """Unit vector across it, towards `beyond`, shape (d,)."""
+
+    @property
+    def sides(self) -> tuple[tuple[Candidate, NDArray[np.float64]], ...]:
+        """Both gaits, each with the normal that leads away from the border on its side."""
+        return (self.short, -self.normal), (self.beyond, self.normal)
+
+    def gain(self, problem: Problem, gait: Candidate, away: NDArray[np.float64]) -> float:
+        """How much steeper the merit falls away from the border than along it, on one of its sides."""
+        return problem.steepest(gait, away) - problem.steepest(gait, away, along=True)
+
+
+def between(
+    gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Orbit], bool]
+) -> Border:
+    """The border where the way from a gait to one beyond it leaves a piece: by bisection.
+
+    Parameters
+    ----------
+    gaits : Gaits
+        Of which runner, over which parameters.
+    inside, outside : Candidate
+        On the piece, and not.
+    is_inside : callable
+        Whether a gait is on the piece.
+
+    Returns
+    -------
+    Border
+        Its sides are within `ACCURACY`.
+
+    Raises
+    ------
+    RunError
+        A gait between them cannot be found or has no derivatives.
+    """
+    way = outside.at - inside.at
+    low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
+    near, beyond = inside, outside.orbit
+    while (high - low) * length > ACCURACY:
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        at = inside.at + middle * way
+        found = gaits.orbit_from(near, at)
+        if is_inside(found):
+            low, near = middle, replace(near, at=at, orbit=found)
+        else:
+            high, beyond = middle, found
+    short = gaits.candidate(near.orbit, near.at)
+    return _border(short, gaits.candidate(beyond, inside.at + high * way), way / length)
+
+
+def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Border:
+    """With its normal, which leads to the side that the way does."""
+    scales = short.orbit.runner.scales[:, None]
+    sides = [np.vstack([gait.apex_slopes / scales, gait.slopes]) for gait in (short, beyond)]
+    jump = sides[1] - sides[0]
+    is_smooth = np.linalg.norm(jump) <= SMOOTH * np.linalg.norm(sides[0])
+    normal = np.linalg.svd(jump)[2][0]
+    return Border(short, beyond, bool(is_smooth), normal if normal @ way >= 0.0 else -normal)
+
+
+def across(
+    gaits: Gaits,
+    near: Candidate,
+    at: NDArray[np.float64],
+    direction: NDArray[np.float64],
+    is_inside: Callable[[Orbit], bool],
+) -> Border:
+    """The border where a line through a place meets it.
+
+    Parameters
+    ----------
+    gaits : Gaits
+        Of which runner, over which parameters.
+    near : Candidate
+        A gait near the place.
+    at : ndarray of float, shape (d,)
+        The place, near the border.
+    direction : ndarray of float, shape (d,)
+        Of the line, from the piece to what is beyond; a unit vector.
+    is_inside : callable
+        Whether a gait is on the piece.
+
+    Returns
+    -------
+    Border
+        There.
+
+    Raises
+    ------
+    RunError
+        It is not met, or a gait cannot be found.
+    """
+    reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
+    while reach <= WIDEST:
+        low, high = (gaits.follow(near, at + sign * reach * direction) for sign in (-1.0, 1.0))
+        if is_inside(low.orbit) and not is_inside(high.orbit):
+            return between(gaits, low, high, is_inside)
+        reach *= 4.0
+    raise RunError("the border between two words is not met")

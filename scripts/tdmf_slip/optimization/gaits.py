@@ -1,0 +1,172 @@
+"""Gaits over several parameters, with the gradients of their quantities through the orbit.
+
+The gradients are exact, by `library.varied_gait`. The library has no second derivatives: how the Jacobian,
+and so the eigenvalues, change along the gaits is told by central differences of exact Jacobians, of strides
+that begin on the tangent of the gaits.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.runner import Runner
+from ..library.strides import strides_from
+from ..library.varied_gait import varied_gait
+from .space import Space
+from .spectrum import Spectrum, spectrum_of
+
+CENTRAL: Mapping[float, float] = {1.0: 0.5, -1.0: -0.5}
+FORWARD: Mapping[float, float] = {0.0: -1.5, 1.0: 2.0, 2.0: -0.5}
+BACKWARD: Mapping[float, float] = {0.0: 1.5, -1.0: -2.0, -2.0: 0.5}
+"""Differences of second order: weights by how many steps aside."""
+SHORTEST_SHARE = 2.0**-5
+"""Of the way from one gait to another, of which a step may be."""
+FARTHEST = 0.7
+"""How far a gait may be from where it was predicted, over how far it is from the one before."""
+NEAR = 1e-3
+"""Over the scales: a gait as near to where it was predicted is of the branch, if it is on its side of the
+fold."""
+DIFFERENCES = (1e-5, 1e-7)
+"""Of the width of the bounds: steps of differences along the gaits; the second one where a piece is
+narrow."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A gait, and how what is asked of it changes with the parameters; these are over their bounds' width."""
+
+    at: NDArray[np.float64]
+    """The parameters, inside the bounds from 0 to 1, shape (d,)."""
+    orbit: Orbit
+    """The gait."""
+    apex_slopes: NDArray[np.float64]
+    """Changes of the apex by the parameters, shape (n, d)."""
+    values: NDArray[np.float64]
+    """Of the quantities asked for, shape (q,)."""
+    slopes: NDArray[np.float64]
+    """Their gradients, in rows, shape (q, d)."""
+    spectrum: Spectrum
+    """Sizes of the leading eigenvalues with their gradients; none where they were not asked for."""
+
+    @property
+    def piece(self) -> tuple[object, ...]:
+        """The word and the events of the stride: all is smooth while they stay."""
+        return self.orbit.sequence
+
+
+class Gaits:
+    """The gaits of a runner over several parameters."""
+
+    def __init__(self, runner: Runner, space: Space, names: Sequence[str], spectrum: bool = False) -> None:
+        """Whose, over which parameters, and what is asked of them: quantities, and eigenvalues or not."""
+        self.runner, self.space, self.names, self.with_spectrum = runner, space, tuple(names), spectrum
+
+    def candidate(self, orbit: Orbit, at: NDArray[np.float64]) -> Candidate:
+        """A gait with its gradients.
+
+        Raises
+        ------
+        RunError
+            It has none, as at a fold and on the edge of an event.
+        """
+        varied = varied_gait(orbit.runner, orbit.apex, self.names, list(self.space.bounds))
+        apex_slopes = varied.apex_by_parameters * self.space.width
+        spectrum = Spectrum.none(len(at))
+        if self.with_spectrum:
+            spectrum = spectrum_of(orbit.jacobian, self._jacobian_changes(orbit, at, apex_slopes))
+        slopes = varied.by_parameters * self.space.width
+        return Candidate(at, orbit, apex_slopes, varied.quantities, slopes, spectrum)
+
+    def _jacobian_changes(
+        self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
+    ) -> list[NDArray[np.float64]]:
+        """Of the map's Jacobian along the gaits, by each parameter."""
+
+        def stride(k: int, step: float) -> Orbit:
+            there = at.copy()
+            there[k] += step
+            return strides_from(
+                self.space.runner_at(self.runner, there), orbit.apex + step * apex_slopes[:, k]
+            )
+
+        return [_jacobian_change(orbit, partial(stride, k)) for k in range(len(at))]
+
+    def orbit_from(self, near: Candidate, at: NDArray[np.float64]) -> Orbit:
+        """The gait at a place, from one that is known, on the same branch.
+
+        The way is gone in shorter steps where a gait is not near where the tangent predicts it, or where the
+        sign of det(I - J) says that it is of another branch. Only gaits that run forward count.
+
+        Raises
+        ------
+        RunError
+            The branch does not lead so far: it folds, the runner falls, or a value is refused.
+        """
+        begin, orbit, slopes = near.at, near.orbit, near.apex_slopes
+        done, step = 0.0, 1.0
+        while True:
+            to = min(1.0, done + step)
+            there = at if to == 1.0 else begin + to * (at - begin)
+            guess = orbit.apex + slopes @ (there - (begin + done * (at - begin)))
+            try:
+                found = self._checked(there, guess, orbit)
+                if to == 1.0:
+                    return found
+                slopes = self.candidate(found, there).apex_slopes
+            except (InputError, RunError) as problem:
+                step *= 0.5
+                if step < SHORTEST_SHARE:
+                    raise RunError(str(problem)) from None
+                continue
+            orbit, done, step = found, to, 2.0 * step
+
+    def _checked(self, at: NDArray[np.float64], guess: NDArray[np.float64], before: Orbit) -> Orbit:
+        found = orbit_near(self.space.runner_at(self.runner, at), guess)
+        if found.stride["length"] <= 0.0:
+            raise RunError("the gait there does not run forward")
+        scales = found.runner.scales
+        off, way = (float(np.linalg.norm((found.apex - apex) / scales)) for apex in (guess, before.apex))
+        if off > max(NEAR, FARTHEST * way) or (_side(found) != _side(before)):
+            raise RunError("the gait there is of another branch")
+        return found
+
+    def follow(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
+        """The gait at a place, with its gradients, from one that is known.
+
+        Raises
+        ------
+        RunError
+            See `orbit_from` and `candidate`.
+        """
+        return self.candidate(self.orbit_from(near, at), at)
+
+
+def _side(orbit: Orbit) -> bool:
+    """Of a fold: the sign of det(I - J)."""
+    return bool(np.linalg.det(np.eye(len(orbit.jacobian)) - orbit.jacobian) > 0.0)
+
+
+def _jacobian_change(orbit: Orbit, stride: Callable[[float], Orbit]) -> NDArray[np.float64]:
+    """By strides on both sides of a gait, or on one, where on the other is another piece or nothing.
+
+    Raises
+    ------
+    RunError
+        There is on neither.
+    """
+    for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD)):
+        try:
+            orbits = [stride(length * steps) if steps else orbit for steps in weights]
+        except (InputError, RunError):
+            continue
+        if all(other.sequence == orbit.sequence for other in orbits):
+            terms = [w / length * other.jacobian for w, other in zip(weights.values(), orbits, strict=True)]
+            change: NDArray[np.float64] = np.sum(terms, axis=0)
+            return change
+    raise RunError("the gait is on the edge of an event, where its eigenvalues have no derivatives")

@@ -1,0 +1,103 @@
+"""The runner whose gait has the least, or the most, of a quantity: over parameters, within bounds."""
+
+from collections.abc import Mapping
+
+from ..analysis.search import find_orbit, runner_by
+from ..checks import checked_whole
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .optimizer import Optimizer
+from .optimum import Optimum
+from .problem import Goal
+from .request import check_action, checked_objective, checked_radius, checked_space, checked_values
+
+STARTS, MOST_STARTS = 3, 100
+
+
+def optimize(
+    runner: Runner | Mapping[str, Given] | None,
+    over: Mapping[str, tuple[Given, Given]],
+    *,
+    minimize: str | None = None,
+    maximize: str | None = None,
+    at: Mapping[str, float] | None = None,
+    stable: bool | float = False,
+    starts: int = STARTS,
+    model: str | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Optimum:
+    """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
+
+    By sequential quadratic programming (SLSQP), with gradients that are exact through the orbit. These change
+    smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
+    piece. Where an iterate is on another, the border between the two is located. If the objective gets better
+    away from the border on one side, the search goes on there; if on neither, the best place on the border is
+    found by SLSQP along it. That it is an optimum is then told by both sides' gradients, in `falls`. Where an
+    iterate is no gait, because of a fold or a fall, the search backs off; near a fold it stops where the
+    leading eigenvalue is 0.99 or so, and tells so in `limits`.
+
+    The search is local: from the runner given, and from further starts that are spread over the bounds. A
+    better gait that none of them leads to may exist, also on another branch.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        Who is to become better: a runner, or start values by the unit's names and in its units, over the
+        unit's own. The search begins with its gait.
+    over : mapping of str to pairs of float
+        Parameters and inputs that are varied, with their lower and upper bounds; also texts like `40 deg`.
+    minimize, maximize : str, optional
+        One of the two: the quantity, by a name of `library.quantities.QUANTITIES`, among them
+        `cost_of_transport`, `speed`, `slip_distance`.
+    at : mapping of str to float, optional
+        Quantities that are prescribed, by the same names, in SI units.
+    stable : bool or float, default False
+        Only gaits whose spectral radius is at most this; True stands for 0.99. The radius is constrained by
+        the leading eigenvalues one by one, which are smooth where the radius itself is not.
+    starts : int, default 3
+        How many searches are made; the best counts.
+    model : str, optional
+        `full` or `reduced`, as in `find_orbit`.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        Whose start values and ranges hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Optimum
+        The parameters, the gait, which bounds are active, and whether it was shown to be an optimum.
+
+    Raises
+    ------
+    InputError
+        An unknown quantity, bounds that are none, a parameter that does not act, or a value that is refused.
+    OrderNotMetError
+        No gait within the bounds has what is prescribed, or is stable: `nearest` is the nearest that was
+        found.
+    RunError
+        There is no gait to begin with, or none within the bounds.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> angles = {"hip.touchdown_angle": (0.5, 0.75)}
+    >>> best = tdmf_slip.optimize({}, angles, minimize="cost_of_transport", starts=1)
+    >>> best.active_bounds
+    {'hip.touchdown_angle': 'upper'}
+    """
+    unit = load(unit)
+    objective, sign = checked_objective(minimize, maximize)
+    space = checked_space(over, unit)
+    prescribed = checked_values(at, (objective,), space)
+    goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
+    count = checked_whole("starts", starts, 1, MOST_STARTS)
+    before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
+    optimizer = Optimizer(before, space, count)
+    check_action(optimizer.candidate(goal), space)
+    with progress.bar("optimize", len(optimizer.starts), "starts", show_progress) as bar:
+        found, _ = optimizer.best(goal, bar)
+    return optimizer.optimum(goal, found)

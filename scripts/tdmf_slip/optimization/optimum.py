@@ -1,0 +1,100 @@
+"""The best runner that was found, beside the one that the search began with."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..library.orbit import Orbit
+from ..library.quantities import QUANTITIES, quantities_of
+
+FOLD, STABILITY = "fold", "stability"
+"""Limits of an optimum beside bounds."""
+
+
+def told(orbit: Orbit) -> dict[str, float]:
+    """What an optimum is told by: quantities of the stride, and the spectral radius.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+
+    Returns
+    -------
+    dict of str to float
+        In SI units, `lambda_max` last.
+    """
+    return quantities_of(orbit, QUANTITIES) | {"lambda_max": orbit.lambda_max}
+
+
+@dataclass(frozen=True, repr=False)
+class Optimum:
+    """The best runner that was found: a gait, and what says that there is no better one near it."""
+
+    objective: str
+    """The quantity that is the least, or the most."""
+    is_least: bool
+    """Which of them."""
+    parameters: Mapping[str, float]
+    """What was varied, by name, in the unit's units."""
+    gait: Orbit
+    """The gait; its runner has these parameters."""
+    before: Orbit
+    """The gait of the runner that was given."""
+    active_bounds: Mapping[str, str]
+    """By name of the parameters that are at a bound: `lower` or `upper`."""
+    limits: tuple[str, ...]
+    """What else keeps it: `stability`, `fold`."""
+    falls: Mapping[str, float]
+    """By word of each piece beside the gait, two where it is on a border between words: how much better the
+    objective could be there, to first order, over its scale, for a step by the whole width of the bounds.
+    Zero at an optimum, up to rounding."""
+    why: str
+    """What kept the search from an optimum; empty where this is one."""
+    starts: int
+    """Of how many searches this is the best."""
+
+    def __repr__(self) -> str:
+        """In a line: what is best, by what."""
+        values = ", ".join(f"{name} {value:.6g}" for name, value in self.parameters.items())
+        most = "least" if self.is_least else "most"
+        kind = "stable" if self.gait.stable else "unstable"
+        return f"<Optimum {most} {self.objective} {self.value:.6g}: {values}; {self.gait.word}, {kind}>"
+
+    @property
+    def value(self) -> float:
+        """Of the objective."""
+        return told(self.gait)[self.objective]
+
+    @property
+    def word(self) -> str:
+        """Of the gait."""
+        return self.gait.word
+
+    @property
+    def stable(self) -> bool:
+        """Whether the gait is."""
+        return self.gait.stable
+
+    @property
+    def is_at_border(self) -> bool:
+        """Whether it lies where the word, or the order of events, changes."""
+        return len(self.falls) > 1
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object; `before` and `after` are quantities of the two gaits."""
+        return {
+            "objective": self.objective,
+            "is_least": self.is_least,
+            "parameters": dict(self.parameters),
+            "before": told(self.before),
+            "after": told(self.gait),
+            "word": self.word,
+            "stable": self.stable,
+            "active_bounds": dict(self.active_bounds),
+            "limits": list(self.limits),
+            "falls": dict(self.falls),
+            "problem": self.why or None,
+            "word_before": self.before.word,
+            "apex": [float(value) for value in self.gait.apex],
+            "start_values": self.gait.start_values,
+        }

@@ -1,0 +1,169 @@
+"""What is asked of a gait: an objective and constraints, all without dimension, and how far it is from both.
+
+A quantity is taken over its scale, and a parameter over the width of its bounds. How near a gait is to an
+optimum of its piece is told by a linear program: within a small box, how much less could the objective be,
+and the constraints be violated, were all linear? Where that is nothing, the conditions of Karush, Kuhn and
+Tucker hold.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .gaits import Candidate
+
+PENALTY = 100.0
+"""What a violated constraint weighs against the objective, in a comparison of two gaits."""
+MET = 1e-8
+"""Violation of a constraint that counts as none."""
+OFF_FOLD = 1e-4
+"""Least det(I - J)^2 of a gait that is to keep off folds: the eigenvalue there is 0.99 or so, instead of
+1."""
+LITTLE = 1e-3
+"""Size of the linear program's box."""
+
+Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""Values, shape (m,), and their gradients in rows, shape (m, d)."""
+
+
+@dataclass(frozen=True)
+class Goal:
+    """An objective and constraints by names of quantities, in SI units."""
+
+    objective: str
+    """What is minimized or maximized."""
+    sign: float = 1.0
+    """1 to minimize, -1 to maximize."""
+    at: Mapping[str, float] = field(default_factory=dict)
+    """Quantities that are prescribed."""
+    at_most: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    """By quantity a sign and a limit: sign times the quantity is to be sign times the limit at the most."""
+    radius: float | None = None
+    """The largest spectral radius, if any is asked for."""
+    fold: bool = False
+    """Keep off folds, by `OFF_FOLD`."""
+
+    @property
+    def with_spectrum(self) -> bool:
+        """Whether eigenvalues are asked for."""
+        return self.fold or self.radius is not None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all quantities in it, each once."""
+        return tuple(dict.fromkeys((self.objective, *self.at, *self.at_most)))
+
+
+class Problem:
+    """A goal as functions of a gait."""
+
+    def __init__(self, goal: Goal, scales: Mapping[str, float]) -> None:
+        """The scales are those of the quantities."""
+        self.goal, self.scales = goal, scales
+
+    def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
+        """What is to be small, and its gradient."""
+        name, sign = self.goal.objective, self.goal.sign
+        row, scale = self.goal.names.index(name), sign / self.scales[name]
+        return scale * float(gait.values[row]), scale * gait.slopes[row]
+
+    def equations(self, gait: Candidate) -> Rows:
+        """What is to be zero."""
+        goal = self.goal
+        rows = [goal.names.index(name) for name in goal.at]
+        scales = np.array([self.scales[name] for name in goal.at])
+        off = (gait.values[rows] - np.array([*goal.at.values()])) / scales
+        return off, gait.slopes[rows] / scales[:, None]
+
+    def margins(self, gait: Candidate) -> Rows:
+        """What is to be zero or more."""
+        goal = self.goal
+        rows = [goal.names.index(name) for name in goal.at_most]
+        scales = np.array([sign / self.scales[name] for name, (sign, _) in goal.at_most.items()])
+        left = scales * (np.array([limit for _, limit in goal.at_most.values()]) - gait.values[rows])
+        slopes = -scales[:, None] * gait.slopes[rows]
+        spectrum = gait.spectrum
+        if goal.radius is not None:
+            left, slopes = (
+                np.append(left, goal.radius - spectrum.sizes),
+                np.vstack([slopes, -spectrum.slopes]),
+            )
+        if goal.fold:
+            left = np.append(left, spectrum.fold - OFF_FOLD)
+            slopes = np.vstack([slopes, spectrum.fold_slopes])
+        return left, slopes
+
+    def violation(self, gait: Candidate) -> float:
+        """By how much constraints are violated, in all."""
+        return float(np.sum(np.abs(self.equations(gait)[0])) - np.sum(np.minimum(self.margins(gait)[0], 0.0)))
+
+    def merit(self, gait: Candidate) -> float:
+        """The objective with what a violation weighs: the less, the better is the gait."""
+        violation = self.violation(gait)
+        return self.objective(gait)[0] + (PENALTY * violation if violation > MET else 0.0)
+
+    def steepest(
+        self, gait: Candidate, normal: NDArray[np.float64] | None = None, *, along: bool = False
+    ) -> float:
+        """How much less the merit could be, over the size of the step, to first order.
+
+        Parameters
+        ----------
+        gait : Candidate
+            Where.
+        normal : ndarray of float, shape (d,), optional
+            Steps may lead to this side only.
+        along : bool, default False
+            Steps may not lead to either side.
+
+        Returns
+        -------
+        float
+            Zero at an optimum; never negative.
+        """
+        from scipy.optimize import linprog  # slow to load
+
+        gradient = self.objective(gait)[1]
+        (off, off_slopes), (left, left_slopes) = self.equations(gait), self.margins(gait)
+        m, k = len(off), len(left)
+        # Unknowns: the step; how far equations are off to either side; how far margins are below zero.
+        cost = np.concatenate([gradient, np.full(2 * m + k, PENALTY)])
+        equal = np.hstack([off_slopes, -np.eye(m), np.eye(m), np.zeros((m, k))])
+        above = np.hstack([-left_slopes, np.zeros((k, 2 * m)), -np.eye(k)])
+        off, left = (np.where(np.abs(rows) <= MET, 0.0, rows) / LITTLE for rows in (off, left))
+        below, over = (np.clip(room / LITTLE, 0.0, 1.0) for room in (gait.at, 1.0 - gait.at))
+        if normal is not None:
+            row = np.concatenate([normal, np.zeros(2 * m + k)])[None, :]
+            equal, off = (np.vstack([equal, row]), np.append(off, 0.0)) if along else (equal, off)
+            above, left = (above, left) if along else (np.vstack([above, -row]), np.append(left, 0.0))
+        found = linprog(
+            cost,
+            A_ub=above if len(above) else None,
+            b_ub=left if len(above) else None,
+            A_eq=equal if len(equal) else None,
+            b_eq=-off if len(equal) else None,
+            bounds=[*zip(-below, over, strict=True)] + [(0.0, None)] * (2 * m + k),
+        )
+        violation = self.violation(gait)
+        now = PENALTY * violation / LITTLE if violation > MET else 0.0
+        return max(0.0, now - float(found.fun)) if found.success else np.inf
+
+
+class Feasibility(Problem):
+    """How far a gait is from meeting a goal's constraints, as an objective without any."""
+
+    def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
+        """Half the sum of squared violations, and its gradient."""
+        (off, off_slopes), (left, left_slopes) = super().equations(gait), super().margins(gait)
+        short = np.minimum(left, 0.0)
+        return 0.5 * float(off @ off + short @ short), off @ off_slopes + short @ left_slopes
+
+    def equations(self, gait: Candidate) -> Rows:
+        """None."""
+        return np.zeros(0), np.zeros((0, len(gait.at)))
+
+    def margins(self, gait: Candidate) -> Rows:
+        """None."""
+        return np.zeros(0), np.zeros((0, len(gait.at)))

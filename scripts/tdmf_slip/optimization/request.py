@@ -1,0 +1,199 @@
+"""What may be asked of an optimal runner, checked: quantities, bounds, prescribed values."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..analysis.ordered import LEAST, MOST, NO_ACTION, TRAVEL
+from ..checks import check_kind, checked, near_matches
+from ..errors import InputError
+from ..library.members import check_varied
+from ..library.quantities import QUANTITIES
+from ..unit.unit import Unit
+from .gaits import Candidate
+from .space import Space
+
+FROM_ZERO = ("slip_distance",)
+"""Of these, those that may be prescribed as zero."""
+MOST_PARAMETERS = 12
+LARGEST_RADIUS = 0.99
+"""Largest spectral radius of a gait that is to be stable, where no other is given."""
+
+
+def checked_quantity(name: object, what: str) -> str:
+    """The name of a quantity.
+
+    Parameters
+    ----------
+    name : object
+        What was given as one.
+    what : str
+        The argument, for the message.
+
+    Returns
+    -------
+    str
+        The same.
+
+    Raises
+    ------
+    InputError
+        There is no such quantity.
+    """
+    if name not in QUANTITIES:
+        raise InputError(
+            f"{what} {name!r} is not allowed; allowed: {', '.join(QUANTITIES)}"
+            f"{near_matches(name, QUANTITIES)}"
+        )
+    return str(name)
+
+
+def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, float]:
+    """The quantity of an objective, and its sign: 1 to minimize, -1 to maximize.
+
+    Parameters
+    ----------
+    minimize, maximize : str, optional
+        One of them.
+
+    Returns
+    -------
+    pair of str and float
+        Name and sign.
+
+    Raises
+    ------
+    InputError
+        Both are given, or neither, or there is no such quantity.
+    """
+    if (minimize is None) == (maximize is None):
+        given = "neither" if minimize is None else "both"
+        raise InputError(f"minimize, maximize: {given} given; allowed: one of them, {', '.join(QUANTITIES)}")
+    if minimize is not None:
+        return checked_quantity(minimize, "minimize"), 1.0
+    return checked_quantity(maximize, "maximize"), -1.0
+
+
+def checked_space(over: object, unit: Unit) -> Space:
+    """The parameters that are varied, between bounds that the unit allows.
+
+    Parameters
+    ----------
+    over : object
+        What was given as a mapping of names to bounds.
+    unit : Unit
+        Whose ranges hold.
+
+    Returns
+    -------
+    Space
+        Of these.
+
+    Raises
+    ------
+    InputError
+        Not so many parameters, no parameter, no bounds, or bounds that the unit refuses.
+    """
+    check_kind(over, Mapping, "over", "bounds (A, B) by the names of parameters and inputs")
+    given: Mapping[Any, Any] = over  # type: ignore[assignment] # it is one
+    if not 1 <= len(given) <= MOST_PARAMETERS:
+        raise InputError(
+            f"over: {len(given)} parameters; allowed: 1 to {MOST_PARAMETERS} parameters and inputs"
+        )
+    bounds = {}
+    for name, pair in given.items():
+        check_varied(name, "over")
+        where = f"over {name}"
+        if np.shape(pair) != (2,):
+            raise InputError(f"{where} = {pair!r} is not allowed; allowed: two bounds, A below B")
+        low, high = (float(unit.variables[name].value_of(value, where)) for value in pair)
+        if not low < high:
+            raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
+        bounds[name] = low, high
+    return Space(bounds)
+
+
+def checked_values(at: object, objectives: tuple[str, ...], space: Space) -> dict[str, float]:
+    """The quantities that are prescribed.
+
+    Parameters
+    ----------
+    at : object
+        What was given as a mapping of quantities to values, or None.
+    objectives : tuple of str
+        What is to be the least or the most.
+    space : Space
+        By which parameters.
+
+    Returns
+    -------
+    dict of str to float
+        By name.
+
+    Raises
+    ------
+    InputError
+        A quantity is unknown or an objective, a value is refused, or there are too many.
+    """
+    check_kind(at or {}, Mapping, "at", f"numbers by name: {', '.join(QUANTITIES)}")
+    given: Mapping[Any, Any] = at or {}  # type: ignore[assignment] # it is one
+    for name in given:
+        checked_quantity(name, "at")
+        if name in objectives:
+            raise InputError(f"at {name}: is what is minimized or maximized; allowed: another quantity")
+    if all(name in given for name in TRAVEL):
+        raise InputError("at: speed, frequency and length; allowed: two of them, for they set the third")
+    if len(given) > len(space.bounds):
+        raise InputError(
+            f"at: {', '.join(given)} by {', '.join(space.bounds)}; allowed: no more quantities than "
+            "parameters"
+        )
+    most = {"duty_factor": 1.0}
+    return {
+        name: checked(name, value, 0.0 if name in FROM_ZERO else LEAST, most.get(name, MOST))
+        for name, value in given.items()
+    }
+
+
+def checked_radius(stable: object) -> float | None:
+    """The largest spectral radius that is asked for.
+
+    Parameters
+    ----------
+    stable : object
+        False for none, True for `LARGEST_RADIUS`, or a number.
+
+    Returns
+    -------
+    float or None
+        None where any will do.
+
+    Raises
+    ------
+    InputError
+        It is something else.
+    """
+    if isinstance(stable, bool | np.bool_):
+        return LARGEST_RADIUS if stable else None
+    return checked("stable", stable, 1e-3, 1.0)
+
+
+def check_action(gait: Candidate, space: Space) -> None:
+    """Refuse parameters that do not act on a gait.
+
+    Parameters
+    ----------
+    gait : Candidate
+        The first one.
+    space : Space
+        Which parameters.
+
+    Raises
+    ------
+    InputError
+        One does not.
+    """
+    for k, name in enumerate(space.bounds):
+        if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
+            raise InputError(f"over {name}: does not act on this gait; allowed: a parameter that changes it")

@@ -1,0 +1,111 @@
+"""Sequential quadratic programming (Kraft's SLSQP, from SciPy) over gaits, within a box, on one smooth piece.
+
+It ends where an iterate is on another piece of the functions, or is no gait: what was found until then is
+given back, and the caller goes on from there, with a smaller box or on the other piece.
+"""
+
+import contextlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from .gaits import Candidate
+from .problem import Problem, Rows
+
+ITERATIONS = 30
+ACCURACY = 1e-12
+"""Of the objective, and of the constraints' violations."""
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a search within a box ended."""
+
+    best: Candidate
+    """The gait of least merit that was seen on the piece."""
+    beyond: Candidate | None
+    """An iterate on another piece, which ended it."""
+    lost: str
+    """Why an iterate is no gait, which ended it; else empty."""
+
+
+class _LeftError(Exception):
+    """An iterate is not on the piece."""
+
+
+def minimize(
+    problem: Problem,
+    follow: Callable[[Candidate, NDArray[np.float64]], Candidate],
+    begin: Candidate,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+    is_inside: Callable[[Candidate], bool] = lambda gait: True,
+) -> Ended:
+    """The best gait of a piece in a box around one, or how far the search came.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is asked.
+    follow : callable
+        From a gait to the one at a place.
+    begin : Candidate
+        Where to begin.
+    low, high : ndarray of float, shape (d,)
+        Corners of the box.
+    is_inside : callable, optional
+        Whether a gait is on the piece.
+
+    Returns
+    -------
+    Ended
+        Where the search ended, and why.
+    """
+    from scipy.optimize import minimize as by_scipy  # slow to load
+
+    seen = [begin]
+    ended: dict[str, Any] = {"beyond": None, "lost": ""}
+
+    def at(place: NDArray[np.float64]) -> Candidate:
+        near = min(reversed(seen), key=lambda gait: float(np.linalg.norm(gait.at - place)))
+        if np.array_equal(near.at, place):
+            return near
+        try:
+            gait = follow(near, place.copy())
+        except RunError as problem:
+            ended["lost"] = str(problem)
+            raise _LeftError from None
+        if not is_inside(gait):
+            ended["beyond"] = gait
+            raise _LeftError
+        seen.append(gait)
+        return gait
+
+    constraints = [
+        {
+            "type": kind,
+            "fun": lambda place, rows=rows: rows(at(place))[0],
+            "jac": lambda place, rows=rows: rows(at(place))[1],
+        }
+        for kind, rows in (("eq", problem.equations), ("ineq", problem.margins))
+        if _count(rows, begin)
+    ]
+    with contextlib.suppress(_LeftError):
+        by_scipy(
+            lambda place: problem.objective(at(place))[0],
+            begin.at,
+            jac=lambda place: problem.objective(at(place))[1],
+            method="SLSQP",
+            bounds=list(zip(low, high, strict=True)),
+            constraints=constraints,
+            options={"maxiter": ITERATIONS, "ftol": ACCURACY},
+        )
+    return Ended(min(seen, key=problem.merit), **ended)
+
+
+def _count(rows: Callable[[Candidate], Rows], gait: Candidate) -> int:
+    return len(rows(gait)[0])

@@ -1,0 +1,203 @@
+"""Optimal runners: gradients against differences, optima against fine grids, and what cannot be asked."""
+
+import json
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, OrderNotMetError, find_orbit, optimize, read_parameters, sweep
+from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.quantities import QUANTITIES
+from tdmf_slip.optimization.gaits import Gaits
+from tdmf_slip.optimization.space import Space
+from tdmf_slip.optimization.spectrum import LEAST, spectrum_of
+
+STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
+LIGHT = {"foot.mass": 0.03, "ground.friction": 0.6}
+SLIPPING = {"ground.friction": 0.2}
+STICKING = {"ground.friction": 10.0}
+VARIED = ("hip.touchdown_angle", "hip.stance_torque", "leg.damping", "ground.friction")
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+
+
+def space_around(orbit, names=VARIED):
+    """Bounds a half below and above a runner's values."""
+    return Space({name: (0.5 * orbit.runner.values[name], 1.5 * orbit.runner.values[name]) for name in names})
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+@pytest.mark.parametrize("runner", [STIFF, LIGHT, SLIPPING, STICKING, read_parameters("human")])
+def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
+    orbit = find_orbit(runner, model=model)
+    space, step = space_around(orbit), 1e-5
+    gaits = Gaits(orbit.runner, space, QUANTITIES, spectrum=True)
+    gait = gaits.candidate(orbit, space.place_of(orbit.runner))
+    compared = 0
+    for k in range(len(space.bounds)):
+        aside = step * np.eye(len(space.bounds))[k]
+        low, high = (
+            gaits.candidate(orbit_near(space.runner_at(orbit.runner, at), orbit.apex), at)
+            for at in (gait.at - aside, gait.at + aside)
+        )
+        assert low.piece == gait.piece == high.piece
+        of_quantities = (high.values - low.values) / (2.0 * step)
+        assert gait.slopes[:, k] == pytest.approx(of_quantities, abs=1e-5 * np.max(np.abs(gait.values)))
+        of_eigenvalues = (high.spectrum.sizes - low.spectrum.sizes) / (2.0 * step)
+        counted = gait.spectrum.sizes > LEAST
+        assert gait.spectrum.slopes[counted, k] == pytest.approx(of_eigenvalues[counted], abs=1e-4)
+        of_fold = (high.spectrum.fold - low.spectrum.fold) / (2.0 * step)
+        assert gait.spectrum.fold_slopes[k] == pytest.approx(of_fold, abs=1e-4)
+        compared += 1
+    assert compared == 4
+    assert gait.spectrum.sizes[0] == pytest.approx(orbit.lambda_max, rel=1e-12)
+
+
+def test_sizes_of_complex_pairs_have_derivatives():
+    generator = np.random.default_rng(5)
+    pairs = 0
+    for _ in range(40):
+        matrix, change = generator.normal(size=(2, 4, 4))
+        spectrum = spectrum_of(matrix, [change])
+        low, high = (spectrum_of(matrix + h * change, [change]).sizes for h in (-1e-6, 1e-6))
+        assert spectrum.slopes[:, 0] == pytest.approx((high - low) / 2e-6, abs=1e-6)
+        values = np.linalg.eigvals(matrix)
+        assert spectrum.sizes[0] == pytest.approx(np.max(np.abs(values)), rel=1e-12)
+        pairs += bool(np.iscomplex(values[np.argmax(np.abs(values))]))
+    assert 5 < pairs < 35
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
+    """Of the cost of transport over the angle, which has its least inside; and of the speed, on a kink."""
+    quantity, asked = ("cost_of_transport", "minimize") if sign > 0 else ("speed", "maximize")
+    over, setting = ("ground.friction", {}) if sign < 0 else (ANGLE, SLIPPING)
+    low, high = (0.45, 0.55) if sign < 0 else (0.7, 0.82)
+    best = optimize(setting, {over: (low, high)}, starts=1, **{asked: quantity})
+    grid = sweep(setting, np.linspace(low, high, 41), over=over)
+    values = np.array([orbit.stride[quantity] for orbit in grid.orbits])
+    place = np.argmin(sign * values)
+    assert len(values) == 41 and 0 < place < 40
+    assert best.parameters[over] == pytest.approx(grid.values[place], abs=(high - low) / 40)
+    assert 0.0 <= sign * (values[place] - best.value) < 1e-3 * best.value
+    assert best.why == "" and max(best.falls.values()) <= 1e-4
+
+
+def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
+    """Cheapest at a speed: over the torque, by the speed the angle is set; so one is free along a curve."""
+    over = {ANGLE: (0.6, 0.95), TORQUE: (0.1, 0.5)}
+    best = optimize(SLIPPING, over, minimize="cost_of_transport", at={"speed": 0.9}, starts=1)
+    assert best.gait.stride["speed"] == pytest.approx(0.9, rel=1e-8)
+    assert best.active_bounds == {} and best.why == ""
+    least = []
+    for angle in best.parameters[ANGLE] + np.linspace(-0.05, 0.05, 11):
+        row = sweep(
+            {**SLIPPING, ANGLE: angle}, best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9), over=TORQUE
+        )
+        speeds, costs = (
+            np.array([orbit.stride[name] for orbit in row.orbits]) for name in ("speed", "cost_of_transport")
+        )
+        assert speeds[0] < 0.9 < speeds[-1]
+        least.append(np.interp(0.9, speeds, costs))
+    assert np.argmin(least) == 5
+    assert min(least) == pytest.approx(best.value, abs=1e-5)
+
+
+def test_an_optimum_at_a_bound_says_so():
+    best = optimize(STICKING, {ANGLE: (0.5, 0.9)}, minimize="cost_of_transport", starts=1)
+    assert best.active_bounds == {ANGLE: "upper"}
+    assert best.parameters[ANGLE] == 0.9 and best.why == ""
+    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, [0.88, 0.9], over=ANGLE).orbits]
+    assert best.value == pytest.approx(costs[1], rel=1e-9) and costs[1] < costs[0]
+
+
+def test_stability_is_kept_where_it_is_asked_for():
+    over = {ANGLE: (0.5, 0.9), TORQUE: (0.1, 0.4)}
+    free = optimize({}, over, maximize="speed", starts=1)
+    kept = optimize({}, over, maximize="speed", stable=0.85, starts=1)
+    assert free.gait.lambda_max > 0.857 and free.limits == ()
+    assert kept.gait.lambda_max == pytest.approx(0.85, abs=1e-8)
+    assert kept.limits == ("stability",) and kept.why == "" and kept.value < free.value
+
+
+def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
+    best = optimize(STICKING, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", starts=1)
+    assert best.limits == ("fold",) and best.why == ""
+    assert 0.97 < best.gait.lambda_max < 1.0
+    further = orbit_near(best.gait.runner.but(TORQUE, 1.001 * best.parameters[TORQUE]), best.gait.apex)
+    assert further.stride["cost_of_transport"] > best.value
+
+
+def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
+    with pytest.raises(OrderNotMetError, match="no gait with speed 9 was found") as refused:
+        optimize({}, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", at={"speed": 9}, starts=1)
+    nearest = refused.value.nearest
+    fastest = optimize({}, {TORQUE: (0.1, 0.3)}, maximize="speed", starts=1)
+    assert nearest.stride["speed"] == pytest.approx(fastest.value, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--minimize", "sped", "--over", f"{ANGLE}=0.5:0.9"], "minimize 'sped'"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.9:0.5"], "A below B"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5"], "A:B"),
+        (["--maximize", "speed", "--over", "leg.stifness=1:2"], "leg.stiffness"),
+        (["--maximize", "speed", "--over", "leg.min_length=0.01:0.02"], "does not act"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:9"], "not allowed"),
+        (["--maximize", "speed", "--minimize", "speed", "--over", f"{ANGLE}=0.5:0.9"], "one of them"),
+        (["--over", f"{ANGLE}=0.5:0.9"], "neither given"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "speed=1"], "another quantity"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "slip_distance"], "QUANTITY=VALUE"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "slips=1"], "slip_distance"),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "length=nan"], "length = nan"),
+        (
+            [
+                "--maximize",
+                "speed",
+                "--over",
+                f"{ANGLE}=0.5:0.9",
+                "--at",
+                "length=1",
+                "--at",
+                "duty_factor=1",
+            ],
+            "no more quantities than parameters",
+        ),
+        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--set", f"{ANGLE}=0.6"], "one of the two"),
+        (["--maximize", "speed", *(2 * ["--over", f"{ANGLE}=0.5:0.9"])], "given twice"),
+    ],
+)
+def test_what_cannot_be_asked_is_refused_in_a_line(command, arguments, words):
+    status, out, said = command("optimize", *arguments)
+    assert (status, out) == (2, "")
+    assert words in said and len(said.strip().splitlines()) == 1
+
+
+def test_the_command_prints_a_table_before_and_after(command):
+    arguments = ["--maximize", "speed", "--over", f"{TORQUE}=0.1:0.25", "--starts", "1"]
+    status, out, said = command("optimize", *arguments)
+    assert (status, said) == (0, "")
+    rows = {line.split()[0]: line.split() for line in out.splitlines() if line}
+    assert rows[TORQUE] == [TORQUE, "N.m", "0.2", "0.25", "upper"]
+    assert rows["word"][1:] == ["+0-0+", "+0-"]
+    assert "an optimum to first order" in out
+    status, out, _ = command("optimize", *arguments, "--json")
+    told = json.loads(out)
+    assert status == 0
+    assert {"parameters", "before", "after", "word", "stable", "active_bounds"} <= set(told)
+    assert told["parameters"] == {TORQUE: 0.25} and told["active_bounds"] == {TORQUE: "upper"}
+    assert told["after"]["speed"] == pytest.approx(float(rows["speed"][3]), rel=1e-8)
+    assert told["after"]["speed"] > told["before"]["speed"]
+    again = orbit_near(find_orbit({TORQUE: 0.25}).runner, told["apex"])
+    assert again.stride["speed"] == pytest.approx(told["after"]["speed"], rel=1e-9)
+
+
+def test_the_command_tells_the_nearest_gait_where_none_will_do(command):
+    arguments = ["--minimize", "cost_of_transport", "--over", f"{TORQUE}=0.1:0.3", "--at", "speed=9"]
+    status, out, said = command("optimize", *arguments, "--starts", "1", "--json")
+    assert status == 1 and "no gait with speed 9" in said
+    assert json.loads(out)["nearest"]["speed"] < 9.0
+
+
+def test_bounds_that_no_gait_reaches_are_told():
+    with pytest.raises(InputError, match="allowed"):
+        optimize({}, {}, maximize="speed")
