@@ -126,8 +126,8 @@ void unit_differentiate_start(const unit *given, const struct unit *started, con
                               unit_view *change) {
     const tdmf_change along = {direction->parameters, direction->inputs};
     const tdmf_start_variation varied =
-        tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state, &along,
-                        direction->motion.state);
+        tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state,
+                        &started->motion.mode, &along, direction->motion.state);
     differentiate(started, &along, &varied.variation, change);
     change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
     change->outputs.energy.impact_loss = varied.impact_loss;

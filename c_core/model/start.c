@@ -6,6 +6,7 @@
 #include "ground_line.h"
 #include "impact.h"
 #include "kinematics.h"
+#include "leg_work.h"
 #include "margins.h"
 #include "ranges.h"
 #include "record.h"
@@ -156,9 +157,23 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
     return refusal;
 }
 
+/* Of a leg that thrusts from the start on. */
+static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
+                            const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+                            const tdmf_direction *d, double d_length) {
+    tdmf_mode before = *mode;
+    before.thrusts = false;
+    return tdmf_vary_leg_work_of_jump(
+        model, started[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before),
+        tdmf_rest_length(model, inputs, mode), &d->model, d_length,
+        tdmf_vary_rest_length(false, &d->model, &d->inputs),
+        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, mode), &d->model, &d->inputs));
+}
+
 tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double given[TDMF_STATE_COUNT],
-                                     const double started[TDMF_STATE_COUNT], const tdmf_change *change,
+                                     const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+                                     const tdmf_change *change,
                                      const double state_direction[TDMF_STATE_COUNT]) {
     tdmf_start_variation varied = {0};
     double *d_state = varied.variation.state;
@@ -169,6 +184,7 @@ tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs 
     if (foot_is_at_ground(model, &ground, given) && rate_of_foot(model, &ground, given) < 0.0) {
         varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, started, &d, d_state);
     }
+    d_state[TDMF_LEG_WORK] = vary_leg_work(model, inputs, started, mode, &d, d_state[TDMF_LEG_LENGTH]);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(started);
     const tdmf_point com = tdmf_center_of_mass_along(model, started, direction);
     const tdmf_point d_com = tdmf_vary_center_of_mass(model, started, direction, &d.model, d_state);

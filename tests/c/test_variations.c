@@ -387,6 +387,7 @@ static void an_impact_varies_as_it_changes(void **state) {
 static row started(const double *state, double liftoff_angle, double loss) {
     row row = after_impact(state, loss);
     append(&row, liftoff_angle);
+    append(&row, state[TDMF_LEG_WORK]);
     return row;
 }
 
@@ -396,16 +397,29 @@ static row start_of(const runner *at) {
     return started(begun.state, begun.mode.liftoff_angle, begun.record.impact_loss);
 }
 
-static void assert_start_varies(random_source *source, const runner *given) {
+/* Along what leaves a foot that is at the ground or put on it there, and a thrust of 0 as it is. */
+static line line_of_starts(random_source *source, const runner *given) {
     line line = line_random(source, given);
-    runner begun = *given;
     line.variation.state[TDMF_FOOT_Y] = given->state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
     line.change.inputs.ground.height = line.change.inputs.ground.slope = 0.0; /* the foot would not meet it */
+    if (given->state[TDMF_FOOT_VY] == 0.0) {
+        line.variation.state[TDMF_FOOT_VY] = 0.0;
+    }
+    if (tdmf_leg_thrust(&given->model, &given->inputs) == 0.0) {
+        line.change.parameters.leg.thrust = line.change.inputs.control.thrust = 0.0;
+    }
+    return line;
+}
+
+static void assert_start_varies(const line *line) {
+    const runner *given = line->runner;
+    runner begun = *given;
     runner_start(&begun);
-    const tdmf_start_variation varied = tdmf_vary_start(&given->model, &given->inputs, given->state,
-                                                        begun.state, &line.change, line.variation.state);
+    const tdmf_start_variation varied =
+        tdmf_vary_start(&given->model, &given->inputs, given->state, begun.state, &begun.mode, &line->change,
+                        line->variation.state);
     const row exact = started(varied.variation.state, varied.variation.liftoff_angle, varied.impact_loss);
-    assert_row_varies(&line, start_of, &exact);
+    assert_row_varies(line, start_of, &exact);
 }
 
 /* Falling and rising, in the air and at the ground, where a falling foot has an impact. */
@@ -424,11 +438,52 @@ static void a_start_varies_as_it_changes(void **state) {
             given.state[TDMF_FOOT_Y] += 0.1 * given.model.scales.length;
         }
         if (is_smooth_impact(&given)) {
-            assert_start_varies(&source, &given);
+            const line line = line_of_starts(&source, &given);
+            assert_start_varies(&line);
             ++compared;
         }
     }
     assert_true(compared > 150);
+}
+
+/* All neighbours that a difference asks, too. */
+static bool thrust_at_once(const line *line) {
+    bool all = true;
+    for (int i = -4; i <= 4; ++i) {
+        runner begun = line_at(line, i * LINE_STEP);
+        runner_start(&begun);
+        all = all && begun.mode.thrusts;
+    }
+    return all;
+}
+
+/* With the foot coming down and with a foot on the ground, a leg that lengthens in contact; by the parameter,
+ * the input, or both. */
+static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
+    random_source source = {8100};
+    int thrusting = 0;
+    (void)state;
+    for (int i = 0; i < 200; ++i) {
+        runner given =
+            random_runner(&source, TDMF_CONTACT_FLIGHT, i % 4 ? ORDINARY : LIGHT_FOOT_ON_STIFF_LEG);
+        const tdmf_scales *scales = &given.model.scales;
+        const double thrust = scales->length * random_uniform(&source, 0.05, 0.2);
+        given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
+        given.inputs.ground.height = given.inputs.ground.slope = 0.0;
+        given.model.parameters.leg.thrust = i % 3 ? thrust : 0.0;
+        given.inputs.control.thrust = i % 3 == 1 ? -0.2 * thrust : thrust;
+        given.state[TDMF_FOOT_Y] = 0.0;
+        given.state[TDMF_FOOT_VY] = i % 2 ? -fabs(given.state[TDMF_FOOT_VY]) : 0.0;
+        given.state[TDMF_LEG_LENGTH] = scales->length * random_uniform(&source, 0.7, 0.95);
+        given.state[TDMF_LEG_ANGLE] = random_uniform(&source, -0.5, 0.5);
+        given.state[TDMF_LEG_LENGTH_RATE] = scales->speed * random_uniform(&source, 0.1, 0.5);
+        const line line = line_of_starts(&source, &given);
+        if ((i % 2 == 0 || is_smooth_impact(&given)) && thrust_at_once(&line)) {
+            assert_start_varies(&line);
+            ++thrusting;
+        }
+    }
+    assert_true(thrusting > 100);
 }
 
 /* ---- coefficients of the series ------------------------------------------------------------------------ */
@@ -518,6 +573,7 @@ int main(void) {
         cmocka_unit_test(a_leg_is_found_from_the_change_of_the_body),
         cmocka_unit_test(an_impact_varies_as_it_changes),
         cmocka_unit_test(a_start_varies_as_it_changes),
+        cmocka_unit_test(a_start_that_thrusts_at_once_varies_with_its_work),
         cmocka_unit_test(coefficients_vary_as_they_change),
         cmocka_unit_test(a_clamp_without_gains_has_no_derivative),
     };

@@ -25,8 +25,8 @@ typedef struct {
     double peak_force;    /* N */
 } tdmf_stance_variation;
 
-/* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the hip's work is varied;
- * the others stay 0. */
+/* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the works of hip and leg are
+ * varied; the others stay 0. */
 typedef struct {
     double state[TDMF_STATE_COUNT]; /* of each element of the state */
     double liftoff_angle;           /* of mode.liftoff_angle */
@@ -41,11 +41,12 @@ typedef struct {
 } tdmf_start_variation;
 
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
- * the foot moved down at the ground. The mode that it found is held. `change` may be NULL: parameters and
- * inputs do not change. */
+ * the foot moved down at the ground, and with work of the leg where that thrusts at once. `mode` is the one
+ * that it found, and is held. `change` may be NULL: parameters and inputs do not change. */
 tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double given[TDMF_STATE_COUNT],
-                                     const double started[TDMF_STATE_COUNT], const tdmf_change *change,
+                                     const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+                                     const tdmf_change *change,
                                      const double state_direction[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
