@@ -27,7 +27,22 @@ double random_value(random_source *source) {
 }
 
 double tame_value(random_source *source, const unit_variable *variable) {
-    return variable->start * random_uniform(source, 0.7, 1.4);
+    if (variable->start != 0.0) {
+        return variable->start * random_uniform(source, 0.7, 1.4);
+    }
+    return fmax(variable->minimum, random_uniform(source, -0.05, 0.05));
+}
+
+uint32_t random_setting(random_source *source, bool at_event) {
+    uint32_t settings[64];
+    size_t count = 0;
+    for (uint32_t i = 0; i < unit_variable_count; ++i) {
+        const bool waits = unit_is_set_at_events(&unit_variables[i]);
+        if (waits ? at_event : unit_variables[i].storage == STORED_INPUT) {
+            settings[count++] = i;
+        }
+    }
+    return settings[pick(source, count)];
 }
 
 uint32_t random_reference(random_source *source) {

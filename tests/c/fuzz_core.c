@@ -2,6 +2,7 @@
  * derivatives and ensembles. No crash, no hang, and no number that is not one behind a success. */
 #include "declared.h"
 #include "fuzz.h"
+#include "ground_line.h"
 
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/tdmf_slip.h"
@@ -41,15 +42,26 @@ static double random_time(const subject *on) {
     return on->model.scales.time * random_magnitude(on->source, 1e-3, 1e2);
 }
 
-static void advance(void *self) {
-    subject *on = self;
-    const double duration = random_time(on);
+/* Of what need not be held, of the size that inputs have. */
+static tdmf_inputs random_rates(const subject *on, double duration) {
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
     if (random_chance(on->source, 0.3)) {
+        tdmf_inputs sizes = tdmf_default_inputs();
+        declared_further_inputs(on->source, &on->model.parameters, on->decades, &sizes);
         rates.ground.friction = random_uniform(on->source, -1.0, 1.0) / duration;
         rates.hip.external_torque =
             random_uniform(on->source, -0.1, 0.1) * on->model.scales.energy / duration;
+        rates.leg.extension = sizes.leg.extension / duration;
+        rates.body.external_fx = sizes.body.external_fx / duration;
+        rates.body.external_fy = sizes.body.external_fy / duration;
     }
+    return rates;
+}
+
+static void advance(void *self) {
+    subject *on = self;
+    const double duration = random_time(on);
+    const tdmf_inputs rates = random_rates(on, duration);
     const double start = on->motion.time;
     const tdmf_outcome outcome =
         tdmf_native_advance(&on->solver, &on->model, &on->inputs, &rates, start + duration, &on->motion);
@@ -74,10 +86,19 @@ static void close_a_stride(void *self) {
     expect_numbers_of_motion(on);
 }
 
+/* Of all inputs and, half of the time, of settings of the control law. */
 static void jump(void *self) {
     subject *on = self;
+    tdmf_parameters parameters = on->model.parameters;
     tdmf_observe(&on->model, &on->inputs, on->motion.state, &on->motion.mode, &on->motion.record);
-    on->inputs = declared_inputs(on->source, &on->model.parameters, on->decades);
+    on->inputs = declared_inputs(on->source, &parameters, on->decades);
+    declared_further_inputs(on->source, &parameters, on->decades, &on->inputs);
+    if (random_chance(on->source, 0.5)) {
+        declared_settings(on->source, on->decades, &parameters);
+        if (tdmf_model_create(&on->model, &parameters).variable != NULL) {
+            die("settings within their ranges are refused");
+        }
+    }
     tdmf_resolve(&on->model, &on->inputs, on->motion.time, on->motion.state, &on->motion.mode,
                  &on->motion.record);
     expect_numbers_of_motion(on);
@@ -110,7 +131,9 @@ static void run_members(void *self) {
     subject *on = self;
     double starts[MEMBERS][TDMF_SECTION_COUNT];
     tdmf_ensemble_end ends[MEMBERS];
-    const tdmf_ensemble_case only = {&on->model, on->inputs, {.most_strides = STRIDES}};
+    const double roughness = random_uniform(on->source, 0.0, 0.1) * on->model.scales.length;
+    const tdmf_ensemble_case only = {
+        &on->model, on->inputs, {.most_strides = STRIDES, .roughness = roughness, .seed = 1}};
     if (on->decades > 1.0 || on->has_run_members) {
         return; /* an ensemble's steps cannot be limited, and stiff runners take many */
     }
@@ -143,9 +166,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     on.decades = decades[pick(&source, sizeof decades / sizeof decades[0])];
     const declared_runner runner = declared_random(&source, on.decades);
     on.inputs = runner.inputs;
+    if (random_chance(&source, 0.5)) {
+        declared_further_inputs(&source, &runner.parameters, on.decades, &on.inputs);
+    }
+    const tdmf_ground_line ground = tdmf_ground_line_of(on.inputs.ground.height, on.inputs.ground.slope);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         on.motion.state[i] = runner.state[i];
     }
+    on.motion.state[TDMF_FOOT_Y] += tdmf_ground_height_at(&ground, on.motion.state[TDMF_FOOT_X]);
     on.solver.relative_tolerance = random_magnitude(&source, 1e-14, 1e-2);
     on.solver.step_limit = STEPS_OF_A_CALL;
     on.solver.event_limit = STEPS_OF_A_CALL;

@@ -52,8 +52,7 @@ static void get_all(void *self) {
 static void set_any(void *self) {
     subject *on = self;
     const fmi2ValueReference reference =
-        on->careful ? reference_of(random_chance(on->source, 0.5) ? "ground.friction" : "hip.external_torque")
-                    : random_reference(on->source);
+        on->careful ? random_setting(on->source, on->type == fmi2CoSimulation) : random_reference(on->source);
     const bool tame = reference < unit_variable_count && random_chance(on->source, 0.7);
     const double real = tame ? tame_value(on->source, &unit_variables[reference]) : random_value(on->source);
     const int integer = (int)pick(on->source, 5) - 1;
@@ -129,6 +128,20 @@ static void start_over(void *self) {
     fmi2EnterInitializationMode(on->component);
     fmi2ExitInitializationMode(on->component);
     if (on->type == fmi2ModelExchange) {
+        fmi2NewDiscreteStates(on->component, &info);
+        fmi2EnterContinuousTimeMode(on->component);
+    }
+}
+
+/* An event of the importer's, with a jump of what may be set at one. */
+static void handle_event(void *self) {
+    subject *on = self;
+    fmi2EventInfo info;
+    const fmi2ValueReference reference = random_setting(on->source, true);
+    const double value = tame_value(on->source, &unit_variables[reference]);
+    if (on->type == fmi2ModelExchange) {
+        fmi2EnterEventMode(on->component);
+        fmi2SetReal(on->component, &reference, 1, &value);
         fmi2NewDiscreteStates(on->component, &info);
         fmi2EnterContinuousTimeMode(on->component);
     }
@@ -230,7 +243,7 @@ static void switch_logging(void *self) {
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     static void (*const calls[])(void *) = {get_any,        get_all,          set_any,  change_mode,
                                             switch_logging, start_over,       evaluate, differentiate,
-                                            step,           save_and_restore, step};
+                                            step,           save_and_restore, step,     handle_event};
     random_source source = {0};
     subject on;
     random_draw_from(bytes, size);

@@ -62,8 +62,7 @@ static void get_all(void *self) {
 static void set_any(void *self) {
     subject *on = self;
     const uint32_t reference =
-        on->careful ? reference_of(random_chance(on->source, 0.5) ? "ground.friction" : "hip.external_torque")
-                    : random_reference(on->source);
+        on->careful ? random_setting(on->source, on->kind == STEPS) : random_reference(on->source);
     const bool is_there = reference < unit_variable_count;
     const double real = is_there && random_chance(on->source, 0.7)
                             ? tame_value(on->source, &unit_variables[reference])
@@ -141,11 +140,13 @@ static void set_before_start(subject *on) {
     }
 }
 
-/* An event iteration, with a jump of an input now and then, and back to where time goes on. */
+/* An event iteration, with a jump of what may be set then, and back to where time goes on. */
 static void handle_event(subject *on) {
     update_answer answer;
-    if (random_chance(on->source, 0.3)) {
-        set_float(on->instance, "ground.friction", random_uniform(on->source, 0.0, 1.0));
+    if (random_chance(on->source, 0.5)) {
+        const uint32_t reference = random_setting(on->source, true);
+        const double value = tame_value(on->source, &unit_variables[reference]);
+        fmi3SetFloat64(on->instance, &reference, 1, &value, 1);
     }
     update(on->instance, &answer);
     if (on->kind == EXCHANGE) {

@@ -50,6 +50,11 @@ static fmi3Status restore(fmi3Instance instance, const serialized *state) {
 static void begin(random_source *source, fmi3Instance instance, kind kind) {
     step_answer step;
     update_answer answer;
+    for (int i = 0; i < 3; ++i) {
+        const uint32_t reference = random_setting(source, true);
+        const double value = tame_value(source, &unit_variables[reference]);
+        fmi3SetFloat64(instance, &reference, 1, &value, 1);
+    }
     if (random_chance(source, 0.1)) {
         return;
     }
