@@ -76,8 +76,8 @@ static void without_a_direction_nothing_changes(void **unused) {
     double after[TDMF_STATE_COUNT];
     memcpy(after, before, sizeof after);
     assert_null(tdmf_start(&runner.model, &runner.inputs, 0.0, after, &mode, &record).variable);
-    const tdmf_start_variation varied =
-        tdmf_vary_start(&runner.model, &runner.inputs, before, after, &mode, &nothing_given, along_length.state);
+    const tdmf_start_variation varied = tdmf_vary_start(&runner.model, &runner.inputs, before, after, &mode,
+                                                        &nothing_given, along_length.state);
     const tdmf_start_variation unchanged =
         tdmf_vary_start(&runner.model, &runner.inputs, before, after, &mode, NULL, along_length.state);
     assert_same_numbers(unchanged.variation.state, varied.variation.state, TDMF_STATE_COUNT);
