@@ -113,21 +113,47 @@ build_platforms() {
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
 }
 
-# What is given out, in dist: source distribution, wheel, both units. The wheel's own binaries come from Zig too, for
-# the glibc that its tag names.
-GLIBC=2.17
+# What is given out, in dist: source distribution, a wheel for every platform, both units. The wheels' own binaries come
+# from Zig too, for the systems that their tags name.
+wheel_tag() {
+    case $1 in
+    x86_64-linux) echo manylinux_2_17_x86_64 ;;
+    aarch64-linux) echo manylinux_2_17_aarch64 ;;
+    x86_64-windows) echo win_amd64 ;;
+    aarch64-windows) echo win_arm64 ;;
+    x86_64-darwin) echo macosx_11_0_x86_64 ;;
+    aarch64-darwin) echo macosx_11_0_arm64 ;;
+    *) fail "no wheel tag is known for the platform $1" ;;
+    esac
+}
+
+# build_wheel PLATFORM: into dist. Which target Zig compiles for is what CMake's preset of the platform says.
+build_wheel() {
+    local platform=$1 target folder=build/platforms/wheels/$1
+    target=$(sed -n 's/^TDMF_SLIP_TARGET:[A-Z]*=//p' "build/platforms/$platform/CMakeCache.txt")
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    .venv/bin/python -m build --wheel --no-isolation -o "$folder" \
+        -C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig.cmake" \
+        -C "cmake.define.TDMF_SLIP_TARGET=$target" \
+        -C "cmake.define.Python3_EXECUTABLE=$PWD/.venv/bin/python" \
+        -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms" -C build.targets=tdmf_slip_shared \
+        -C "build-dir=build/platforms/wheel/$platform" . &&
+        .venv/bin/python -m wheel tags --remove --platform-tag "$(wheel_tag "$platform")" "$folder"/*.whl &&
+        cp "$folder"/*.whl dist
+}
+
 build_distribution() {
-    local define=(-C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig.cmake"
-        -C "cmake.define.TDMF_SLIP_TARGET=x86_64-linux-gnu.$GLIBC"
-        -C "cmake.define.Python3_EXECUTABLE=$PWD/.venv/bin/python"
-        -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms"
-        -C build-dir=build/platforms/wheel)
-    say "Building source distribution and wheel into dist"
+    local platform
+    say "Building source distribution and wheels into dist"
+    mkdir -p dist
     rm -f dist/*.whl dist/*.tar.gz dist/*.fmu
-    { .venv/bin/python -m build --sdist --no-isolation -o dist . &&
-        .venv/bin/python -m build --wheel --no-isolation -o dist "${define[@]}" . &&
-        .venv/bin/python -m wheel tags --remove --platform-tag "manylinux_${GLIBC/./_}_x86_64" dist/*.whl; } \
-        >build/distribution.log 2>&1 || {
+    {
+        .venv/bin/python -m build --sdist --no-isolation -o dist . &&
+            for platform in "${PLATFORMS[@]}"; do
+                build_wheel "$platform" || exit 1
+            done
+    } >build/distribution.log 2>&1 || {
         tail -n 40 build/distribution.log >&2
         fail "the distribution could not be built"
     }

@@ -6,20 +6,34 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tarfile
 import zipfile
 
 import pytest
+from test_platforms import ARM_LIBRARIES, QEMU, WINE
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: the distribution, lief is not installed")
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-WHEELS = list((ROOT / "dist").glob("*.whl"))
+WHEELS = {re.sub(r".*-py3-none-(.*)\.whl", r"\1", path.name): path for path in (ROOT / "dist").glob("*.whl")}
+"""By platform tag."""
+HERE = "manylinux_2_17_x86_64"
+SYSTEMS = {
+    HERE: (lief.ELF, "linux_x86_64", "libtdmf_slip_shared.so"),
+    "manylinux_2_17_aarch64": (lief.ELF, "linux_aarch64", "libtdmf_slip_shared.so"),
+    "win_amd64": (lief.PE, "AMD64", "tdmf_slip_shared.dll"),
+    "win_arm64": (lief.PE, "ARM64", "tdmf_slip_shared.dll"),
+    "macosx_11_0_x86_64": (lief.MachO, "X86_64", "libtdmf_slip_shared.dylib"),
+    "macosx_11_0_arm64": (lief.MachO, "ARM64", "libtdmf_slip_shared.dylib"),
+}
+"""By platform tag: format, processor, and the library's file in the wheel."""
 SOURCES = list((ROOT / "dist").glob("*.tar.gz"))
 UNITS = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
 
 pytestmark = pytest.mark.skipif(
-    not (WHEELS and SOURCES), reason="NOT TESTED: wheel and source distribution; ./scripts/release makes them"
+    not (HERE in WHEELS and SOURCES),
+    reason="NOT TESTED: wheel and source distribution; ./scripts/release makes them",
 )
 
 
@@ -41,7 +55,7 @@ def assert_runs(environment, variables):
 
 
 def test_the_wheel_installs_and_runs_without_a_compiler(environment):
-    variables = environment.install(WHEELS[0])
+    variables = environment.install(WHEELS[HERE])
     for compiler in ("cc", "gcc", "clang", "cmake", "ninja"):
         assert shutil.which(compiler, path=variables["PATH"]) is None
     assert_runs(environment, variables)
@@ -65,7 +79,7 @@ def elf_files(wheel):
 
 def test_the_wheels_tag_is_true():
     """No binary in it needs a newer glibc than the tag promises; any Python 3 will do."""
-    (wheel,) = WHEELS
+    wheel = WHEELS[HERE]
     promised = re.search(r"-py3-none-manylinux_(\d+)_(\d+)_x86_64\.whl$", wheel.name)
     assert promised, wheel.name
     files = [lief.ELF.parse(list(data)) for data in elf_files(wheel)]
@@ -88,3 +102,48 @@ def test_the_source_distribution_is_what_git_has():
         name for name in tracked if name.split("/")[0] in ("c_core", "fmu_src", "cmake", "scripts")
     } <= names
     assert not [name for name in names if name.startswith(("build/", "dist/", "results/", ".venv/"))]
+
+
+def unpacked_library(tag, folder):
+    """The library of a wheel, beside its headers."""
+    with zipfile.ZipFile(WHEELS[tag]) as wheel:
+        native = [name for name in wheel.namelist() if name.startswith("tdmf_slip/native/")]
+        wheel.extractall(folder, native)
+    return folder / "tdmf_slip/native" / SYSTEMS[tag][2]
+
+
+def processor_of(file):
+    """As the file's own header says."""
+    if isinstance(file, lief.ELF.Binary):
+        return {"X86_64": "linux_x86_64", "AARCH64": "linux_aarch64"}[file.header.machine_type.name]
+    return file.header.machine.name if isinstance(file, lief.PE.Binary) else file.header.cpu_type.name
+
+
+def test_there_is_a_wheel_for_every_platform_that_the_units_have(tmp_path):
+    """With the library that the Python package looks for there, compiled for that processor."""
+    assert set(WHEELS) == set(SYSTEMS)
+    for tag, (form, processor, _) in SYSTEMS.items():
+        library = unpacked_library(tag, tmp_path / tag)
+        file = lief.parse(str(library))
+        assert type(file).__module__ == form.__name__ and processor_of(file) == processor, tag
+
+
+@pytest.mark.parametrize(
+    ("tag", "target", "emulator"),
+    [
+        ("win_amd64", "x86_64-windows-gnu", WINE and [WINE]),
+        ("manylinux_2_17_aarch64", "aarch64-linux-gnu.2.17", QEMU and [QEMU, "-L", str(ARM_LIBRARIES)]),
+    ],
+)
+def test_the_library_of_a_wheel_runs_on_its_platform(tag, target, emulator, tmp_path):
+    """A program that was compiled against it finds the gait of the paper."""
+    if not emulator:
+        pytest.skip(f"NOT TESTED: the library of {tag}, because there is no emulator")
+    library = unpacked_library(tag, tmp_path)
+    program = library.parent / "strides.exe"
+    compiler = (sys.executable, "-m", "ziglang", "cc", "-target", target, "-std=c99", f"-I{library.parent}")
+    source = ROOT / "tests/consumer/strides.c"
+    run(*compiler, source, library, "-Wl,-rpath,$ORIGIN" if library.suffix == ".so" else "-s", "-o", program)
+    variables = os.environ | {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+    said = run(*emulator, program, env=variables, cwd=library.parent)
+    assert said.split() == ["+0-,", "speed", "1.033110,", "cost", "of", "transport", "0.364532"]
