@@ -151,7 +151,7 @@ build_distribution() {
     {
         .venv/bin/python -m build --sdist --no-isolation -o dist . &&
             for platform in "${PLATFORMS[@]}"; do
-                build_wheel "$platform" || exit 1
+                build_wheel "$platform" || return 1
             done
     } >build/distribution.log 2>&1 || {
         tail -n 40 build/distribution.log >&2
