@@ -1,6 +1,7 @@
 """The site that ./scripts/site builds: whole, with nothing fetched from elsewhere and nothing untold."""
 
 import html.parser
+import json
 import pathlib
 import re
 import subprocess
@@ -85,6 +86,18 @@ def test_links_and_anchors_inside_the_site_lead_somewhere(pages):
             followed += 1
     assert followed > 1000
     assert broken == []
+
+
+@built
+def test_each_guide_downloads_as_a_notebook_with_its_code(pages):
+    guides = sorted((SOURCES / "guides").glob("*.md"))
+    assert len(guides) >= 11
+    for guide in guides:
+        page = SITE / "guides" / f"{guide.stem}.html"
+        (link,) = {link for link in pages[page].links if link.endswith(f"/{guide.stem}.ipynb")}
+        notebook = json.loads((page.parent / urllib.parse.unquote(link)).read_text(encoding="utf-8"))
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        assert len(cells) == guide.read_text(encoding="utf-8").count("```{code-cell}") > 0, guide.name
 
 
 @built
