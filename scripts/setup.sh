@@ -176,11 +176,23 @@ build_site() {
     documentation/live/build dist/site
 }
 
+# What wine keeps of Windows: made at its first start, which takes some seconds, or a minute where much else runs.
+make_windows_folder() {
+    local wine folder=$PWD/build/platforms/wine
+    wine=$(PATH=$PATH:/usr/lib/wine command -v wine64) || return 0
+    [ -e "$folder/system.reg" ] && return 0
+    say "Making wine's folder of Windows in build/platforms/wine"
+    mkdir -p "$folder"
+    WINEPREFIX=$folder WINEDEBUG=-all "$wine" wineboot --init >build/wine.log 2>&1 ||
+        say "wine's folder could not be made: see build/wine.log"
+}
+
 # Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are
 # skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
 prepare_release() {
     (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
         say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
+    make_windows_folder
     get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 0; }
     build_platforms
     build_distribution

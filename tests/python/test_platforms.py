@@ -4,16 +4,15 @@ Windows runs under wine, Arm Linux under qemu, by a small importer in C (tests/p
 Linux sees; the files for macOS and Arm Windows are read.
 """
 
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import zipfile
 
 import fmpy
 import pytest
 from conftest import reference_gaits
+from emulators import arm_linux, windows
 from fmpy.validation import validate_fmu
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: units for every platform, lief is not installed")
@@ -34,9 +33,6 @@ HEADERS = pathlib.Path(fmpy.__file__).parent / "c-code"
 (REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 COMPARED = [*(f"stride.{name}" for name in QUANTITIES), "apex.leg_angle", "foot.x", "energy.total"]
-WINE = shutil.which("wine64", path=f"{os.environ['PATH']}:/usr/lib/wine")
-QEMU = shutil.which("qemu-aarch64")
-ARM_LIBRARIES = pathlib.Path("/usr/aarch64-linux-gnu")
 
 pytestmark = pytest.mark.skipif(
     not all(unit.is_file() for unit in UNITS.values()),
@@ -173,21 +169,19 @@ def test_linux_has_the_reference_strides(linux, fmi):
             assert value == pytest.approx(REFERENCE[name], rel=tolerance), (interface, name)
 
 
-@pytest.mark.skipif(WINE is None, reason="NOT TESTED: Windows, wine64 is not installed")
+@pytest.mark.skipif(windows() is None, reason="NOT TESTED: Windows, wine64 is not installed")
 @pytest.mark.parametrize(("fmi", "name"), [(2, "win64/TDMF_SLIP.dll"), (3, "x86_64-windows/TDMF_SLIP.dll")])
 def test_windows_sees_what_linux_sees(libraries, linux, fmi, name):
-    prefix = PLATFORMS / "wine"
-    prefix.mkdir(exist_ok=True)
-    environment = os.environ | {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all"}
-    there = seen(libraries, fmi, name, "x86_64-windows", [WINE], ".exe", environment)
+    emulator, environment = windows()
+    there = seen(libraries, fmi, name, "x86_64-windows", emulator, ".exe", environment)
     assert_same(there, linux[fmi])
 
 
 @pytest.mark.skipif(
-    QEMU is None or not ARM_LIBRARIES.is_dir(),
+    arm_linux() is None,
     reason="NOT TESTED: Arm Linux, qemu-user or libc6-arm64-cross is not installed",
 )
 def test_arm_linux_sees_what_linux_sees(libraries, linux):
-    emulator = [QEMU, "-L", ARM_LIBRARIES]
-    there = seen(libraries, 3, "aarch64-linux/TDMF_SLIP.so", "aarch64-linux", emulator)
+    emulator, environment = arm_linux()
+    there = seen(libraries, 3, "aarch64-linux/TDMF_SLIP.so", "aarch64-linux", emulator, "", environment)
     assert_same(there, linux[3])

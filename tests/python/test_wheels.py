@@ -1,0 +1,171 @@
+"""The wheels of all platforms (dist, made by ./scripts/release): what is in them, and whether it runs there.
+
+Windows runs under wine, Arm Linux under qemu, by small programs in C; what is for macOS and Arm Windows is
+read.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import zipfile
+
+import pytest
+from emulators import arm_linux, windows
+from tdmf_slip.library.binding import HEADERS
+from test_installed_library import CONSUMER, SAYS
+
+lief = pytest.importorskip("lief", reason="NOT TESTED: wheels, lief is not installed")
+wheelfile = pytest.importorskip("wheel.wheelfile", reason="NOT TESTED: wheels, wheel is not installed")
+metadata = pytest.importorskip("packaging.metadata")
+utils = pytest.importorskip("packaging.utils")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WHEELS = {path.stem.rpartition("-")[2]: path for path in (ROOT / "dist").glob("*.whl")}
+"""By platform tag."""
+UNITS = {name: f"tdmf_slip/{name}" for name in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")}
+ELF, PE, MACH = "ELF", "PE", "MachO"
+PLATFORMS = {
+    "manylinux_2_17_x86_64": (ELF, "X86_64", "libtdmf_slip_shared.so"),
+    "manylinux_2_17_aarch64": (ELF, "AARCH64", "libtdmf_slip_shared.so"),
+    "win_amd64": (PE, "AMD64", "tdmf_slip_shared.dll"),
+    "win_arm64": (PE, "ARM64", "tdmf_slip_shared.dll"),
+    "macosx_11_0_x86_64": (MACH, "X86_64", "libtdmf_slip_shared.dylib"),
+    "macosx_11_0_arm64": (MACH, "ARM64", "libtdmf_slip_shared.dylib"),
+}
+"""By platform tag: format, processor, and the library's file as the Python package asks for it there."""
+EMULATORS = {
+    "win_amd64": (windows(), "x86_64-windows-gnu"),
+    "manylinux_2_17_aarch64": (arm_linux(), "aarch64-linux-gnu.2.17"),
+}
+"""By platform tag: how a program of it is run here, and what Zig calls the platform."""
+
+pytestmark = pytest.mark.skipif(not WHEELS, reason="NOT TESTED: wheels; ./scripts/release makes them")
+each_platform = pytest.mark.parametrize("tag", PLATFORMS)
+
+
+def run(*command, **options):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def library_of(tag):
+    """As lief reads it, and its bytes."""
+    form, _, name = PLATFORMS[tag]
+    with zipfile.ZipFile(WHEELS[tag]) as wheel:
+        data = wheel.read(f"tdmf_slip/native/{name}")
+    read = {
+        ELF: lief.ELF.parse,
+        PE: lief.PE.parse,
+        MACH: lambda content: next(iter(lief.MachO.parse(content))),
+    }
+    return read[form](list(data))
+
+
+def test_there_is_a_wheel_for_every_platform_that_the_units_have():
+    assert set(WHEELS) == set(PLATFORMS)
+
+
+@each_platform
+def test_a_wheel_is_what_its_name_says(tag):
+    """By the libraries that installers use: tags, checksums, metadata. Both units are whole."""
+    path = WHEELS[tag]
+    name, version, _, tags = utils.parse_wheel_filename(path.name)
+    assert {str(found) for found in tags} == {f"py3-none-{tag}"}
+    with wheelfile.WheelFile(path) as wheel:
+        listed = set(wheel.namelist())
+        for member in listed:
+            wheel.read(member)  # which compares it with RECORD
+        about = f"{wheel.parsed_filename['namever']}.dist-info"
+        said = wheel.read(f"{about}/WHEEL").decode().splitlines()
+        assert f"Tag: py3-none-{tag}" in said and "Root-Is-Purelib: false" in said
+        found = metadata.Metadata.from_email(wheel.read(f"{about}/METADATA"), validate=True)
+        assert (found.name, str(found.version)) == (name, str(version))
+        assert "dist-info/licenses/LICENSE" in " ".join(listed)
+        for unit, place in UNITS.items():
+            assert wheel.read(place) == (ROOT / "dist" / unit).read_bytes()
+    libraries = {member for member in listed if member.endswith((".so", ".dll", ".dylib", ".lib", ".a"))}
+    assert libraries == {f"tdmf_slip/native/{PLATFORMS[tag][2]}"}
+
+
+def public_functions():
+    text = "".join(path.read_text(encoding="utf-8") for path in HEADERS.glob("*.h"))
+    return set(re.findall(r"^(?!typedef)\w[\w *]*\b(tdmf_\w+)\(", text, re.MULTILINE))
+
+
+@each_platform
+def test_a_wheels_library_is_for_its_processor_and_has_all_public_functions(tag):
+    form, processor, _ = PLATFORMS[tag]
+    file = library_of(tag)
+    if form == PE:
+        machine, names = file.header.machine, {entry.name for entry in file.get_export().entries}
+    elif form == MACH:
+        machine = file.header.cpu_type
+        names = {export.symbol.name.removeprefix("_") for export in file.dyld_info.exports}
+    else:
+        machine, names = file.header.machine_type, {symbol.name for symbol in file.exported_symbols}
+    assert machine.name == processor
+    wanted = public_functions()
+    assert len(wanted) > 45 and wanted - names == set()
+
+
+def elf_files(wheel):
+    """Every ELF file of a wheel, in the units too."""
+    with zipfile.ZipFile(wheel) as outer:
+        for name in outer.namelist():
+            if name.endswith(".fmu"):
+                with outer.open(name) as file, zipfile.ZipFile(file) as unit:
+                    yield from (unit.read(n) for n in unit.namelist() if n.endswith(".so"))
+            elif name.endswith(".so"):
+                yield outer.read(name)
+
+
+@pytest.mark.parametrize("tag", [tag for tag in PLATFORMS if tag.startswith("manylinux")])
+def test_a_wheel_for_linux_needs_no_newer_glibc_than_its_tag_promises(tag):
+    promised = tuple(map(int, re.fullmatch(r"manylinux_(\d+)_(\d+)_.*", tag).groups()))
+    files = [lief.ELF.parse(list(data)) for data in elf_files(WHEELS[tag])]
+    assert len(files) >= 4
+    for file in files:
+        needed = [
+            tuple(map(int, version.name.removeprefix("GLIBC_").split(".")))
+            for requirement in file.symbols_version_requirement
+            for version in requirement.get_auxiliary_symbols()
+        ]
+        assert max(needed) <= promised
+
+
+@pytest.mark.parametrize("tag", [tag for tag in PLATFORMS if tag.startswith("macosx")])
+def test_a_wheel_for_macos_asks_for_the_system_of_its_tag_and_for_no_other_library(tag):
+    """And for Apple's Arm processors, which run nothing else, it is signed."""
+    file = library_of(tag)
+    promised = list(map(int, re.fullmatch(r"macosx_(\d+)_(\d+)_.*", tag).groups()))
+    assert list(file.build_version.minos)[:2] == promised
+    own = lief.MachO.LoadCommand.TYPE.ID_DYLIB
+    assert {used.name for used in file.libraries if used.command != own} == {"/usr/lib/libSystem.B.dylib"}
+    assert file.has_code_signature or not tag.endswith("arm64")
+
+
+@pytest.mark.parametrize("tag", [tag for tag in PLATFORMS if tag.startswith("win")])
+def test_a_wheel_for_windows_asks_for_no_library_that_windows_10_does_not_have(tag):
+    names = {used.name.lower() for used in library_of(tag).imports}
+    assert names
+    assert {name for name in names if not name.startswith("api-ms-win-crt-")} <= {"kernel32.dll", "ntdll.dll"}
+
+
+@pytest.mark.parametrize("tag", EMULATORS)
+def test_the_library_of_a_wheel_runs_on_its_platform(tag, tmp_path):
+    """Programs compiled against it as it lies there: one runner, and many with their threads."""
+    emulator, target = EMULATORS[tag]
+    if emulator is None:
+        pytest.skip(f"NOT TESTED: the library of {tag}, because there is no emulator")
+    command, variables = emulator
+    with zipfile.ZipFile(WHEELS[tag]) as wheel:
+        wheel.extractall(tmp_path, [n for n in wheel.namelist() if n.startswith("tdmf_slip/native/")])
+    native = tmp_path / "tdmf_slip/native"
+    compiler = (sys.executable, "-m", "ziglang", "cc", "-target", target, "-std=c99", f"-I{native}")
+    for program in ("strides", "crowd"):
+        built = native / f"{program}.exe"
+        links = [native / PLATFORMS[tag][2]] + (["-Wl,-rpath,$ORIGIN"] if "linux" in tag else [])
+        run(*compiler, CONSUMER / f"{program}.c", *links, "-o", built)
+        assert run(*command, built, env=variables, cwd=native).startswith(SAYS[program])
