@@ -3,8 +3,11 @@
 import json
 import re
 
+import numpy as np
 import pytest
+import tdmf_slip
 from PIL import Image
+from tdmf_slip.paper.figures import figure_4, figure_9
 from tdmf_slip.pictures import animation, style
 
 CENTIMETRE = 72 / 2.54
@@ -46,6 +49,30 @@ def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
             film.seek(number)
             picture = film.convert("L")
             assert picture.crop((0, 0, picture.width, 10)).getextrema()[0] > 250, number
+
+
+def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypatch, tmp_path):
+    """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
+    kept = []
+    monkeypatch.setattr(style, "save", lambda figure, path: kept.append(figure))
+    figure_4.draw(tmp_path / "4.png")
+    gaits = tdmf_slip.sweep({}, [10.0, 1.2, 0.6, 0.5])
+    figure_9.draw(tmp_path / "9.png", gaits)
+    off = {}
+    for axes in (axes for figure in kept for axes in figure.axes):
+        marks = [line for line in axes.lines if line.get_label() == style.PUBLISHED["label"]]
+        curves = [line.get_xydata() for line in axes.lines if line.get_linestyle() != "None"]
+        rising = [curve[np.argsort(curve[:, 0])].T for curve in curves if len(curve) > 2]
+        for place, value in (point for mark in marks for point in mark.get_xydata()):
+            off[place, value] = min(abs(np.interp(place, *curve) / value - 1.0) for curve in rising)
+    speed, cost = (gaits.orbits[0].stride[name] for name in ("speed", "cost_of_transport"))
+    assert list(off) == [
+        (40.0, 0.84),
+        (40.0, 4.5),
+        pytest.approx((0.5, 1.12 * speed)),
+        pytest.approx((0.5, 0.75 * cost)),
+    ]
+    assert list(off.values()) == pytest.approx([0.0, 0.1, 0.0, 0.055], abs=0.01)
 
 
 def test_axes_tell_units_as_they_are_printed():

@@ -53,6 +53,17 @@ LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative
 
 STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": (0, (5, 3)), "linewidth": 1.0, "zorder": 1}
 MID_STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": "-.", "linewidth": 1.0, "zorder": 1}
+PUBLISHED: Mapping[str, Any] = {
+    "linestyle": "",
+    "marker": "o",
+    "markersize": 8.0,
+    "markerfacecolor": "none",
+    "markeredgecolor": "#b3216f",
+    "markeredgewidth": 1.6,
+    "zorder": 5,
+    "label": "in the paper's text",
+}
+"""How a value is marked that the paper tells in words."""
 LIMIT_LINE: Mapping[str, Any] = {"color": INK, "linestyle": (0, (4, 2)), "linewidth": 0.9, "zorder": 1}
 SLIP_DASHES = (0, (3.0, 1.4))
 

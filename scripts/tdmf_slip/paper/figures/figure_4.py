@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from ...pictures import style
+from ..claims import IMPACT_FRICTION, SLIP_ANGLE, STANCE_FRICTION
 from . import figure_2
 
 
@@ -22,6 +23,7 @@ def draw(path: Path) -> None:
         angles = np.array(data["angle_degrees"])[order]
         stance = np.array(data["stance_friction"])[order]
         axes.plot(angles, stance, "-.", color=style.SECOND_CURVE, label=r"in stance: $\tan\theta_0$")
+        axes.plot([SLIP_ANGLE] * 2, [STANCE_FRICTION, IMPACT_FRICTION], **style.PUBLISHED)
         axes.set_ylim(0.0, 6.0)
         axes.legend()
         style.label(axes, r"touchdown angle  $\theta_0$ in degrees", "friction needed  μ")

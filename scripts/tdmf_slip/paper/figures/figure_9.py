@@ -8,12 +8,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from ...analysis.sweep import Sweep
 from ...pictures import style
 from ...unit.variable import Values
+from ..claims import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 
 NARROW = 1.02
@@ -51,8 +53,12 @@ def draw(path: Path, sweep: Sweep) -> None:
             panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)
             panel.set_title(title, pad=18 if panel is axes[0] else None)
             mark_borders(panel, sweep)
+        for panel, name, gain in ((axes[1], "speed", SPEED_GAIN), (axes[2], "cost_of_transport", COST_GAIN)):
+            without = data[name][int(np.argmax(data["friction"]))]
+            (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
         name_words(axes[0], sweep)
-        axes[1].legend(handles=[Patch(color=TINT, label="not in the paper's figure")], loc="lower right")
+        missing = Patch(color=TINT, label="not in the paper's figure")
+        axes[1].legend(handles=[mark, missing], loc="lower right")
         friction_axis(axes[-1], data["friction"])
         style.save(figure, path)
 
