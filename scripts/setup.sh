@@ -94,7 +94,7 @@ get_zig() {
 }
 
 # The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file. The ensemble
-# engine, which is not in them, is compiled as well, to see that it can be.
+# engine, which is not in them, is in the wheels.
 PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
 build_platforms() {
     local platform units=() log=build/platforms/build.log
@@ -104,7 +104,7 @@ build_platforms() {
     for platform in "${PLATFORMS[@]}"; do
         { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
             cmake --build "build/platforms/$platform" \
-                --target fmi2_unit fmi3_unit importer tdmf_slip_ensemble; } >>"$log" 2>&1 || {
+                --target fmi2_unit fmi3_unit importer; } >>"$log" 2>&1 || {
             tail -n 40 "$log" >&2
             fail "could not compile for $platform"
         }
