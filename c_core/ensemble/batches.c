@@ -44,6 +44,7 @@ typedef struct {
     tdmf_ensemble_work work;
     int order;
     double tolerance;
+    batch_members before; /* a step, where strides are noted */
 } integration;
 
 static void wait_in(integration *integration, int index) {
@@ -188,12 +189,56 @@ static void empty_lane(integration *integration, batch *batch, int lane, bool at
     }
 }
 
+static bool in_flight(batch_kind kind) {
+    return kind < BATCH_STICK || kind >= BATCH_PLACE_AND_RISE;
+}
+
+/* The series of one lane that are looked at, in the order in which they are noted. */
+static void read_series(const integration *integration, bool in_flight, int lane,
+                        double to[TDMF_NOTED_SERIES][SERIES_TERMS]) {
+    const flight_series *f = &integration->series.flight;
+    const ground_series *g = &integration->series.ground;
+    const real *const of_flight[TDMF_NOTED_SERIES] = {f->momentum, f->angle, f->rate_square, f->push_moment};
+    const real *const of_ground[TDMF_NOTED_SERIES] = {g->normal_force, g->moment, g->torque, g->power};
+    for (int series = 0; series < TDMF_NOTED_SERIES; ++series) {
+        const real *from = in_flight ? of_flight[series] : of_ground[series];
+        for (int k = 0; k <= integration->order; ++k) {
+            to[series][k] = from[k][lane];
+        }
+    }
+}
+
+static void note_steps(integration *integration, batch_kind kind, lane_outcome outcome) {
+    const batch *batch = &integration->batches[kind];
+    const unsigned stuck = lanes_of(outcome.stuck);
+    double before[MEMBER_FIELDS], after[MEMBER_FIELDS];
+    tdmf_lane_step noted = {.order = integration->order, .before = before, .after = after};
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (batch->runner_in[lane] == EMPTY || (stuck >> lane & 1)) {
+            continue;
+        }
+        noted.size = outcome.size[lane];
+        noted.end = outcome.end[lane];
+        read_lane(&integration->before, lane, before, MEMBER_FIELDS);
+        read_lane(&batch->members, lane, after, MEMBER_FIELDS);
+        read_series(integration, in_flight(kind), lane, noted.series);
+        tdmf_runner_note_step(&integration->runners[batch->runner_in[lane]], &noted);
+    }
+}
+
 static void step_and_sort(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     fill_lanes(integration, batch);
     integration->work.steps += batch->count;
     integration->work.places += LANES;
+    const bool is_noted = tdmf_notes_strides(integration->ensemble);
+    if (is_noted) {
+        integration->before = batch->members;
+    }
     const lane_outcome outcome = step_batch(integration, kind);
+    if (is_noted) {
+        note_steps(integration, kind, outcome);
+    }
     const unsigned events = lanes_of(outcome.at_event);
     const unsigned late = lanes_of(outcome.late);
     const unsigned leaving = events | late | lanes_of(outcome.stuck);

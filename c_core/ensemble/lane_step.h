@@ -11,6 +11,8 @@ typedef struct {
     choice at_event;
     choice late;  /* no time left to close the stride */
     choice stuck; /* no finite step, none left, or too stiff */
+    real size;    /* for which its series were expanded */
+    real end;     /* of it, or at its event */
 } lane_outcome;
 
 /* Begins the search of a step that its series may be trusted for. Returns how much the length may change. */
@@ -39,6 +41,8 @@ static inline lane_outcome move_on(member_progress *now, real time_left, const m
         .late = search->live & (elapsed >= time_left),
         .stuck = search->live & (too_stiff | not(elapsed > now->elapsed) | no_steps_left(&now->steps) |
                                  takes_too_many_steps(&now->steps, mode->time_scale)),
+        .size = search->size,
+        .end = end,
     };
     now->elapsed = elapsed;
     return outcome;

@@ -8,9 +8,10 @@
 #include "longest_stride.h"
 #include "margins.h"
 #include "reduced_stride.h"
+#include "series_sums.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/orbit.h"
+#include "turns.h"
 
 #include "members.h"
 
@@ -135,6 +136,76 @@ static void store(tdmf_runner *runner, const double *fields) {
     runner->steps = now.steps;
 }
 
+/* ---- what is noted of steps --------------------------------------------------------------------------- */
+
+bool tdmf_notes_strides(const tdmf_ensemble *ensemble) {
+    return ensemble->strides != NULL;
+}
+
+static void take_series(double *to, const tdmf_lane_step *lane, int series) {
+    memcpy(to, lane->series[series], sizeof lane->series[series]);
+}
+
+/* A step in flight as the native solver has it, as far as it takes for the hip's power. Returns the work. */
+static double read_flight_step(const tdmf_lane_step *lane, tdmf_mode_equations *equations, tdmf_step *step) {
+    const flying_member *before = (const flying_member *)lane->before;
+    const flying_member *after = (const flying_member *)lane->after;
+    flight_series *flight = &step->series.flight;
+    tdmf_step_set_flight(&equations->start, &before->at);
+    step->constants.flight = before->constants;
+    take_series(flight->momentum, lane, TDMF_NOTED_MOMENTUM);
+    take_series(flight->angle, lane, TDMF_NOTED_ANGLE);
+    take_series(flight->rate_square, lane, TDMF_NOTED_RATE_SQUARE);
+    take_series(flight->push_moment, lane, TDMF_NOTED_PUSH_MOMENT);
+    return after->at.done.work - before->at.done.work;
+}
+
+static double read_ground_step(const tdmf_lane_step *lane, tdmf_step *step) {
+    const standing_member *before = (const standing_member *)lane->before;
+    const standing_member *after = (const standing_member *)lane->after;
+    ground_series *ground = &step->series.ground;
+    take_series(ground->normal_force, lane, TDMF_NOTED_NORMAL_FORCE);
+    take_series(ground->moment, lane, TDMF_NOTED_MOMENT);
+    take_series(ground->torque, lane, TDMF_NOTED_TORQUE);
+    take_series(ground->power, lane, TDMF_NOTED_POWER);
+    return after->at.done.work - before->at.done.work;
+}
+
+static void note_peak_force(tdmf_motion *motion, const tdmf_step *step, double end) {
+    double *largest = &motion->record.open.peak_force;
+    const double peak = tdmf_largest_peak(step, end, &motion->mode.ground_force_rising);
+    if (peak <= end) {
+        *largest = fmax(*largest, series_at(step->series.ground.normal_force, step->order - 1, peak));
+    }
+}
+
+void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
+    tdmf_mode_equations equations = runner->equations;
+    tdmf_step step;
+    step.equations = &equations;
+    step.order = lane->order;
+    step.size = lane->size;
+    set_powers(step.search.power, lane->size, lane->order);
+    const double work = runner->motion.mode.contact == TDMF_CONTACT_FLIGHT
+                            ? read_flight_step(lane, &equations, &step)
+                            : read_ground_step(lane, &step);
+    runner->equations.positive_work += tdmf_positive_work(&step, lane->end, work);
+    if (tdmf_in_contact(&runner->motion.mode)) {
+        note_peak_force(&runner->motion, &step, lane->end);
+    }
+}
+
+/* Of the ground force at an event. */
+static void observe(tdmf_runner *runner) {
+    tdmf_motion *motion = &runner->motion;
+    if (tdmf_notes_strides(runner->ensemble)) {
+        tdmf_observe_along(runner->model, &runner->inputs, motion->state, runner->direction, &motion->mode,
+                           &motion->record);
+    }
+}
+
+/* ---- events ------------------------------------------------------------------------------------------- */
+
 /* Whether the runner is where the stance of the reduced map is over, and its flight to the next apex. */
 static bool has_lifted_off(const tdmf_runner *runner) {
     return runner->map == TDMF_REDUCED_MAP && !tdmf_in_contact(&runner->motion.mode);
@@ -155,7 +226,9 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
     store(runner, fields);
     tdmf_run run = {runner->model, &runner->inputs, motion->time,     motion->state,
                     &motion->mode, &motion->record, runner->direction};
+    observe(runner);
     const bool resolved = tdmf_take_transitions(&run);
+    observe(runner);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
         return false;

@@ -3,6 +3,7 @@
 #define TDMF_ENSEMBLE_RUNNER_H
 
 #include "mode_equations.h"
+#include "series.h"
 #include "step_limits.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/solver.h"
@@ -29,6 +30,19 @@ typedef enum {
     BATCH_COUNT,
     BATCH_USUAL = BATCH_PLACE_AND_RISE /* the kinds that runners are mostly in */
 } batch_kind;
+
+/* Series of a step that peaks of force and signs of power are found by. */
+enum {
+    TDMF_NOTED_NORMAL_FORCE, /* on the ground */
+    TDMF_NOTED_MOMENT,
+    TDMF_NOTED_TORQUE,
+    TDMF_NOTED_POWER,
+    TDMF_NOTED_MOMENTUM = 0, /* in flight */
+    TDMF_NOTED_ANGLE,
+    TDMF_NOTED_RATE_SQUARE,
+    TDMF_NOTED_PUSH_MOMENT,
+    TDMF_NOTED_SERIES
+};
 
 typedef struct {
     const tdmf_ensemble *ensemble;
@@ -60,6 +74,21 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner);
 /* Opens its mode and writes what a lane has to know: the fields of a member (members.h), with room for
  * MEMBER_FIELDS. Returns how many they are. */
 int tdmf_runner_load(tdmf_runner *runner, double *fields);
+
+/* What a lane has made of a step. */
+typedef struct {
+    int order;
+    double size, end;             /* s: for which it was expanded, and at which it ended */
+    const double *before, *after; /* fields of the member */
+    double series[TDMF_NOTED_SERIES][SERIES_TERMS];
+} tdmf_lane_step;
+
+/* Whether strides are noted: then each step of a lane is looked at. */
+bool tdmf_notes_strides(const tdmf_ensemble *ensemble);
+
+/* Notes what a step has passed that is no event: peaks of the ground force, and what of the hip's work was
+ * done at positive power. */
+void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane);
 
 /* Takes the event that the lane has come to: its first CHANGING_FIELDS fields. False where the run has ended.
  */

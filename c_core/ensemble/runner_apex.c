@@ -213,10 +213,9 @@ static bool go_on(tdmf_runner *runner) {
     if (!place->stands || runner->end->strides >= runner->its_case->rules.most_strides) {
         return false;
     }
-    const tdmf_leg_direction direction = {place->leg_sine, place->leg_cosine};
     place->stands = false;
     runner->motion = place->motion;
-    runner->direction = direction;
+    runner->direction = tdmf_leg_direction_of(runner->motion.state);
     runner->inputs.ground.height = place->ground_height;
     open_stride(runner);
     return begin_next_stride(runner);
@@ -284,8 +283,7 @@ static int gait_near(const tdmf_runner *runner, const double apex[TDMF_SECTION_C
 static void stand(const tdmf_runner *runner) {
     tdmf_ensemble_place *places = runner->ensemble->places;
     if (places) {
-        const tdmf_ensemble_place place = {true, runner->motion, runner->direction.sine,
-                                           runner->direction.cosine, runner->inputs.ground.height};
+        const tdmf_ensemble_place place = {true, runner->motion, runner->inputs.ground.height};
         places[runner->index] = place;
     }
 }

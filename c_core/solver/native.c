@@ -132,19 +132,15 @@ static void note_peak_force(integration *integration, double elapsed) {
     }
 }
 
-/* Notes the peaks of the ground force. They change nothing but the record, so the step goes on. */
+/* Notes the largest peak of the ground force. It changes nothing but the record, so the step goes on. */
 static void observe_ground_force(integration *integration, double end) {
     tdmf_mode *mode = &integration->motion->mode;
-    double from = 0.0;
-    for (int i = 0; tdmf_in_contact(mode) && i < TDMF_TURN_LIMIT; ++i) {
-        from = tdmf_force_turn(&integration->step, mode->ground_force_rising, from, end);
-        if (!(from <= end)) {
-            return;
-        }
-        if (mode->ground_force_rising) {
-            note_peak_force(integration, from);
-        }
-        mode->ground_force_rising = !mode->ground_force_rising;
+    if (!tdmf_in_contact(mode)) {
+        return;
+    }
+    const double peak = tdmf_largest_peak(&integration->step, end, &mode->ground_force_rising);
+    if (peak <= end) {
+        note_peak_force(integration, peak);
     }
 }
 

@@ -5,6 +5,9 @@
 #include "margins.h"
 #include "series_sums.h"
 
+/* As many as a series can have. */
+enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
+
 /* A polynomial in the step's share, and up to where it counts as zero. */
 typedef struct {
     double c[SERIES_TERMS];
@@ -63,7 +66,9 @@ static series_sums sums_of(const tdmf_step *step, const double *series, int orde
     return sums;
 }
 
-double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to) {
+/* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back;
+ * else infinity. */
+static double force_turn(const tdmf_step *step, bool rising, double from, double to) {
     const tdmf_scales *scales = &step->equations->model->scales;
     const double *force = step->series.ground.normal_force;
     const partial_sums slope = sums_of(step, force, step->order - 1).rate;
@@ -77,6 +82,23 @@ double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double t
     const root turn = first_root(rate.c, rate.order, TDMF_BEYOND_DEAD_BAND * scales->force / scales->time,
                                  from / step->size, to / step->size, choice_of(true));
     return turn.is_root ? turn.time * step->size : INFINITY;
+}
+
+double tdmf_largest_peak(const tdmf_step *step, double end, bool *rising) {
+    double from = 0.0, peak = INFINITY, largest = -INFINITY;
+    for (int i = 0; i < TURN_LIMIT; ++i) {
+        from = force_turn(step, *rising, from, end);
+        if (!(from <= end)) {
+            break;
+        }
+        const double force = series_at(step->series.ground.normal_force, step->order - 1, from);
+        if (*rising && force > largest) {
+            largest = force;
+            peak = from;
+        }
+        *rising = !*rising;
+    }
+    return peak;
 }
 
 /* Most steps are seen not to by their partial sums, or to by their end. */
@@ -207,7 +229,7 @@ double tdmf_positive_work(const tdmf_step *step, double end, double total) {
     if (changing.count == 0) {
         return larger(0.0, total);
     }
-    for (int i = 0; i < TDMF_TURN_LIMIT && from < end; ++i) {
+    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
         const double to = next_turn(step, &changing, from, end);
         const double done_then = to < end ? tdmf_step_work(step, to) : total;
         positive += larger(0.0, done_then - done);

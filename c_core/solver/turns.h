@@ -5,12 +5,9 @@
 
 #include "step.h"
 
-/* As many as a series can have. */
-enum { TDMF_TURN_LIMIT = SERIES_ORDER_LIMIT };
-
-/* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back;
- * else infinity. In contact only. */
-double tdmf_force_turn(const tdmf_step *step, bool rising, double from, double to);
+/* The time up to `end` of the largest peak of the ground force; infinity where there is none. In contact
+ * only. `rising` is whether the force rises, at the start of the step and on return at `end`. */
+double tdmf_largest_peak(const tdmf_step *step, double end, bool *rising);
 
 /* Whether the leg lengthens at some time in the step up to `end`. On the ground only. */
 bool tdmf_leg_lengthens(const tdmf_step *step, double end);

@@ -19,8 +19,14 @@ static const double low[SETTINGS] = {0.693, 0.1985, 0.57};
 static const double high[SETTINGS] = {0.707, 0.2015, 0.63};
 static const uint64_t seed = 20261122;
 
+/* What acts at the apex itself: on the ground that is in force, and on the work of the leg. */
+static const char *const at_once[SETTINGS] = {"ground.height", "leg.extension", "ground.slope"};
+static const double at_once_low[SETTINGS] = {-0.3, -0.02, -1e-3};
+static const double at_once_high[SETTINGS] = {0.3, 0.02, 1e-3};
+
 typedef struct {
     tdmf_model model;
+    bool acts_at_once; /* what is given */
     int settings[SETTINGS];
     tdmf_affine_law law;
     tdmf_ensemble_case its_case;
@@ -80,6 +86,19 @@ static crowd *gather(double roughness) {
     return crowd;
 }
 
+static void give_what_acts_at_once(crowd *crowd) {
+    random_source source = {5};
+    crowd->acts_at_once = true;
+    crowd->ensemble.given = &crowd->given;
+    for (int k = 0; k < SETTINGS; ++k) {
+        crowd->settings[k] = tdmf_setting_of(at_once[k]);
+        for (int i = 0; i < RUNNERS * STRIDES; ++i) {
+            crowd->values[i / STRIDES][i % STRIDES][k] =
+                random_uniform(&source, at_once_low[k], at_once_high[k]);
+        }
+    }
+}
+
 /* ---- the same by hand --------------------------------------------------------------------------------- */
 
 /* The law as its formula says. */
@@ -97,7 +116,14 @@ static void follow_law(const crowd *crowd, int number, int stride, const double 
     }
 }
 
-static void set_by_hand(tdmf_parameters *parameters, tdmf_inputs *inputs, const double values[SETTINGS]) {
+static void set_by_hand(const crowd *crowd, tdmf_parameters *parameters, tdmf_inputs *inputs,
+                        const double values[SETTINGS]) {
+    if (crowd->acts_at_once) {
+        inputs->ground.height = values[0];
+        inputs->leg.extension = values[1];
+        inputs->ground.slope = values[2];
+        return;
+    }
     parameters->hip.touchdown_angle = values[0];
     parameters->hip.stance_torque = values[1];
     inputs->ground.friction = values[2];
@@ -121,7 +147,11 @@ static void assert_noted(const tdmf_ensemble_stride *note, const tdmf_motion *mo
     assert_close(note->stride.period, stride->period, 1e-6);
     assert_close(note->stride.length, stride->length, 1e-6);
     assert_close(note->stride.work, stride->work, 1e-7);
+    assert_close(note->stride.leg_work, stride->leg_work, 1e-7);
+    assert_close(note->stride.rise, stride->rise, 1e-6);
     assert_close(note->stride.slip_distance, stride->slip_distance, 1e-6);
+    assert_close(note->stride.peak_force, stride->peak_force, 1e-6);
+    assert_close(note->stride.positive_work, stride->positive_work, 1e-7);
     assert_close(note->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
 }
 
@@ -136,7 +166,7 @@ static int stride_by_hand(const crowd *crowd, int number) {
     double apex[TDMF_SECTION_COUNT], values[SETTINGS];
     solver.relative_tolerance = crowd->ensemble.relative_tolerance;
     memcpy(apex, crowd->starts[number], sizeof apex);
-    for (int stride = 0; stride < STRIDES; ++stride) {
+    for (int stride = 0; stride < rules->most_strides; ++stride) {
         const tdmf_ensemble_stride *note = &crowd->strides[number][stride];
         if (rules->law) {
             follow_law(crowd, number, stride, apex, values);
@@ -146,7 +176,7 @@ static int stride_by_hand(const crowd *crowd, int number) {
         } else {
             memcpy(values, crowd->values[number][stride], sizeof values);
         }
-        set_by_hand(&parameters, &inputs, values);
+        set_by_hand(crowd, &parameters, &inputs, values);
         assert_null(tdmf_model_create(&model, &parameters).variable);
         if (stride == 0) {
             tdmf_section_state(&model, &inputs, apex, motion.state);
@@ -161,14 +191,16 @@ static int stride_by_hand(const crowd *crowd, int number) {
         }
         assert_noted(note, &motion);
         read_apex(&motion.record, apex);
-        if (motion.mode.ground.height != inputs.ground.height) {
+        if (motion.mode.ground.height != inputs.ground.height ||
+            motion.mode.ground.slope != inputs.ground.slope) {
             return stride + 1;
         }
     }
-    return STRIDES;
+    return rules->most_strides;
 }
 
 static void run_in_all_lanes(crowd *crowd) {
+    const int most = crowd->its_case.rules.most_strides;
     int closed = 0, sets = 0;
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         crowd->ensemble.instructions = (tdmf_instructions)set;
@@ -180,17 +212,59 @@ static void run_in_all_lanes(crowd *crowd) {
         for (int i = 0; i < RUNNERS; ++i) {
             assert_int_equal(crowd->ends[i].strides, stride_by_hand(crowd, i));
             assert_int_equal(crowd->ends[i].fate,
-                             crowd->ends[i].strides == STRIDES ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
+                             crowd->ends[i].strides == most ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
             closed += crowd->ends[i].strides;
         }
     }
-    assert_true(sets >= 1 && closed > sets * RUNNERS * STRIDES / 2);
+    assert_true(sets >= 1 && closed > sets * RUNNERS * most / 2);
 }
 
 static void given_settings_are_those_of_the_strides(void **unused) {
     (void)unused;
     crowd *crowd = gather(0.0);
     crowd->ensemble.given = &crowd->given;
+    run_in_all_lanes(crowd);
+    free(crowd);
+}
+
+static void ground_and_leg_change_at_the_apex_itself(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    give_what_acts_at_once(crowd);
+    run_in_all_lanes(crowd);
+    free(crowd);
+}
+
+static void a_runner_below_its_ground_for_a_whole_stride_has_fallen(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    give_what_acts_at_once(crowd);
+    for (int i = 0; i < RUNNERS * STRIDES; ++i) {
+        const double values[SETTINGS] = {i % STRIDES == 0 ? 0.0 : 2.0, 0.0, 0.0};
+        memcpy(crowd->values[i / STRIDES][i % STRIDES], values, sizeof values);
+    }
+    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    for (int i = 0; i < RUNNERS; ++i) {
+        assert_int_equal(crowd->ends[i].fate, TDMF_FATE_FELL);
+        assert_int_equal(crowd->ends[i].strides, 2);
+        assert_int_equal(crowd->strides[i][1].began, 1);
+        assert_int_equal(crowd->strides[i][2].began, 0);
+    }
+    free(crowd);
+}
+
+/* A leg that is damped as much pushes most when the foot comes down and stays there. */
+static void a_force_that_is_largest_at_touchdown_is_noted(void **unused) {
+    (void)unused;
+    crowd *crowd = gather(0.0);
+    tdmf_parameters parameters = crowd->model.parameters;
+    parameters.leg.damping = 2.0;
+    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
+    crowd->ensemble.given = &crowd->given;
+    crowd->its_case.rules.most_strides = 1;
+    for (int i = 0; i < RUNNERS; ++i) {
+        crowd->values[i][0][2] = 10.0; /* the friction */
+    }
     run_in_all_lanes(crowd);
     free(crowd);
 }
@@ -285,36 +359,55 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
 
 /* ---- the reduced map ---------------------------------------------------------------------------------- */
 
-/* Each stride begins at the last apex with the leg where the settings have it. */
+/* Each stride begins at the last apex, above the ground and with the leg where the settings have them.
+ * Returns the strides that closed. */
+static int stride_by_reduced_map(const crowd *crowd, int number) {
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_inputs inputs = crowd->its_case.inputs;
+    tdmf_model model = crowd->model;
+    double apex[TDMF_REDUCED_COUNT] = {crowd->starts[number][0], crowd->starts[number][1]};
+    double x = 0.0;
+    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
+    for (int stride = 0; stride < crowd->ends[number].strides; ++stride) {
+        const tdmf_ensemble_stride *note = &crowd->strides[number][stride];
+        const double ground_before = inputs.ground.height + x * tan(inputs.ground.slope);
+        set_by_hand(crowd, &model.parameters, &inputs, crowd->values[number][stride]);
+        if (stride > 0) {
+            apex[0] += ground_before - (inputs.ground.height + x * tan(inputs.ground.slope));
+        }
+        const tdmf_reduced_return found =
+            tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
+        assert_int_equal(found.outcome, TDMF_REDUCED_CLOSED);
+        memcpy(apex, found.apex, sizeof apex);
+        x += found.stride.length;
+        assert_close(note->apex[0], apex[0], 1e-7);
+        assert_close(note->apex[1], apex[1], 1e-7);
+        assert_close(note->stride.work, found.stride.work, 1e-7);
+        assert_close(note->stride.peak_force, found.stride.peak_force, 1e-7);
+        assert_close(note->stride.positive_work, found.stride.positive_work, 1e-7);
+        assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
+        assert_close(note->friction_loss, found.friction_loss, 1e-7);
+    }
+    return crowd->ends[number].strides;
+}
+
 static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    tdmf_solver solver = tdmf_solver_default();
-    int closed = 0;
-    crowd->ensemble.map = TDMF_REDUCED_MAP;
-    crowd->ensemble.given = &crowd->given;
-    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
-    for (int i = 0; i < RUNNERS; ++i) {
-        double apex[TDMF_REDUCED_COUNT] = {crowd->starts[i][0], crowd->starts[i][1]};
-        for (int stride = 0; stride < crowd->ends[i].strides; ++stride, ++closed) {
-            const tdmf_ensemble_stride *note = &crowd->strides[i][stride];
-            tdmf_model model = crowd->model;
-            tdmf_inputs inputs = crowd->its_case.inputs;
-            set_by_hand(&model.parameters, &inputs, crowd->values[i][stride]);
-            const tdmf_reduced_return found =
-                tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
-            assert_int_equal(found.outcome, TDMF_REDUCED_CLOSED);
-            memcpy(apex, found.apex, sizeof apex);
-            assert_close(note->apex[0], apex[0], 1e-7);
-            assert_close(note->apex[1], apex[1], 1e-7);
-            assert_close(note->stride.work, found.stride.work, 1e-7);
-            assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
-            assert_close(note->friction_loss, found.friction_loss, 1e-7);
+    for (int acts_at_once = 0; acts_at_once < 2; ++acts_at_once) {
+        crowd *crowd = gather(0.0);
+        int closed = 0;
+        crowd->ensemble.map = TDMF_REDUCED_MAP;
+        crowd->ensemble.given = &crowd->given;
+        if (acts_at_once) {
+            give_what_acts_at_once(crowd);
         }
+        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+        for (int i = 0; i < RUNNERS; ++i) {
+            closed += stride_by_reduced_map(crowd, i);
+        }
+        assert_true(closed > RUNNERS * STRIDES / 2);
+        free(crowd);
     }
-    assert_true(closed > RUNNERS * STRIDES / 2);
-    free(crowd);
 }
 
 /* ---- noise -------------------------------------------------------------------------------------------- */
@@ -465,6 +558,9 @@ static void the_reduced_map_measures_height_and_speed_alone(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(given_settings_are_those_of_the_strides),
+        cmocka_unit_test(ground_and_leg_change_at_the_apex_itself),
+        cmocka_unit_test(a_runner_below_its_ground_for_a_whole_stride_has_fallen),
+        cmocka_unit_test(a_force_that_is_largest_at_touchdown_is_noted),
         cmocka_unit_test(the_law_sets_at_each_apex_by_what_its_sensor_sees),
         cmocka_unit_test(the_law_sees_the_height_above_the_ground_before_it_steps),
         cmocka_unit_test(no_setting_is_beyond_its_limits_and_some_are_at_them),

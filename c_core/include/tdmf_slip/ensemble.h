@@ -92,11 +92,11 @@ typedef struct {
 
 /* One stride of a runner. */
 typedef struct {
-    int began;                       /* 1 where it did: else all of it is as it was */
-    double apex[TDMF_SECTION_COUNT]; /* at which it closed */
-    tdmf_stride stride;   /* its quantities; in lanes without positive work and peak force, which are 0 */
-    double liftoff_angle; /* theta_LO, rad */
-    double external_work; /* J, of the stride, as the losses */
+    int began;                                      /* 1 where it did: else all of it is as it was */
+    double apex[TDMF_SECTION_COUNT];                /* at which it closed */
+    tdmf_stride stride;                             /* its quantities */
+    double liftoff_angle;                           /* theta_LO, rad */
+    double external_work;                           /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double ground_height;                           /* m, that was set at the apex at which it began */
     double set[TDMF_SETTING_LIMIT];                 /* there by the law, in the order of its settings */
@@ -104,10 +104,9 @@ typedef struct {
 
 /* Where a runner stands that has made the most strides, to go on from. */
 typedef struct {
-    bool stands;                 /* else its run is over */
-    tdmf_motion motion;          /* at the apex */
-    double leg_sine, leg_cosine; /* of the leg's angle */
-    double ground_height;        /* m, that the ground has come to */
+    bool stands;          /* else its run is over */
+    tdmf_motion motion;   /* at the apex */
+    double ground_height; /* m, that the ground has come to */
 } tdmf_ensemble_place;
 
 /* What is to be run, and how. */

@@ -16,7 +16,7 @@ from ..library.affine_law import AffineLaw, check_law
 from ..library.crowd import Crowd, numbers
 from ..library.ensemble import TOLERANCE
 from ..library.members import STATES
-from ..library.noted_strides import ONE_BY_ONE, STRIDE_FATES, Columns, Request, noted_strides
+from ..library.noted_strides import STRIDE_FATES, Columns, Request, noted_strides
 from ..library.orbit import LEDGER
 from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
@@ -45,7 +45,7 @@ def stride_map(
     seed: int = 0,
     first_number: int = 0,
     tolerance: float = TOLERANCE,
-    instructions: str = ONE_BY_ONE,
+    instructions: str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
     show_progress: bool = False,
@@ -86,10 +86,8 @@ def stride_map(
         Of the first runner; by their numbers ground and noise are drawn.
     tolerance : float, default 2e-10
         Relative tolerance of a step.
-    instructions : str, default "one by one"
-        One of `library.ensemble.instruction_sets()`. Results differ by rounding. Only the native solver,
-        which is the default, finds `positive_work` and `peak_force`: by the others, which are faster, they
-        are NaN.
+    instructions : str, optional
+        One of `library.ensemble.instruction_sets()`; by default the fastest. Results differ by rounding.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional

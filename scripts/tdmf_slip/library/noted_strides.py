@@ -23,9 +23,6 @@ NOTED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
 CLOSED = STRIDE_FATES.index("closed")
 UNDECIDED = FATES.index("undecided")
 GROUND = "ground.height"
-ONE_BY_ONE = "one by one"
-BY_NATIVE_SOLVER = ("positive_work", "peak_force")
-"""Quantities that lanes do not find."""
 
 Columns: TypeAlias = dict[str, NDArray[Any]]
 """By name: of each runner and stride, of apices also of each coordinate."""
@@ -53,8 +50,8 @@ class Request:
     """Of the first runner."""
     tolerance: float = 2e-10
     """Of a step."""
-    instructions: str = ONE_BY_ONE
-    """One of `instruction_sets()`."""
+    instructions: str | None = None
+    """One of `instruction_sets()`; by default the fastest."""
     threads: int | None = None
     """At once; by default one for each processor."""
 
@@ -180,8 +177,6 @@ class _Engine:
             **{name: _where(closed, noted[name]) for name in (*LEDGER, "liftoff_angle")},
             "word": _words(noted["stride"]["word"]),
         }
-        if self.request.instructions != ONE_BY_ONE:
-            columns |= {name: np.full(closed.shape, np.nan) for name in BY_NATIVE_SOLVER}
         if self.request.ground.roughness:
             columns[GROUND] = _where(begun, noted["ground_height"])
         law = self.request.law
