@@ -334,12 +334,12 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences(gaits, s
 
 def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
     gait = gaits[1.0]
-    law = lqr(gait, [ANGLE, TORQUE, "hip.kd"], limits={TORQUE: (0.19, 0.21)})
+    law = lqr(gait, [ANGLE, TORQUE, "hip.kd"], limits={TORQUE: (0.19, 0.202)})
     first = away(gait, 0.1)
     run = tdmf_slip.stride_map(first, gait.runner, strides=5, law=law, tolerance=1e-13)
     expected = strides_under(law, first, 5)
     assert np.abs(run["next_apex"].values[0] - expected[1:]).max() < 1e-9
-    assert {0.19, 0.21} & set(run[TORQUE].values[0])
+    assert 0.202 in run[TORQUE].values[0] and run[TORQUE].values[0].min() < 0.202
 
 
 @pytest.mark.parametrize("roughness", [0.0, 1e-3])
@@ -453,7 +453,7 @@ def test_what_is_no_gait_is_refused(gaits):
 def test_limits_and_weights_that_are_none_are_refused(gaits, options, says):
     with pytest.raises(InputError) as refused:
         lqr(gaits[0.6], [ANGLE], **options)
-    assert says in str(refused.value)
+    assert says in str(refused.value) and "\n" not in str(refused.value)
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,7 @@ def test_gaits_of_each_actuation_are_what_is_kept():
 
 
 def test_figures_are_drawn_of_what_is_kept(command):
-    for name in ("rough", "slope", "thrust"):
+    for name in ("rough", "slope", "thrust", "feedback"):
         assert command("figures", "--only", name, "--output", "made")[0] == 0
 
 

@@ -27,7 +27,9 @@ RESOLUTIONS = 20.0, 2400.0
 )
 @click.option("--only", metavar="NAME", help="Only the figures whose name begins like this, as in figure_9.")
 @click.option(
-    "--measure", is_flag=True, help="Compute anew the data that take minutes: rough ground, slopes, thrust."
+    "--measure",
+    is_flag=True,
+    help="Compute anew the data that take minutes: rough ground, slopes, thrust, feedback.",
 )
 @click.option(
     "--format",

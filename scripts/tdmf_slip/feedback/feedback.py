@@ -1,7 +1,7 @@
 """A feedback: an affine law from the apex to settings, with what its closed loop does to first order."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -40,6 +40,12 @@ class Feedback(AffineLaw):
     def lambda_max(self) -> float:
         """Size of the largest eigenvalue."""
         return float(abs(self.eigenvalues[0]))
+
+    def as_json(self) -> dict[str, object]:
+        """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
+        law: dict[str, object] = {item.name: getattr(self, item.name) for item in fields(AffineLaw)}
+        eigenvalues = self.eigenvalues.astype(complex)
+        return law | {"eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues]}
 
     @property
     def closed_loop(self) -> NDArray[np.float64]:

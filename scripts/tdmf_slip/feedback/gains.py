@@ -3,6 +3,7 @@
 Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
 """
 
+import reprlib
 from collections.abc import Sequence
 from typing import Any
 
@@ -74,7 +75,7 @@ def dead_beat(
     try:
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
-        raise _not_movable(model, told.eigenvalues[told.rank - 1 :]) from None
+        raise _not_movable(model, told.eigenvalues) from None
     return feedback_of(model, modes.gain_of(model, gain), limits, strides=told.strides, unit=unit)
 
 
@@ -244,8 +245,8 @@ def _checked_eigenvalues(given: object, told: Controllability) -> NDArray[Any]:
         wanted = np.empty(0)
     if wanted.shape != (count,) or not np.isfinite(wanted).all():
         raise InputError(
-            f"eigenvalues = {given!r} is not allowed; allowed: {count} numbers, one for each mode that "
-            f"lasts, which are {_listed(told.eigenvalues)} without feedback"
+            f"eigenvalues = {reprlib.repr(given)} is not allowed; allowed: {count} numbers, one for each "
+            f"mode that lasts, which are {_listed(told.eigenvalues)} without feedback"
         )
     pairs = np.sort_complex(wanted)
     if not np.allclose(pairs, np.sort_complex(pairs.conj()), rtol=0.0, atol=1e-14):
@@ -275,5 +276,6 @@ def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np
     sound = weight.shape == (count, count) and np.isfinite(weight).all() and np.allclose(weight, weight.T)
     rounding = 1e-12 * np.abs(weight).max() if sound else 0.0
     if not sound or np.linalg.eigvalsh(weight)[0] < least - (rounding if least == 0.0 else 0.0):
-        raise InputError(f"{name} = {given!r} is not allowed; allowed: {allowed}")
+        told = " ".join(reprlib.repr(given).split())
+        raise InputError(f"{name} = {told} is not allowed; allowed: {allowed}")
     return weight

@@ -23,6 +23,7 @@ from .. import guinea_fowl as slippery
 from . import (
     attraction,
     energy,
+    feedback,
     figure_1,
     figure_2,
     figure_3,
@@ -167,6 +168,12 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
         return rough.table(rough.measure(runner, show_progress=True)) if measure else stored.columns("rough")
 
     @cache
+    def feedbacks() -> Columns:
+        if measure:
+            return feedback.table(feedback.measure(runner, show_progress=True))
+        return stored.columns("feedback")
+
+    @cache
     def slopes() -> Columns:
         return slope.table(slope.gaits(runner)) if measure else stored.columns("slope")
 
@@ -195,6 +202,7 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
             lambda path: attraction.draw(path, gaits(), measured()), lambda: attraction.table(measured())
         ),
         "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
+        "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
         "retraction": Figure(
             lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
         ),

@@ -5,13 +5,17 @@
 
 import csv
 import importlib.resources
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+TEXTS = ("law", "word")
+"""Columns that hold no numbers."""
 
-def columns(name: str) -> dict[str, NDArray[np.float64]]:
-    """The numbers of a figure, by column; texts are left out.
+
+def columns(name: str) -> dict[str, NDArray[Any]]:
+    """The data of a figure, by column.
 
     Parameters
     ----------
@@ -20,14 +24,16 @@ def columns(name: str) -> dict[str, NDArray[np.float64]]:
 
     Returns
     -------
-    dict of str to ndarray of float
-        Columns, all as long.
+    dict of str to ndarray
+        Columns, all as long: of float, or of str.
     """
     text = importlib.resources.files(__package__).joinpath(f"{name}.csv").read_text(encoding="utf-8")
     rows = list(csv.DictReader(text.splitlines()))
+    return {column: _values([row[column] for row in rows], column in TEXTS) for column in rows[0]}
+
+
+def _values(given: list[str], are_texts: bool) -> NDArray[Any]:
+    if are_texts:
+        return np.array(given)
     words = {"True": 1.0, "False": 0.0}
-    return {
-        column: np.array([words[row[column]] if row[column] in words else float(row[column]) for row in rows])
-        for column in rows[0]
-        if column != "word"
-    }
+    return np.array([words[value] if value in words else float(value) for value in given])

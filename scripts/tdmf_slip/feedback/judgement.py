@@ -1,0 +1,131 @@
+"""What a feedback is worth: what its gait attracts, what is recovered from, how long a runner stays up.
+
+The largest eigenvalue says nothing of these: settings have limits, sensors are noisy, and disturbances large.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..analysis.first_passage import FirstPassage, strides_to_fall
+from ..analysis.robustness import Robustness, robustness
+from ..analysis.volume import Volume, volume
+from ..blocks.running import run_blocks
+from ..checks import check_kind
+from ..library.affine_law import AffineLaw
+from ..library.orbit import Orbit, check_orbit
+from ..terminal import progress
+
+SAMPLES = 4000
+"""Starts drawn for the region of attraction."""
+RUNNERS, MOST_STRIDES = 256, 400
+"""On rough ground."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A gait, with a feedback or without: a block of work."""
+
+    orbit: Orbit
+    """The gait."""
+    law: AffineLaw | None
+    """What holds it; None for the runner as it is."""
+    roughness: tuple[float, ...]
+    """Standard deviations of a step of the ground, m."""
+    seed: int = 0
+    """Of starts and ground."""
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """How well a gait is held, by many runs."""
+
+    trial: Trial
+    """Which gait, by which feedback."""
+    volume: Volume
+    """How much of the box of `analysis.volume` settles on the gait; without noise."""
+    robustness: Robustness
+    """The largest disturbances that the runner recovers from; without noise."""
+    first_passages: tuple[FirstPassage, ...]
+    """Strides until the fall on ground of each roughness, with the noise of the law's sensors."""
+
+
+def judge(
+    orbit: Orbit, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
+) -> Judgement:
+    """How well a feedback holds a gait, within its limits; by one thread.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        The gait.
+    law : AffineLaw, optional
+        The feedback; by default the runner as it is.
+    roughness : sequence of float, default ()
+        Standard deviations of a step of the ground, m, for the strides until the fall.
+    seed : int, default 0
+        Of starts and ground.
+
+    Returns
+    -------
+    Judgement
+        By `SAMPLES` starts, and `RUNNERS` runners of up to `MOST_STRIDES` strides each.
+
+    Raises
+    ------
+    InputError
+        No gait, no law, a number out of range, or a law under which the gait is not stable.
+    """
+    check_orbit(orbit, "orbit")
+    check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
+    check_kind(roughness, (Sequence, np.ndarray), "roughness", "numbers in a list, m")
+    return _judged(Trial(orbit, law, tuple(roughness), seed))
+
+
+def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[Judgement]:
+    """`judge` for many gaits and feedbacks, side by side.
+
+    Parameters
+    ----------
+    trials : sequence of Trial
+        Which.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    list of Judgement
+        In the order of the trials.
+    """
+    found: dict[int, Judgement] = {}
+    with (
+        progress.bar("feedback", len(trials), "laws", show_progress) as bar,
+        run_blocks(_judged, trials) as results,
+    ):
+        for number, one in results:
+            found[number] = one
+            bar.update()
+    return [found[number] for number in range(len(trials))]
+
+
+def _judged(trial: Trial) -> Judgement:
+    quiet = None if trial.law is None else replace(trial.law, noise=None)
+    return Judgement(
+        trial,
+        volume(trial.orbit, SAMPLES, seed=trial.seed, law=quiet, workers=1),
+        robustness(trial.orbit, law=quiet),
+        tuple(
+            strides_to_fall(
+                trial.orbit.runner,
+                roughness,
+                RUNNERS,
+                trial.seed,
+                MOST_STRIDES,
+                gait=trial.orbit,
+                law=trial.law,
+                workers=1,
+            )
+            for roughness in trial.roughness
+        ),
+    )

@@ -1,0 +1,188 @@
+"""What feedback from stride to stride is worth to a runner that slips, and to one that sticks."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from ...analysis.robustness import FARTHEST
+from ...analysis.search import find_orbit
+from ...feedback.feedback import Feedback
+from ...feedback.gains import dead_beat, lqr
+from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
+from ...library.orbit import Orbit
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from . import figure_9
+from .columns import Columns
+
+FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+REACH = {ANGLE: 0.1, TORQUE: 0.1}
+"""How far a setting may go from the gait's, to either side: rad, and over k l0^2."""
+NOISE = 0.01
+"""Of the sensors, over the scales of the section."""
+ROUGHNESS = (0.3, 0.5)
+"""Over l0."""
+SEED = 20261122
+LEFT_ALONE = 0.05
+"""Of dead-beat laws: the mode that a stride shrinks to a hundredth."""
+
+NONE = "no feedback"
+COLOURS: Mapping[str, str] = {
+    NONE: "#22303c",
+    "quadratic regulator: touchdown angle": "#1f5fa8",
+    "quadratic regulator: angle and torque": "#0b7a75",
+    "dead-beat: angle and torque": "#e07b00",
+}
+DISTURBANCES = ("push_forward", "push_backward", "step_down", "step_up")
+BESIDE, MARGIN = 1.06, 1.2
+"""Ratios of frictions: of the places of two laws at the same one, and beyond the first and the last."""
+MOST_SHOWN = 5e5
+"""Mean strides; intervals go on above where one runner fell."""
+COUNTED = ("falls", "strides", "stopped", "unsolved")
+"""Of the runners on rough ground."""
+
+
+def laws(orbit: Orbit) -> dict[str, Feedback | None]:
+    """The feedbacks that are judged at a gait, by name."""
+    reach = {
+        name: (orbit.runner.values[name] - REACH[name], orbit.runner.values[name] + REACH[name])
+        for name in REACH
+    }
+    alone, both = (ANGLE,), (ANGLE, TORQUE)
+    made = (
+        None,
+        lqr(orbit, alone, limits={ANGLE: reach[ANGLE]}),
+        lqr(orbit, both, limits=reach),
+        dead_beat(orbit, both, limits=reach, forgotten=LEFT_ALONE),
+    )
+    return dict(zip(COLOURS, made, strict=True))
+
+
+def measure(runner: Runner, *, show_progress: bool = False) -> dict[str, list[Judgement]]:
+    """How well each feedback holds the gaits.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose scales are 1.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    dict of str to list of Judgement
+        By the feedback's name, in the order of `FRICTIONS`.
+    """
+    orbits = [find_orbit(runner.but(FRICTION, friction)) for friction in FRICTIONS]
+    noise = (NOISE * runner.scales).tolist()
+    trials: dict[str, list[Trial]] = {name: [] for name in COLOURS}
+    for orbit in orbits:
+        for name, law in laws(orbit).items():
+            noisy = None if law is None else replace(law, noise=noise, seed=SEED)
+            trials[name].append(Trial(orbit, noisy, ROUGHNESS, SEED))
+    found = iter(judge_all([trial for its in trials.values() for trial in its], show_progress=show_progress))
+    return {name: [next(found) for _ in its] for name, its in trials.items()}
+
+
+def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
+    """The figure's data, by column; inf is a disturbance beyond all tried, or a mean without falls."""
+    named = [(name, one) for name, its in judged.items() for one in its]
+    found = [one for _, one in named]
+    data: dict[str, list[Any]] = {
+        "law": [name for name, _ in named],
+        "friction": [one.trial.orbit.friction for one in found],
+        "word": [one.trial.orbit.word for one in found],
+        "lambda_max": [_lambda_max(one.trial) for one in found],
+        "samples": [one.volume.samples for one in found],
+        "attracted_share": [one.volume.share for one in found],
+        "attracted_share_low": [one.volume.interval[0] for one in found],
+        "attracted_share_high": [one.volume.interval[1] for one in found],
+        **{name: [getattr(one.robustness, name) for one in found] for name in DISTURBANCES},
+        "runners": [RUNNERS for _ in found],
+    }
+    for number, roughness in enumerate(ROUGHNESS):
+        passages = [one.first_passages[number] for one in found]
+        data |= {f"{name}_{roughness:g}": [getattr(one, name) for one in passages] for name in COUNTED}
+        mean = f"mean_strides_{roughness:g}"
+        data[mean] = [one.mean_strides for one in passages]
+        data[f"{mean}_low"] = [one.interval[0] for one in passages]
+        data[f"{mean}_high"] = [one.interval[1] for one in passages]
+    return data
+
+
+def _lambda_max(trial: Trial) -> float:
+    return trial.law.lambda_max if isinstance(trial.law, Feedback) else trial.orbit.lambda_max
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw what is attracted and recovered from, and the strides until the fall; a colour for each law."""
+    with style.styled():
+        figure, panels = plt.subplots(2, 3, figsize=(12.6, 6.8), sharex=True, layout="constrained")
+        (share, push, step), (eigenvalue, *strides) = panels
+        for place, (name, colour) in enumerate(COLOURS.items()):
+            rows = np.asarray(data["law"]) == name
+            its = {key: np.asarray(data[key])[rows] for key in data}
+            its["friction"] = its["friction"] * BESIDE ** (place - 0.5 * (len(COLOURS) - 1))
+            _with_confidence(share, its, "attracted_share", colour, name)
+            _of_two(push, its, "push_forward", "push_backward", colour)
+            _of_two(step, its, "step_down", "step_up", colour)
+            eigenvalue.plot(
+                its["friction"], its["lambda_max"], "o-", color=colour, markersize=4, linewidth=1.0
+            )
+            for axes, roughness in zip(strides, ROUGHNESS, strict=True):
+                _with_confidence(axes, its, f"mean_strides_{roughness:g}", colour, name)
+        share.set_title("(a) share of a box of apices that is attracted")
+        push.set_title("(b) largest push forward (solid),\nbackward (dashed)  / l₀√(k/m)")
+        step.set_title("(c) largest step down (solid),\nup (dashed)  / l₀")
+        eigenvalue.set_title(r"(d) largest eigenvalue $\lambda_{max}$")
+        for axes in (share, push, step, eigenvalue):
+            axes.set_ylim(bottom=0.0)
+        for axes in (push, step):
+            axes.axhline(FARTHEST, **style.LIMIT_LINE)
+            axes.set_ylim(top=1.15 * FARTHEST)
+            axes.annotate(
+                "the largest tried",
+                (FRICTIONS[0], FARTHEST),
+                xytext=(0, 6),
+                textcoords="offset points",
+                fontsize=8.5,
+            )
+        for axes, letter, roughness in zip(strides, "ef", ROUGHNESS, strict=True):
+            axes.set_title(
+                f"({letter}) mean strides until the fall,\nsteps of {roughness:g} l₀, noisy sensors"
+            )
+            axes.set_yscale("log")
+        strides[0].set_ylim(top=MOST_SHOWN)
+        share.legend(loc="lower left", fontsize=8.5)
+        for axes in panels[1]:
+            figure_9.friction_axis(axes, FRICTIONS)
+            axes.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
+        style.save(figure, path)
+
+
+def _of_two(axes: Axes, its: Columns, solid: str, dashed: str, colour: str) -> None:
+    """A disturbance each way; what is beyond the largest tried is shown there."""
+    for name, marker, line in ((solid, "o", "-"), (dashed, "s", style.SLIP_DASHES)):
+        shown = np.minimum(np.asarray(its[name], float), FARTHEST)
+        axes.plot(its["friction"], shown, marker, color=colour, markersize=4, linestyle=line, linewidth=1.0)
+
+
+def _with_confidence(axes: Axes, its: Columns, name: str, colour: str, label: str) -> None:
+    """With its confidence; where none fell a triangle at the lower end of the interval."""
+    friction, mean, low, high = (
+        np.asarray(its[key], float) for key in ("friction", name, f"{name}_low", f"{name}_high")
+    )
+    known = np.isfinite(mean)
+    shown = np.where(known, mean, np.nan)
+    axes.errorbar(
+        friction, shown, [shown - low, high - shown], capsize=2, linewidth=0, elinewidth=1.2, color=colour
+    )
+    axes.plot(friction, shown, "o-", color=colour, markersize=4, linewidth=1.0, label=label)
+    axes.plot(friction[~known], low[~known], "^", color=colour, markersize=5)

@@ -1,0 +1,75 @@
+"""Feedback judged by what counts, by the ensemble: attraction, disturbances, and strides on rough ground."""
+
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip.analysis import robustness
+from tdmf_slip.errors import InputError
+from tdmf_slip.feedback import judgement
+from tdmf_slip.paper.figures import feedback, stored
+
+ANGLE, TORQUE = feedback.ANGLE, feedback.TORQUE
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return tdmf_slip.find_orbit({"ground.friction": 1.0})
+
+
+@pytest.fixture
+def few(monkeypatch):
+    """Runs that take a moment."""
+    monkeypatch.setattr(robustness, "COARSE", 50)
+    monkeypatch.setattr(judgement, "SAMPLES", 60)
+    monkeypatch.setattr(judgement, "RUNNERS", 48)
+    monkeypatch.setattr(judgement, "MOST_STRIDES", 200)
+
+
+def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
+    """At friction 1 some ten times longer, of which the sampling error of 48 runners leaves a factor of 3."""
+    law = feedback.laws(gait)["quadratic regulator: angle and torque"]
+    noisy = dataclasses.replace(law, noise=feedback.NOISE * gait.runner.scales, seed=1)
+    held, alone = (judgement.judge(gait, its, roughness=[0.3], seed=2) for its in (noisy, None))
+    (held_on_rough,), (alone_on_rough,) = held.first_passages, alone.first_passages
+    assert held_on_rough.mean_strides > 3 * alone_on_rough.mean_strides
+    assert alone_on_rough == tdmf_slip.strides_to_fall(gait.runner, 0.3, 48, 2, 200, gait=gait, workers=1)
+    assert held.volume.samples == 60 and held.volume.share >= alone.volume.share
+    # The law's noise is on rough ground only: with it no runner would settle closer than it strays.
+    assert held.robustness.step_up > 0.3 and held.robustness.step_down > alone.robustness.step_down
+
+
+def test_what_is_no_law_is_refused(gait):
+    with pytest.raises(InputError, match="an AffineLaw, as dead_beat, lqr and place_poles give"):
+        judgement.judge(gait, lambda apices: {})
+    with pytest.raises(InputError, match="numbers in a list"):
+        judgement.judge(gait, roughness=0.3)
+
+
+def test_a_basin_under_a_feedback_keeps_the_law(gait):
+    law = feedback.laws(gait)["dead-beat: angle and torque"]
+    heights, speeds = gait.apex[0] + np.array([0.0, 0.1]), gait.apex[1] + np.array([0.0, 0.1])
+    found = tdmf_slip.basin(gait.runner, ("com_height", "com_speed"), (heights, speeds), law=law, workers=1)
+    assert (found["fate"] == 0).all()
+    kept = json.loads(found.attrs["law"])
+    assert kept["settings"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6
+
+
+def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
+    """One row anew, with fewer runs: within the confidence of both."""
+    data = stored.columns("feedback")
+    assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
+    monkeypatch.setattr(judgement, "RUNNERS", 256)
+    monkeypatch.setattr(judgement, "MOST_STRIDES", 400)
+    orbit = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    name = "quadratic regulator: touchdown angle"
+    law = dataclasses.replace(feedback.laws(orbit)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)
+    found = judgement.judge(orbit, law, roughness=[0.5], seed=feedback.SEED)
+    (place,) = np.flatnonzero((data["law"] == name) & (data["friction"] == 10.0))
+    assert found.first_passages[0].mean_strides == pytest.approx(data["mean_strides_0.5"][place], rel=0.05)
+    assert found.robustness.push_backward == pytest.approx(data["push_backward"][place], abs=0.01)
+    low, high = found.volume.interval
+    assert low < data["attracted_share"][place] < high
+    assert law.lambda_max == pytest.approx(data["lambda_max"][place], rel=1e-6)
