@@ -46,7 +46,11 @@ class Limits:
 
 
 def follow(
-    family: Family, first: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+    family: Family,
+    first: Point,
+    limits: Limits,
+    step_finished: Callable[[], None] = lambda: None,
+    ends_between: Callable[[Point, Point], str] = lambda _before, _after: "",
 ) -> tuple[list[Point], str]:
     """The branch from a point on, in its direction, and why it stops.
 
@@ -60,6 +64,8 @@ def follow(
         Where to stop.
     step_finished : callable, optional
         Called after each gait.
+    ends_between : callable, optional
+        Why the branch ends between two points, or nothing.
 
     Returns
     -------
@@ -78,6 +84,9 @@ def follow(
             if corner is None:
                 return points, _lost(family, last, problem)
             following, step = corner, family.distance(last, corner)
+        ended = ends_between(last, following)
+        if ended:
+            return points, ended
         if not limits.low <= following.value <= limits.high:
             end = limits.low if following.value < limits.low else limits.high
             if last.value != end:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from .bifurcations import PERIOD_DOUBLING, Special, happenings
@@ -23,6 +24,8 @@ DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Over the scales: how far from a period doubling the first gait of twice the period is sought."""
 DIFFERENT = 1e-3
 """Of the departure: how far the two apexes of a gait of twice the period have to be from each other."""
+OPPOSITE = -0.5
+"""Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
 
 
 def told_branch(family: Family, points: Sequence[Point], began: str, ended: str) -> Branch:
@@ -99,11 +102,37 @@ def with_doubled_branches(
         if first is None:
             specials[number] = replace(special, why=f"no gait of {strides} strides was found beside it")
             continue
-        points, ended = follow(family, first, limits, step_finished)
-        other = told_branch(family, points, f"period doubling at {family.name} = {special.value:.10g}", ended)
-        met += [of_other.value for of_other in other.specials]
+        points, ended = follow(family, first, limits, step_finished, _meets_halves(family, branch))
+        other = told_branch(family, points, _at_doubling(family, special.value), ended)
+        met += [d.value for d in branch.specials if ended == _at_doubling(family, d.value)]
         found.append(with_doubled_branches(other, family_of, limits, step_finished))
     return replace(branch, specials=tuple(specials), branches=tuple(found))
+
+
+def _at_doubling(family: Family, value: float) -> str:
+    return f"period doubling at {family.name} = {value:.10g}"
+
+
+def _meets_halves(family: Family, branch: Branch) -> Callable[[Point, Point], str]:
+    """Where the two halves of gaits of twice the period change places: at a doubling of the branch they left.
+
+    From there on the same gaits would be met again, begun by their other half.
+    """
+
+    def halves_apart(point: Point) -> NDArray[np.float64]:
+        apart: NDArray[np.float64]
+        apart = (point.orbit.following[branch.strides - 1] - point.orbit.apex) / family.scales[:-1]
+        return apart
+
+    def ends_between(before: Point, after: Point) -> str:
+        old, new = halves_apart(before), halves_apart(after)
+        if old @ new > OPPOSITE * np.linalg.norm(old) * np.linalg.norm(new):
+            return ""
+        doublings = [special.value for special in branch.specials if special.kind == PERIOD_DOUBLING]
+        middle = 0.5 * (before.value + after.value)
+        return _at_doubling(family, min(doublings, key=lambda value: abs(value - middle)))
+
+    return ends_between
 
 
 def departure(family: Family, doubling: Special) -> Point | None:
