@@ -8,6 +8,7 @@ import pytest
 from tdmf_slip import InputError, Runner, continue_branch, read_parameters
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.library.binding import c, ffi
+from tdmf_slip.library.ensemble import FATES, run_ensemble
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
 from tdmf_slip.unit.unit import FRICTION
 
@@ -95,6 +96,32 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
     assert compared >= 3
 
 
+def test_gaits_of_four_strides_are_those_of_plain_strides(unit):
+    """On friction 0.2, over the rate of retraction; an earlier branch ends as it began."""
+    runner = Runner.of({FRICTION: 0.2}, unit)
+    branch = continue_branch(runner, "hip.retraction_rate", 0.0, 0.03, unit=unit)
+    doublings = [special.value for special in branch.specials if special.kind == "period doubling"]
+    bubble, two = branch.branches
+    assert doublings == pytest.approx([0.0087861, 0.0149840, 0.0265709], abs=1e-6)
+    ends = [f"period doubling at hip.retraction_rate = {value:.10g}" for value in doublings]
+    assert [bubble.began, bubble.ended, two.began] == ends and bubble.specials == bubble.branches == ()
+    assert all(orbit.stable for orbit in bubble.orbits) and max(bubble.values) < doublings[1]
+    (four,) = two.branches
+    again = one(two, "period doubling")
+    assert four.strides == 4 and four.began.endswith(f"{again.value:.10g}") and min(four.values) > again.value
+    orbit = four.orbits[-1]
+    assert orbit.stable and orbit.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
+    apexes = [orbit.apex, *orbit.following]
+    apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
+    number = int(np.argmin([apart(orbit.runner, apex, place) for place in apexes]))
+    for stride in range(9):
+        distances = [apart(orbit.runner, apex, place) for place in apexes]
+        assert int(np.argmin(distances)) == (number + stride) % 4 and min(distances) < 1e-8
+        assert sorted(distances)[1] > 1e-4
+        apex, _ = settled(orbit.runner, apex, 1)
+    assert ran == STRIDES
+
+
 def test_a_doubled_gait_is_told_like_any_other(over_torque):
     (doubled,) = over_torque.branches
     told = doubled.as_json()
@@ -115,6 +142,57 @@ def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_torque
         apex, ran = settled(here, doubling.orbit.apex)
         following, _ = settled(here, apex, 1)
         assert ran == STRIDES and (apart(here, apex, following) > 1e-3) == alternates
+
+
+def code_of(word):
+    """As the library writes a word: base 4, the first letter most significant."""
+    return int("".join(str("|-0+".index(letter)) for letter in word), 4)
+
+
+@pytest.mark.parametrize(
+    ("preset", "name", "begin", "end", "least"),
+    [
+        ({}, FRICTION, 1.2, 0.2, 4),
+        ({}, ANGLE, np.radians(40.0), np.radians(52.0), 3),
+        (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
+    ],
+)
+def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, least):
+    """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
+    runner = Runner.of(read_parameters(preset) if preset else {}, unit)
+    branch = continue_branch(runner, name, begin, end, switch=False, unit=unit)
+    borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
+    values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
+    gaits, words = [], []
+    for number, (value, special) in enumerate(borders, 1):
+        for way, word in zip((-1, 1), special.words, strict=True):
+            off = min(1e-3 * abs(value), 0.3 * abs(values[number + way] - value))
+            at = value + off * np.sign(values[number + way] - value)
+            gaits.append(next(gaits_over(runner, name, [at], special.orbit)))
+            words.append(word)
+    assert all(orbit.stable for orbit in gaits) and [orbit.word for orbit in gaits] == words
+    starts = [orbit.apex + 1e-3 * orbit.runner.scales for orbit in gaits]
+    cases = [orbit.runner for orbit in gaits]
+    ends, _ = run_ensemble(cases, starts, range(len(cases)), most_strides=STRIDES)
+    assert ends["strides"].tolist() == [STRIDES] * len(gaits)
+    assert ends["word_code"].tolist() == [code_of(word) for word in words]
+    for orbit, apex in zip(gaits, ends["apex"], strict=True):
+        assert apart(orbit.runner, orbit.apex, apex) < 1e-6
+    assert len(gaits) >= 2 * least
+
+
+def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):
+    """Beside a word border, on the friction; the runner falls beyond it."""
+    human = Runner.of(read_parameters(FAST_HUMAN), unit)
+    branch = continue_branch(human, FRICTION, 0.6, 0.38, switch=False, unit=unit)
+    fold = one(branch, "fold")
+    before = next(orbit for orbit in branch.orbits[fold.index :: -1] if orbit.lambda_max < 0.97)
+    orbit = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
+    cases = [orbit.runner, human.but(FRICTION, fold.value - 1e-3)]
+    starts = [orbit.apex + 1e-4 * human.scales, fold.orbit.apex]
+    ends, _ = run_ensemble(cases, starts, [0, 1], most_strides=STRIDES)
+    assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], orbit.apex) < 1e-6
+    assert FATES[ends["fate"][1]] == "fell"
 
 
 def test_a_fold_is_where_plain_strides_lose_the_gait(over_angle):
