@@ -14,10 +14,11 @@ from closed_form_maps import (
     tent,
     torn,
 )
+from tdmf_slip import Runner, find_orbit
 from tdmf_slip.analysis import switching
 from tdmf_slip.analysis.steps import Limits
 from tdmf_slip.analysis.switching import with_doubled_branches
-from tdmf_slip.analysis.tracing import whole_branch
+from tdmf_slip.analysis.tracing import trace, whole_branch
 from tdmf_slip.library import classic_slip
 
 
@@ -231,6 +232,24 @@ def test_each_reason_to_stop_has_its_own_words():
     ]
     for reason, begin in zip(reasons, begins, strict=True):
         assert reason.startswith(begin), reason
+
+
+def test_only_where_the_branch_leads_beyond_what_is_allowed_that_is_its_end():
+    """At the tear Newton's method goes off to where p is not allowed, far from where the branch is lost."""
+    for lowest in (-np.inf, -0.5, -0.01):
+        family = MapFamily(torn, 1, low=lowest)
+        branch, _ = followed(family, family.beginning(0.0, 0.0, 1.0), 0.0, 1.0)
+        assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
+        assert branch.values[-1] == pytest.approx(0.5, abs=1e-6)
+
+
+def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has(unit):
+    runner = Runner.of({"ground.static_friction_ratio": 1.02}, unit)
+    branch = trace(runner, "ground.static_friction_ratio", find_orbit(runner), 0.9)
+    assert branch.ended.startswith("limit of what is allowed at ground.static_friction_ratio = 1: ")
+    assert "allowed from 1 to" in branch.ended
+    assert branch.values[-1] == pytest.approx(1.0, abs=1e-6) and min(branch.values) >= 1.0
+    assert len(branch.orbits) > 5
 
 
 def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():

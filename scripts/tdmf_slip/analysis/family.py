@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..library.members import check_varied
 from ..library.orbit import Orbit
 from ..library.return_map import Along
@@ -224,7 +224,8 @@ class Family:
     def _by_newton(self, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int) -> Point:
         """Steps that make the error larger are shortened so many times, or taken all the same.
 
-        Where an event is just touched the map has a square root, and only whole steps lead across.
+        Where an event is just touched the map has a square root, and only whole steps lead across. A step to
+        what is not allowed tells of Newton's method; only of the goal it tells that the branch leads there.
         """
         where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
         place = goal
@@ -250,12 +251,12 @@ class Family:
     ) -> tuple[NDArray[np.float64], Orbit] | None:
         """Goes a step, or the part of it that makes the error smaller; None where none does."""
         if shortenings == 0:
-            there = self.look(place + change)
+            there = self._tried(place + change)
             return None if orbit.error <= GOOD_ENOUGH <= there.error else (place + change, there)
         for shortening in range(shortenings):
             tried = place + 0.5**shortening * change
             try:
-                there = self.look(tried)
+                there = self._tried(tried)
             except RunError:
                 if shortening == shortenings - 1:
                     raise
@@ -263,6 +264,13 @@ class Family:
             if there.error < orbit.error:
                 return tried, there
         return None
+
+    def _tried(self, place: NDArray[np.float64]) -> Orbit:
+        """The strides where a step leads; a place that is not allowed is one without strides."""
+        try:
+            return self.look(place)
+        except InputError as problem:
+            raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None
 
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next.

@@ -202,7 +202,9 @@ def _lost(family: Family, last: Point, problem: Exception) -> str:
         return f"the gait is lost at {where}: just beyond, {fate}"
     if other.sequence != last.orbit.sequence:
         words = (
-            f"from {last.orbit.word} to {other.word}" if other.word != last.orbit.word else "of the events"
+            f"from {last.orbit.word} to {other.word or 'an empty one'}"
+            if other.word != last.orbit.word
+            else "of the events"
         )
         return f"the gait is lost at {where}: at the border {words} no gait goes on from it on the other side"
     return f"no convergence at {where}: {problem}"
