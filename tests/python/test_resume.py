@@ -102,6 +102,33 @@ def test_neither_are_marks_and_words(runner, unit, half, tmp_path, name, wrong, 
     assert_refused(runner, unit, half, tmp_path / "grid.nc")
 
 
+def scaled(length, unit):
+    """The unit's own runner at so many times its length, with the same mass, stiffness and motion."""
+    powers = {"m": 1, "m/s": 1, "m/s2": 1, "N.m": 2, "N.m/rad": 2, "N.m.s/rad": 2}
+    own = Runner.of({}, unit).values
+    return Runner(
+        {name: value * length ** powers.get(unit.variables[name].unit, 0) for name, value in own.items()}
+    )
+
+
+@pytest.mark.parametrize("length", [1.0, 1e3, 1e-3])
+def test_what_is_rounding_goes_by_the_runners_length(unit, tmp_path, length):
+    """A rise that another machine rounds otherwise, and one that is none of level ground."""
+    path = tmp_path / "grid.nc"
+    grid.grid(scaled(length, unit), [0.6], OVER, [0.2], path, workers=1, unit=unit)
+    whole = xarray.load_dataset(path)
+    assert abs(whole["rise"].item()) < 1e-14 * length
+    for off in (3e-13, -3e-13, 1e-12, -1e-12):
+        data = whole.copy(deep=True)
+        data["rise"][0, 0] += off * length
+        data.to_netcdf(path)
+        if abs(off) < 5e-13:
+            grid.grid(scaled(length, unit), [0.6], OVER, [0.2], path, workers=1, unit=unit)
+        else:
+            with pytest.raises(InputError, match="holds another sweep"):
+                grid.grid(scaled(length, unit), [0.6], OVER, [0.2], path, workers=1, unit=unit)
+
+
 def test_a_gait_is_missing_only_with_a_reason(runner, unit, half, tmp_path):
     for name in half.data_vars:
         if half[name].ndim == 2:

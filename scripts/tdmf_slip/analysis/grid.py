@@ -16,6 +16,7 @@ from ..files.whole import check_place
 from ..library.members import STATES, check_varied
 from ..library.orbit import LEDGER, STRIDE_QUANTITIES, Orbit, orbit_near
 from ..library.runner import Runner
+from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
@@ -260,7 +261,9 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
         return False
     if not np.array_equal(row["branch"].notnull().values, found):
         return False
-    return same_values(row, as_dataset(orbits, {FRICTION: frictions}, unit), GAITS_AGREE)
+    wanted = as_dataset(orbits, {FRICTION: frictions}, unit)
+    rounding = {name: rounding_of(runner, wanted[name].attrs["units"]) for name in COLUMNS}
+    return same_values(row, wanted, GAITS_AGREE, rounding)
 
 
 @dataclass(frozen=True)

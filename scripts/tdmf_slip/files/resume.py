@@ -68,11 +68,12 @@ def refuse_resumable(path: Path) -> None:
             raise InputError(f"{path}: holds a {what}; allowed: another file name")
 
 
-ROUNDING = 5e-13
-"""Of numbers that are zero but for it, as the rise of a stride on level ground."""
-
-
-def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float = 0.0) -> bool:
+def same_values(
+    found: xarray.Dataset,
+    wanted: xarray.Dataset,
+    relative: float = 0.0,
+    rounding: Mapping[str, float] | None = None,
+) -> bool:
     """Whether all variables of one dataset are those of another, NaN where it is NaN.
 
     Parameters
@@ -83,20 +84,26 @@ def same_values(found: xarray.Dataset, wanted: xarray.Dataset, relative: float =
         Whose variables are looked at.
     relative : float, default 0.0
         By how much of a variable's largest value, here, numbers may be off.
+    rounding : mapping of str to float, optional
+        By how much those of a variable may be off all the same, in its unit: some are zero but for rounding.
 
     Returns
     -------
     bool
         True where none differs.
     """
-    return all(_close(found[name].values, wanted[name].values, relative) for name in wanted.data_vars)
+    least = rounding or {}
+    return all(
+        _close(found[name].values, wanted[name].values, relative, least.get(str(name), 0.0))
+        for name in wanted.data_vars
+    )
 
 
-def _close(found: NDArray[np.float64], wanted: NDArray[np.float64], relative: float) -> bool:
+def _close(found: NDArray[np.float64], wanted: NDArray[np.float64], relative: float, rounding: float) -> bool:
     if wanted.dtype.kind != "f":
         return np.array_equal(found, wanted)
     off = relative * np.max(np.abs(wanted), initial=0.0, where=np.isfinite(wanted))
-    off = max(off, ROUNDING) if relative else off
+    off = max(off, rounding)
     return np.allclose(found, wanted, rtol=0.0, atol=off, equal_nan=True)
 
 

@@ -15,7 +15,7 @@ from ..unit.variable import Given
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex
-from .structs import Center, EventLog, Refusal, Solver, Struct
+from .structs import Center, EventLog, Model, Refusal, Solver, Struct
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
@@ -107,7 +107,7 @@ class Runner:
         return type(self), (dict(self.values), self.relative_tolerance, self.reduced)
 
     @cached_property
-    def model(self) -> Struct:
+    def model(self) -> Model:
         """The parameters as the library's `tdmf_model *`.
 
         Raises
@@ -118,7 +118,7 @@ class Runner:
         parameters = ffi.new("tdmf_parameters *")
         for member in PARAMETERS:
             member.write(parameters, self.values[member.name])
-        model: Struct = ffi.new("tdmf_model *")
+        model: Model = ffi.new("tdmf_model *")
         _check(c.tdmf_model_create(model, parameters))
         return model
 

@@ -15,6 +15,22 @@ class Struct(Protocol):
         ...
 
 
+class Scales(Protocol):
+    """`tdmf_scales`: a runner's own units, m, s, m/s, N and J."""
+
+    length: float
+    time: float
+    speed: float
+    force: float
+    energy: float
+
+
+class Model(Struct, Protocol):
+    """`tdmf_model *`: accepted parameters with what is derived from them."""
+
+    scales: Scales
+
+
 class Center(Protocol):
     """`tdmf_point`: place, m, and velocity, m/s, of a centre of mass."""
 

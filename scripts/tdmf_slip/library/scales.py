@@ -1,0 +1,52 @@
+"""A runner's own units: what numbers are measured by that have units."""
+
+from .runner import Runner
+
+ROUNDING = 5.0
+"""Of a stride, over the solver's tolerance and the runner's scales."""
+
+
+def scale_of(runner: Runner, unit: str) -> float:
+    """The scale of a runner's quantities in a unit.
+
+    Parameters
+    ----------
+    runner : Runner
+        With the length l0, the time sqrt(m/k) and the energy k l0^2.
+    unit : str
+        Of a quantity of the stride or the apex: `m`, `s`, `m/s`, `N`, `J`, `rad`, `rad/s` or `1`.
+
+    Returns
+    -------
+    float
+        In that unit.
+    """
+    scales = runner.model.scales
+    return {
+        "m": scales.length,
+        "s": scales.time,
+        "m/s": scales.speed,
+        "N": scales.force,
+        "J": scales.energy,
+        "rad": 1.0,
+        "rad/s": 1.0 / scales.time,
+        "1": 1.0,
+    }[unit]
+
+
+def rounding_of(runner: Runner, unit: str) -> float:
+    """What a quantity of a stride may be off by that is zero but for rounding, as the rise on level ground.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose stride.
+    unit : str
+        Of the quantity, see `scale_of`.
+
+    Returns
+    -------
+    float
+        In that unit.
+    """
+    return ROUNDING * runner.relative_tolerance * scale_of(runner, unit)
