@@ -19,11 +19,12 @@ from tdmf_slip.analysis import (
 )
 from tdmf_slip.blocks import running
 from tdmf_slip.cli import gait_file
+from tdmf_slip.feedback import judgement
 from tdmf_slip.library import ensemble, return_map
 from tdmf_slip.paper import settling
 from tdmf_slip.unit import batch, inputs
 
-FRICTION = "ground.friction"
+FRICTION, ANGLE = "ground.friction", "hip.touchdown_angle"
 START = {FRICTION: 0.2}
 AXES = ("com_height", "com_speed")
 RANGES = ([1.3, 1.4], [1.0, 1.1])
@@ -165,6 +166,26 @@ WRONG = [
     lambda r, o: tdmf_slip.continue_branch(r, FRICTION, 0.6, 0.6),
     lambda r, o: tdmf_slip.continue_branch(r, "foot.y", 0.6, 0.7),
     lambda r, o: running.run_blocks(abs, [1, 2], workers="x").__enter__(),
+    lambda r, o: tdmf_slip.controllability(r, [ANGLE]),
+    lambda r, o: tdmf_slip.controllability(o, 3),
+    lambda r, o: tdmf_slip.controllability(o, [3]),
+    lambda r, o: tdmf_slip.controllability(o, [[ANGLE]]),
+    lambda r, o: tdmf_slip.dead_beat(START, [ANGLE]),
+    lambda r, o: tdmf_slip.dead_beat(o, ["leg.stiffness"]),
+    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], forgotten="x"),
+    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], limits={ANGLE: ("0", "1")}),
+    lambda r, o: tdmf_slip.lqr(o, [ANGLE], "x"),
+    lambda r, o: tdmf_slip.lqr(o, [ANGLE], [[1.0], [2.0, 3.0]]),
+    lambda r, o: tdmf_slip.lqr(o, [ANGLE], 1.0, None),
+    lambda r, o: tdmf_slip.lqr(o, [ANGLE], np.eye(7)),
+    lambda r, o: tdmf_slip.place_poles(o, [ANGLE], 0.3),
+    lambda r, o: tdmf_slip.place_poles(o, [ANGLE], "abc"),
+    lambda r, o: tdmf_slip.place_poles(o, [ANGLE], np.eye(3)),
+    lambda r, o: tdmf_slip.apex_covariance(o),
+    lambda r, o: judgement.judge(r),
+    lambda r, o: judgement.judge(o, roughness=[-1.0]),
+    lambda r, o: judgement.judge_all(o),
+    lambda r, o: judgement.judge_all([o]),
 ]
 
 

@@ -37,8 +37,16 @@ def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
     assert held_on_rough.mean_strides > 3 * alone_on_rough.mean_strides
     assert alone_on_rough == tdmf_slip.strides_to_fall(gait.runner, 0.3, 48, 2, 200, gait=gait, workers=1)
     assert held.volume.samples == 60 and held.volume.share >= alone.volume.share
-    # The law's noise is on rough ground only: with it no runner would settle closer than it strays.
     assert held.robustness.step_up > 0.3 and held.robustness.step_down > alone.robustness.step_down
+
+
+def test_regions_of_attraction_are_those_without_noise(gait, few):
+    """With it no runner settles closer than it strays."""
+    law = feedback.laws(gait)["quadratic regulator: angle and torque"]
+    loud = dataclasses.replace(law, noise=0.05 * gait.runner.scales)
+    judged = judgement.judge(gait, loud)
+    assert judged.volume == judgement.judge(gait, law).volume and judged.first_passages == ()
+    assert judged.robustness.step_up > 0.3
 
 
 def test_what_is_no_law_is_refused(gait):

@@ -9,6 +9,7 @@ import sys
 import numpy as np
 import pytest
 import tdmf_slip
+from tdmf_slip.library.noted_strides import STRIDE_FATES
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
@@ -53,9 +54,11 @@ def test_settings_at_their_limits_are_set_as_the_library_sets_them(example, gait
 
 
 def test_a_fall_ends_the_run_of_the_unit(example, gait):
+    """Pushed far with nothing but the settings' ranges as limits, as the library says, too."""
     law = tdmf_slip.dead_beat(gait, example.SETTINGS)
-    apices, settings = example.run(law, gait.start_values | {"foot.vx": -3.0})
+    apices, settings = example.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
     assert len(apices) == 1 and len(settings) == 1
+    assert tdmf_slip.stride_map(apices, {}, law=law)["fate"].item() == STRIDE_FATES.index("fell")
 
 
 def test_the_example_prints_each_stride(example, capsys):

@@ -97,7 +97,15 @@ def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[J
     -------
     list of Judgement
         In the order of the trials.
+
+    Raises
+    ------
+    InputError
+        No trials in a list.
     """
+    check_kind(trials, Sequence, "trials", "Trials in a list")
+    for trial in trials:
+        check_kind(trial, Trial, "trials", "Trials in a list")
     found: dict[int, Judgement] = {}
     with (
         progress.bar("feedback", len(trials), "laws", show_progress) as bar,
