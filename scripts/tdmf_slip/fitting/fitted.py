@@ -16,6 +16,7 @@ from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
+from .across import cross
 from .identifiability import identified
 from .measurements import Measurements, measurements_of
 from .problem import FIRST_STEP, Problem, bounds_of
@@ -93,7 +94,10 @@ def fit(
     problem = Problem(first, measurements, shared, each)
     variables = load(unit).variables
     ranges = {name: (variables[name].minimum, variables[name].maximum) for name in (*shared, *each)}
-    found = _searched(problem, ranges)
+    bounds = bounds_of(problem, ranges)
+    found = _searched(problem, np.zeros(len(problem.parameters)), bounds)
+    if problem.happenings.lost and not _is_met(found, measurements.count):
+        found = _crossed(problem, found, bounds)
     return _fit_of(problem, measurements, found)
 
 
@@ -116,15 +120,19 @@ def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
             raise problem from None
 
 
-def _searched(problem: Problem, ranges: Mapping[str, tuple[float, float]]) -> Any:
+def _searched(
+    problem: Problem,
+    begin: NDArray[np.float64],
+    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
+) -> Any:
     """What SciPy finds."""
     from scipy.optimize import least_squares  # slow to load
 
     return least_squares(
         problem.residuals,
-        np.zeros(len(problem.parameters)),
+        begin,
         problem.jacobian,
-        bounds=bounds_of(problem, ranges),
+        bounds=bounds,
         method="trf",
         x_scale=1.0,
         ftol=CHANGE,
@@ -132,6 +140,25 @@ def _searched(problem: Problem, ranges: Mapping[str, tuple[float, float]]) -> An
         gtol=CHANGE,
         max_nfev=MOST_STEPS,
     )
+
+
+def _is_met(found: Any, count: int) -> bool:
+    """Whether the residuals are such as come by chance."""
+    probability = _probability(2.0 * found.cost, count - len(found.x))
+    return bool(2.0 * found.cost < 1.0 if np.isnan(probability) else probability >= UNLIKELY)
+
+
+def _crossed(problem: Problem, ended: Any, bounds: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Any:
+    """The better of a search that has ended and of one that goes on across the folds near it."""
+    apexes = problem.apexes()
+    begin = cross(problem, ended.x, bounds)
+    if begin is not None:
+        found = _searched(problem, begin, bounds)
+        if found.cost < ended.cost:
+            problem.happenings.crossed = True
+            return found
+        problem.restart(ended.x, apexes)
+    return ended
 
 
 def _checked_names(given: object, what: str) -> tuple[str, ...]:
@@ -236,6 +263,8 @@ def _notes(problem: Problem, found: Any, probability: float) -> list[str]:
         if len(words) > 1
     ]
     if problem.happenings.lost:
-        tries = f"{problem.happenings.lost} of {found.nfev} tries"
+        tries = f"{problem.happenings.lost} of the tries"
         notes.append(f"{tries} led where a row has no gait, and were made shorter")
+    if problem.happenings.crossed:
+        notes.append("the search went on across a fold, where gaits turn back")
     return notes

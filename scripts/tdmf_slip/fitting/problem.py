@@ -15,7 +15,7 @@ from ..library.orbit import Orbit, orbit_near
 from ..library.quantities import PlainStride, plain_stride, scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait
-from .measurements import Measurements, Row
+from .measurements import Measurements
 
 FIRST_STEP = 0.1
 """Of a parameter's scale: the first step of the search is no longer."""
@@ -59,6 +59,8 @@ class Happenings:
 
     lost: int = 0
     """Tries at which a row had no gait."""
+    crossed: bool = False
+    """The search went on across a fold."""
     words: list[list[str]] = field(default_factory=list)
     """Of each row, those that its gait had, in their order."""
 
@@ -90,17 +92,19 @@ class Problem:
             *(Parameter(name, None) for name in shared),
             *(Parameter(name, row) for row in range(count) for name in each),
         )
-        self._free = (*shared, *each)
-        self._columns = [
+        self.free = (*shared, *each)
+        self.columns = [
             [*range(len(shared)), *(len(shared) + row * len(each) + k for k in range(len(each)))]
             for row in range(count)
         ]
         names = [parameter.name for parameter in self.parameters]
         self.scales = scales_of(self.runner, names)[len(first.apex) :]
+        self.steps = FIRST_STEP * self.scales
         self.begin = np.array([self.runner.values[name] for name in names])
+        self.count = measurements.count
         self.happenings = Happenings(words=[[first.word] for _ in self.rows])
-        start = varied_gait(self.runner, first.apex, (), self._free)
-        own = np.array([self.runner.values[name] for name in self._free])
+        start = varied_gait(self.runner, first.apex, (), self.free)
+        own = np.array([self.runner.values[name] for name in self.free])
         self._bases = [_Place(first.apex, start, own)] * count
         self._words = [first.word] * count
         self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
@@ -108,13 +112,13 @@ class Problem:
 
     def values(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         """The parameters, in the order of `parameters` and in their units."""
-        values: NDArray[np.float64] = self.begin + FIRST_STEP * self.scales * unknowns
+        values: NDArray[np.float64] = self.begin + self.steps * unknowns
         return values
 
     def runner_of(self, values: NDArray[np.float64], row: int) -> Runner:
         """The runner of a row."""
         runner = self.runner
-        for name, value in zip(self._free, values[self._columns[row]], strict=True):
+        for name, value in zip(self.free, values[self.columns[row]], strict=True):
             runner = runner.but(name, float(value))
         return runner
 
@@ -125,11 +129,40 @@ class Problem:
             gaits = [self._gait(values, row) for row in range(len(self.rows))]
         except (InputError, RunError):
             self.happenings.lost += 1
-            return np.full(sum(map(len, self.rows)), np.inf)
+            return np.full(self.count, np.inf)
         self._tried = np.array(unknowns), gaits
         return np.concatenate(
-            [_over_errors(stride.quantities, row) for (_, stride), row in zip(gaits, self.rows, strict=True)]
+            [self.over_errors(stride.quantities, row) for row, (_, stride) in enumerate(gaits)]
         )
+
+    def over_errors(self, quantities: NDArray[np.float64], row: int) -> NDArray[np.float64]:
+        """Quantities of a row less those measured, over the errors."""
+        measured = np.array([of.value for of in self.rows[row].values()])
+        errors = np.array([of.error for of in self.rows[row].values()])
+        over: NDArray[np.float64] = (quantities - measured) / errors
+        return over
+
+    def restart(self, unknowns: NDArray[np.float64], apexes: Sequence[NDArray[np.float64]]) -> None:
+        """Go on from other gaits.
+
+        Parameters
+        ----------
+        unknowns : ndarray of float
+            Where they are.
+        apexes : sequence of ndarray of float
+            One for each row.
+
+        Raises
+        ------
+        RunError
+            One of them has no derivatives.
+        """
+        values = self.values(unknowns)
+        places = [
+            _Place(apex, self._varied(values, row, apex), values[self.columns[row]])
+            for row, apex in enumerate(apexes)
+        ]
+        self._bases, self._tried, self._linear_at = places, None, None
 
     def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         """Of the residuals; the search goes on from there.
@@ -147,14 +180,14 @@ class Problem:
         rows = []
         for number, ((apex, stride), row) in enumerate(zip(self._tried[1], self.rows, strict=True)):
             varied = self._varied(values, number, apex)
-            self._bases[number] = _Place(apex, varied, values[self._columns[number]])
+            self._bases[number] = _Place(apex, varied, values[self.columns[number]])
             self._words[number] = stride.word
             if stride.word not in self.happenings.words[number]:
                 self.happenings.words[number].append(stride.word)
             block = np.zeros((len(row), len(self.parameters)))
-            block[:, self._columns[number]] = varied.by_parameters
+            block[:, self.columns[number]] = varied.by_parameters
             rows.append(block / np.array([measured.error for measured in row.values()])[:, None])
-        return np.vstack(rows) * (FIRST_STEP * self.scales)
+        return np.vstack(rows) * self.steps
 
     def is_linear_at(self, unknowns: NDArray[np.float64]) -> bool:
         """Whether the Jacobian was asked for there last."""
@@ -170,7 +203,7 @@ class Problem:
 
     def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:
         try:
-            return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self._free)
+            return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self.free)
         except RunError as problem:
             raise RunError(
                 f"the fit stops at row {row + 1}: {problem}; other first values lead past it"
@@ -187,7 +220,7 @@ class Problem:
             None is found.
         """
         runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
-        moved = values[self._columns[row]] - base.values
+        moved = values[self.columns[row]] - base.values
         apex = predicted = base.apex + base.varied.apex_by_parameters @ moved
         last = np.inf
         for _ in range(CHORDS):
@@ -203,12 +236,6 @@ class Problem:
             last, apex = error, apex - base.varied.apex_by_left_over @ stride.left_over
         apex = orbit_near(runner, predicted).apex
         return apex, plain_stride(runner, apex, names)
-
-
-def _over_errors(quantities: NDArray[np.float64], row: Row) -> NDArray[np.float64]:
-    measured = np.array([of.value for of in row.values()])
-    over: NDArray[np.float64] = (quantities - measured) / np.array([of.error for of in row.values()])
-    return over
 
 
 def bounds_of(
