@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+from tdmf_slip import RunError
 from tdmf_slip.library import classic_slip
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81
@@ -121,3 +122,31 @@ def test_retraction_gives_gaits_to_angles_that_have_none():
     assert classic_slip.fixed_points(math.radians(46.0)) == []
     retracting = classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(20.0))
     assert [gait.stable for gait in retracting] == [True, False]
+
+
+@pytest.mark.parametrize(("slope", "rate"), [(0, 0), (-3, 0), (5, 0), (0, 5), (3, 11)])
+def test_two_gaits_meet_in_the_fold_and_beyond_it_there_is_none(slope, rate):
+    its = {"ground_slope": math.radians(slope), "retraction_rate": math.radians(rate)}
+    fold = classic_slip.fold(**its)
+    assert fold.slope == pytest.approx(1.0, abs=1e-8)
+    before, beyond = fold.angle - math.radians(0.1), fold.angle + math.radians(0.1)
+    gaits = classic_slip.fixed_points(before, **its)
+    assert len(gaits) == 2 and gaits[0].height < fold.height < gaits[1].height
+    assert gaits[0].slope < 1.0 < gaits[1].slope
+    assert classic_slip.fixed_points(beyond, **its) == []
+
+
+def test_a_fold_that_is_not_there_is_refused():
+    with pytest.raises(RunError, match="no fold of the classic SLIP was found at energy = 500 J"):
+        classic_slip.fold(500.0)
+    with pytest.raises(RunError, match="no fold"):
+        classic_slip.fold(ground_slope=math.radians(50.0))
+
+
+def test_faster_retraction_doubles_the_period():
+    """At 49.1 degrees per second the slope of the map passes -1."""
+    slopes = [
+        classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(rate))[0].slope
+        for rate in (49.0, 49.2)
+    ]
+    assert slopes[0] > -1.0 > slopes[1]

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..errors import RunError
 from .binding import c, ffi
 from .structs import Classic, ClassicPoint, ClassicStep
 
@@ -24,6 +25,8 @@ ENERGY = 6000.0
 """E0 of the paper, J."""
 SPACING = 0.02
 """Of the heights from which fixed points are sought, m."""
+FOLD_STEPS = 11
+"""In which a fold is followed to a slope and a rate of retraction."""
 FLIES: int = c.TDMF_CLASSIC_FLIES
 """Outcome of a step that leads to the next apex; as the following."""
 TURNS_BACK: int = c.TDMF_CLASSIC_TURNS_BACK
@@ -227,22 +230,39 @@ def fixed_points(
     return found
 
 
-def fold(energy: float = ENERGY) -> FixedPoint:
-    """Where the stable and the unstable gait of an energy, J, meet and vanish.
+def fold(energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: float = 0.0) -> FixedPoint:
+    """Where, over the touchdown angle, the stable and the unstable gait of an energy meet and vanish.
+
+    On a slope, or of a leg that retracts, it is followed there from that on level ground of a leg that is
+    held.
 
     Parameters
     ----------
     energy : float, default 6000
-        J.
+        J, above the ground.
+    ground_slope : float, default 0
+        Of the ground, rad.
+    retraction_rate : float, default 0
+        Of the leg, rad/s.
 
     Returns
     -------
     FixedPoint
         With slope 1.
+
+    Raises
+    ------
+    RunError
+        There is none, or it is lost on the way.
     """
     angle, height = ffi.new("double *", math.radians(44.0)), ffi.new("double *", 2.0)
-    c.tdmf_classic_fold(slip(angle[0]), energy, angle, height)
-    return _fixed_point(slip(angle[0]), angle[0], height[0], energy)
+    moves = ground_slope != 0.0 or retraction_rate != 0.0
+    for share in np.linspace(0.0, 1.0, FOLD_STEPS) if moves else (0.0,):
+        its = {"ground_slope": share * ground_slope, "retraction_rate": share * retraction_rate}
+        if not c.tdmf_classic_fold(slip(angle[0], **its), energy, angle, height):
+            where = f"ground_slope = {its['ground_slope']:g}, retraction_rate = {its['retraction_rate']:g}"
+            raise RunError(f"no fold of the classic SLIP was found at energy = {energy:g} J, {where}")
+    return _fixed_point(slip(angle[0], **its), angle[0], height[0], energy)
 
 
 def _fixed_point(parameters: Classic, angle: float, height: float, energy: float) -> FixedPoint:
