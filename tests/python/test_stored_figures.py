@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from tdmf_slip import Runner, find_orbit, strides_to_fall
 from tdmf_slip.paper.figures import rough, slope, stored, thrust
+from tdmf_slip.pictures import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 OF_THE_GAITS = {"snapshots", "stride"}
@@ -50,9 +51,22 @@ def test_gaits_of_each_actuation_are_what_is_kept():
     assert compared == 7
 
 
-def test_figures_are_drawn_of_what_is_kept(command):
-    for name in ("rough", "slope", "thrust", "feedback"):
-        assert command("figures", "--only", name, "--output", "made")[0] == 0
+def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, monkeypatch):
+    found = []
+    save = style.save
+
+    def look(figure, path, *arguments):
+        renderer = figure.canvas.get_renderer()
+        figure.draw(renderer)
+        legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
+        boxes = [legend.get_window_extent(renderer) for legend in legends]
+        found.extend(box.x0 >= 0 and box.x1 <= figure.bbox.width for box in boxes)
+        save(figure, path, *arguments)
+
+    monkeypatch.setattr(style, "save", look)
+    for name in ("feedback", "guinea_fowl", "rough", "slope", "thrust"):
+        assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
+    assert len(found) >= 5 and all(found)
 
 
 def test_each_picture_of_the_documentation_is_shown_and_is_remade_by_one_command(command):

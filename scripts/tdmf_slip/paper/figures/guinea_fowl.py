@@ -44,7 +44,7 @@ def draw(path: Path, found: guinea_fowl.Map) -> None:
             axes.set_xlabel("speed  / m/s")
         for axes in panels[:, 0]:
             axes.set_ylabel("contact angle of the leg  / °")
-        figure.legend(handles=_key(), loc="outside lower center", ncols=5)
+        figure.legend(handles=_key(), loc="outside lower center", ncols=3)
         style.save(figure, path)
 
 
