@@ -263,9 +263,24 @@ def test_lines_are_solid_where_gaits_are_stable(over_torque):
     assert (
         max(lines["stable, 1 stride"].get_xdata()) == change == min(lines["unstable, 1 stride"].get_xdata())
     )
-    assert {text.get_text() for text in axes.texts} == {"+−"}
+    assert {text.get_text() for text in axes.texts} == {"+−", "+− +−"}
     with pytest.raises(InputError, match=r"quantity 'sped' is not allowed.*speed"):
         figure_of(over_torque, "sped")
+
+
+def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
+    figure = over_angle.plot()
+    figure.canvas.draw()
+    axes = figure.axes[0]
+    words = [text for text in axes.texts if text.get_text()]
+    assert {"+0−0+", "0−"} <= {text.get_text() for text in words} and len(words) >= 4
+    boxes = np.array([text.get_window_extent().extents for text in words])
+    low, high = boxes[:, None, :2], boxes[:, None, 2:]
+    shares = np.linspace(0.0, 1.0, 50)[:, None, None]
+    for line in axes.get_lines():
+        ends = axes.transData.transform(line.get_xydata())
+        drawn = ((1.0 - shares) * ends[:-1] + shares * ends[1:]).reshape(-1, 2)
+        assert not np.any(np.all((low < drawn) & (drawn < high), axis=2))
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 Stable gaits are solid, unstable ones dashed, special points marked, and words written where they hold.
 """
 
+from collections.abc import Iterator
 from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
+from numpy.typing import NDArray
 
 from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOUBLING, WORD_BORDER
 from ..analysis.branch import Branch
@@ -24,8 +26,8 @@ from . import style
 
 DRAWN = "com_speed"
 """The quantity that is drawn unless another is asked for."""
-LARGEST_SHOWN = 4.0
-"""Of eigenvalues."""
+LEAST_SHOWN, LARGEST_SHOWN = 1.15, 4.0
+"""Of eigenvalues: how far their axis goes at least and at most."""
 COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
 """Of lines, by how often the period was doubled."""
 MARKS: dict[str, dict[str, Any]] = {
@@ -37,7 +39,9 @@ MARKS: dict[str, dict[str, Any]] = {
 }
 """Of special points, by kind."""
 SHORT_RUN = 0.03
-"""Of the axes: a word that holds over less is not written."""
+"""Of the axes' diagonal: a word that holds over less is not written."""
+BESIDE, ASLANT = 6.0, 0.35
+"""How far from its line a word is, in points; and from which slope on it is at the side of it."""
 
 
 def values_of(orbit: Orbit, quantity: str) -> list[float]:
@@ -132,7 +136,7 @@ def draw(path: Path, branch: Branch, quantity: str) -> None:
 
 def _bound(axes: Axes) -> None:
     """Eigenvalues may be large beside an event that is just touched: what matters is around 1."""
-    axes.set_ylim(0.0, min(axes.get_ylim()[1], LARGEST_SHOWN))
+    axes.set_ylim(0.0, float(np.clip(axes.get_ylim()[1], LEAST_SHOWN, LARGEST_SHOWN)))
 
 
 def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
@@ -180,26 +184,49 @@ def _pieces(
     return found
 
 
-def _write_words(axes: Axes, branch: Branch, quantity: str) -> None:
+def _write_words(axes: Axes, branch: Branch, quantity: str, depth: int = 0) -> None:
     """Each word beside the middle of where it holds, unless that is too short to be seen."""
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    gaits = zip(branch.values, branch.orbits, strict=True)
-    for word, run in groupby(gaits, key=lambda gait: gait[1].word):
-        places = np.array([(value, values_of(orbit, quantity)[0]) for value, orbit in run])
-        extent = np.ptp(places, axis=0) / (right - left, high - low)
-        if np.hypot(*extent) < SHORT_RUN:
+    for word, run in _runs_of_words(branch, quantity):
+        box = axes.get_window_extent()
+        seen = axes.transData.transform(run)
+        lengths = np.append(0.0, np.cumsum(np.hypot(*np.diff(seen, axis=0).T)))
+        if lengths[-1] < SHORT_RUN * np.hypot(box.width, box.height):
             continue
-        middle = places[len(places) // 2]
+        after = int(np.clip(np.searchsorted(lengths, 0.5 * lengths[-1]), 1, len(run) - 1))
+        across = _upwards(seen[after] - seen[after - 1])
         axes.annotate(
             style.word(word),
-            middle,
-            xytext=(0, 8),
+            0.5 * (run[after - 1] + run[after]),
+            xytext=tuple(BESIDE * across),
             textcoords="offset points",
-            ha="center",
+            ha="center" if abs(across[0]) < ASLANT else "right" if across[0] < 0.0 else "left",
+            va="bottom" if across[1] > ASLANT else "center",
             fontsize=8.5,
+            color=style.INK if depth == 0 else COLOURS[min(depth, len(COLOURS) - 1)],
             zorder=7,
-            path_effects=[withStroke(linewidth=3.0, foreground="white")],
+            path_effects=[withStroke(linewidth=1.5, foreground="white")],
         )
+    for other in branch.branches:
+        _write_words(axes, other, quantity, depth + 1)
+
+
+def _runs_of_words(branch: Branch, quantity: str) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """Each word with the places of its gaits, from one border to the next, in the branch's order."""
+    gaits = list(zip(branch.values, branch.orbits, strict=True))
+    borders = {s.index: (s.value, s.orbit) for s in branch.specials if s.kind == WORD_BORDER}
+    begin = 0
+    for word, run in groupby(gaits, key=lambda gait: gait[1].word):
+        end = begin + len(list(run))
+        ends = [borders.get(begin - 1), *gaits[begin:end], borders.get(end - 1)]
+        places = [(gait[0], values_of(gait[1], quantity)[0]) for gait in ends if gait is not None]
+        yield word, np.array(places)
+        begin = end
+
+
+def _upwards(way: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The unit vector across a way that points upwards."""
+    across = np.array([-way[1], way[0]]) / (float(np.hypot(*way)) or 1.0)
+    return across if across[1] >= 0.0 else -across
 
 
 def _legend(axes: Axes) -> None:
