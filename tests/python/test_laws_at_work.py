@@ -8,6 +8,7 @@ import pytest
 import xarray
 from tdmf_slip import AffineLaw, InputError, Runner, basin, find_orbit, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
+from tdmf_slip.analysis.first_passages import Place, stay
 from tdmf_slip.analysis.held_gait import check_attracts, jacobian_under
 from tdmf_slip.analysis.robustness import robustness
 from tdmf_slip.analysis.volume import volume
@@ -73,6 +74,8 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
         for law in (None, settling)
     )
     assert held.interval[0] > free.interval[1]
+    places = [Place(gait.runner, 0.5, 200, 1, 60, law) for law in (None, settling)]
+    assert [stay(place) for place in places] == [free, held]
 
 
 def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, tmp_path):

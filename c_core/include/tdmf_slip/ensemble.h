@@ -122,8 +122,8 @@ typedef struct {
     tdmf_instructions instructions;             /* how they are stepped */
     tdmf_ensemble_map map;                      /* by which all of them go */
     const tdmf_given_settings *given;           /* or NULL: none are */
-    tdmf_ensemble_stride *strides;  /* or NULL: of each runner so many are noted, from the first */
-    int first_stride, stride_count; /* of these on; a stride as it begins and as it closes */
+    tdmf_ensemble_stride *strides;              /* what is noted, as strides begin and close; or NULL */
+    int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
     tdmf_ensemble_place *places;    /* of each runner, written where it stands; or NULL */
     bool goes_on; /* from places and ends of an earlier call, with a larger number of most strides */
 } tdmf_ensemble;

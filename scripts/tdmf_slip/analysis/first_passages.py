@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..blocks.running import run_blocks
+from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..terminal import progress
 from .first_passage import FirstPassage, strides_to_fall
@@ -23,6 +24,8 @@ class Place:
     """Of the ground."""
     most_strides: int
     """A runner that has made as many is still up."""
+    law: AffineLaw | None = None
+    """By which the runners are set."""
 
 
 def stay(place: Place) -> FirstPassage:
@@ -39,7 +42,13 @@ def stay(place: Place) -> FirstPassage:
         As `strides_to_fall` gives it.
     """
     return strides_to_fall(
-        place.runner, place.roughness, place.runners, place.seed, place.most_strides, workers=1
+        place.runner,
+        place.roughness,
+        place.runners,
+        place.seed,
+        place.most_strides,
+        law=place.law,
+        workers=1,
     )
 
 

@@ -133,9 +133,12 @@ class Crowd:
             parameters[k], cases[k].inputs = model.parameters, self.runner.inputs[0]
             cases[k].model, cases[k].rules.law = models + k, c_law
             cases[k].rules.roughness, cases[k].rules.seed = ground.roughness, ground.seed
-        for member in (*PARAMETERS, *INPUTS):
+        for member in PARAMETERS:
             for k, value in enumerate(self.varied.get(member.name, ())):
-                member.write(parameters[k] if member in PARAMETERS else cases[k].inputs, value)
+                member.write(parameters[k], value)
+        for member in INPUTS:
+            for k, value in enumerate(self.varied.get(member.name, ())):
+                member.write(cases[k].inputs, value)
         for k in range(count):
             _check(c.tdmf_model_create(models + k, parameters + k), k)
         return cases, kept
