@@ -184,7 +184,7 @@ def claims(found: Map) -> list[Claim]:
     said, friction = published()["published"], FRICTIONS[0]
     on = found.meetings[friction]
     borders, slow = found.borders(friction), found.speeds <= said["fast"]
-    patch = f"guinea fowl on a patch of friction {friction:g}"
+    patch = f"guinea fowl, mu = {friction:g}"
     steep, anyway = (
         np.nansum(found.meetings[mu].fell[:, said["contact_angle"] < ANGLES])
         for mu in (friction, published()["runner"]["high_friction"])
@@ -197,15 +197,15 @@ def claims(found: Map) -> list[Claim]:
     speeds = found.speeds
     return [
         Claim(
-            f"{patch}: speeds that it runs at",
+            f"{patch}: speeds",
             "1.3 to 3.6 m/s",
             f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s",
             bool(speeds[0] < said["slowest"] + 0.5 * STEP and speeds[-1] > said["fastest"] - 0.5 * STEP),
         ),
         Claim(
-            f"{patch}: contact angle above which it stays up",
-            "70°",
-            f"{of_slow:.0f}° at up to {said['fast']:g} m/s",
+            f"{patch}: contact angle to stay up",
+            "> 70°",
+            f"> {of_slow - 1:.0f}° up to {said['fast']:g} m/s",
             bool(abs(of_slow - said["contact_angle"]) <= NEAR),
         ),
         Claim(
@@ -215,21 +215,21 @@ def claims(found: Map) -> list[Claim]:
             bool(steep == 0.0),
         ),
         Claim(
-            f"{patch}: lower angles above {said['fast']:g} m/s",
+            f"{patch}: less above {said['fast']:g} m/s",
             "tolerated",
-            f"down to {of_fast:.0f}° at every such speed",
+            f"> {of_fast - 1:.0f}°",
             bool(of_fast < of_slow),
         ),
         Claim(
-            f"{patch}: slips of those that stay up",
+            f"{patch}: slips of those up",
             "below 10 cm",
-            f"{100 * short:.0f} % of them, the largest {100 * np.max(up):.0f} cm",
+            f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm",
             short >= MOST,
         ),
         Claim(
             f"{patch}: slips of those that fall",
             "10 cm or more",
-            f"{100 * long:.0f} % of those that fall later than in that stride",
+            f"{100 * long:.0f} % of those that fall after it",
             long >= MOST,
         ),
     ]
