@@ -184,8 +184,8 @@ def _check_names(shared: Sequence[str], each: Sequence[str], measurements: Measu
     if wanted > measurements.count:
         many = f" and {len(each)} for each of {rows} rows" if each else ""
         raise InputError(
-            f"free: {wanted} parameters ({len(shared)} shared{many}) for {measurements.count} measured "
-            f"numbers of {measurements.where}; allowed: no more than are measured"
+            f"free: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
+            f"{measurements.count} measured; allowed: no more than are measured"
         )
 
 
