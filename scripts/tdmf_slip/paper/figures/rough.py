@@ -78,6 +78,7 @@ def draw(path: Path, data: Columns) -> None:
         axes.set_yscale("log")
         axes.set_ylabel("mean number of strides until the fall")
         figure_9.friction_axis(axes, FRICTIONS)
+        axes.plot([], [], "^", color=style.FAINT, markersize=5, label="none fell: at least")
         axes.legend(title="steps of the ground  / l₀", loc="upper right")
         style.save(figure, path)
 
@@ -86,6 +87,9 @@ def _curve(axes: Axes, data: Columns, colour: str, label: str) -> None:
     """With its confidence; where none fell a triangle at the lower end of the interval."""
     friction, mean, low, high = (np.asarray(data[name]) for name in DRAWN)
     fell = np.isfinite(mean)
-    axes.plot(friction, np.where(fell, mean, np.nan), "o-", color=colour, markersize=3.5, label=label)
+    axes.plot(
+        friction, np.where(fell, mean, np.nan), "o-", color=colour, markersize=3.5, label=label, clip_on=False
+    )
     axes.fill_between(friction, low, high, where=fell, color=colour, alpha=0.18, linewidth=0)
+    axes.vlines(friction[fell], low[fell], high[fell], color=colour, alpha=0.4, linewidth=1.0, clip_on=False)
     axes.plot(friction[~fell], low[~fell], "^", color=colour, markersize=5)
