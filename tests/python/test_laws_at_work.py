@@ -8,6 +8,7 @@ import pytest
 import xarray
 from tdmf_slip import AffineLaw, InputError, Runner, basin, find_orbit, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
+from tdmf_slip.analysis.fates import fates
 from tdmf_slip.analysis.first_passages import Place, stay
 from tdmf_slip.analysis.held_gait import check_attracts, jacobian_under
 from tdmf_slip.analysis.robustness import robustness
@@ -78,6 +79,13 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
     assert [stay(place) for place in places] == [free, held]
 
 
+def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
+    free, held = robustness(gait), robustness(gait, settling)
+    assert held.step_up > free.step_up + 0.2 and held.step_down > free.step_down
+    in_the_box = [volume(gait, 300, law=law, workers=1).settled for law in (None, settling)]
+    assert in_the_box[1] > in_the_box[0]
+
+
 def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, tmp_path):
     """Not by the block, nor by who computes it, nor by where a file was gone on with."""
     noisy = AffineLaw(
@@ -92,6 +100,15 @@ def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, t
     axes, ranges = ("com_height", "com_speed"), (np.linspace(0.9, 2.4, 6), np.linspace(0.2, 2.3, 5))
     whole = basin(gait.runner, axes, ranges, law=noisy, workers=1)
     assert not whole.equals(basin(gait.runner, axes, ranges, law=settling, workers=1))
+    starts = np.tile(gait.apex, (30, 1))
+    starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
+    by_number = fates(gait.runner, gait.apex, starts, law=noisy)
+    monkeypatch.setattr("tdmf_slip.analysis.fates.STARTS_IN_A_CALL", 7)
+    np.testing.assert_array_equal(fates(gait.runner, gait.apex, starts, law=noisy), by_number)
+    for name in ("fate", "strides"):
+        np.testing.assert_array_equal(whole[name].values.ravel(), by_number[name])
+    halves = [fates(gait.runner, gait.apex, starts[n : n + 15], law=noisy, first_number=n) for n in (0, 15)]
+    np.testing.assert_array_equal(np.concatenate(halves), by_number)
     monkeypatch.setattr(basin_module, "STARTS_AT_ONCE", 10)
     path = tmp_path / "slice.nc"
     part = whole.copy(deep=True)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from .affine_law import AffineLaw
 from .binding import ffi
 from .crowd import Crowd
-from .ensemble import END, FATES, dtype_of, ensemble_of, run
+from .ensemble import END, dtype_of, ensemble_of, run
 from .orbit import LEDGER, STRIDE_QUANTITIES
 from .rough_ground import RoughGround
 from .section import COORDINATES
@@ -21,7 +21,6 @@ STRIDE_FATES = ("closed", "fell", "too_long", "no_start", "unsolved", "no_stride
 its last stride is in one that takes too long."""
 NOTED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
 CLOSED = STRIDE_FATES.index("closed")
-UNDECIDED = FATES.index("undecided")
 GROUND = "ground.height"
 
 Columns: TypeAlias = dict[str, NDArray[Any]]
@@ -139,7 +138,7 @@ class _Engine:
         """Apices at which a stride begins, NaN of runners whose run is over, and who is under way."""
         if stride == 0:
             return self.sections[:, : self.coordinates].copy(), np.full(len(self.ends), True)
-        under_way = (self.ends["fate"] == UNDECIDED) & (self.ends["strides"] == stride)
+        under_way = self.ends["strides"] == stride
         apices = np.where(under_way[:, None], self.ends["apex"][:, : self.coordinates], np.nan)
         return apices, under_way
 
