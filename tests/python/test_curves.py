@@ -10,6 +10,7 @@ from tdmf_slip import InputError, Runner, continue_branch, continue_curves
 from tdmf_slip.analysis.curve import Box
 from tdmf_slip.analysis.curves import curve_through
 from tdmf_slip.analysis.plane import Plane, bialternate
+from tdmf_slip.pictures.curve_diagram import figure_of
 
 TORQUE, DAMPING, FRICTION = "hip.stance_torque", "leg.damping", "ground.friction"
 
@@ -96,6 +97,22 @@ def test_word_borders_over_two_parameters(unit):
     branch = continue_branch(runner, FRICTION, friction + 0.01, friction - 0.01, switch=False, unit=unit)
     (border,) = branch.borders
     assert border.value == pytest.approx(friction, rel=1e-8)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_border_has_each_word_on_its_side(unit, turned):
+    """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
+    span = (1.2, 1.1)[:: -1 if turned else 1]
+    over = {FRICTION: span, DAMPING: (0.198, 0.202)}
+    curves = continue_curves({}, over, unit=unit)
+    figure = figure_of(curves, over)
+    figure.canvas.draw()
+    axes = figure.axes[0]
+    texts = sorted(axes.texts, key=lambda text: text.get_window_extent().x0)
+    assert [text.get_text() for text in texts] == ["+0−0+", "+0+"]
+    line = axes.transData.transform(curves[0].points)
+    for text in texts:
+        assert not any(text.get_window_extent().contains(*place) for place in line)
 
 
 def test_two_parameters_are_two(unit, command):

@@ -153,7 +153,7 @@ def _curves(
     if plot is not None:
         from ..pictures import curve_diagram
 
-        curve_diagram.draw(plot, found, tuple(spans))
+        curve_diagram.draw(plot, found, spans)
     if as_json_object:
         print(json_text({"over": list(spans), "curves": [curve.as_json() for curve in found]}))
         return

@@ -1,27 +1,29 @@
 """Curves of special points over two parameters, in a file."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
 from ..unit.unit import load
 from . import style
-from .branch_diagram import MARKS
+from .branch_diagram import ASLANT, BESIDE, MARKS
 
 
-def figure_of(curves: Sequence[Curve], over: Sequence[str]) -> Figure:
-    """The curves in the plane of the parameters: borders thin, with the words on both sides.
+def figure_of(curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) -> Figure:
+    """The curves in the plane of the parameters: borders thin, with each word on its side.
 
     Parameters
     ----------
     curves : sequence of Curve
         What is drawn.
-    over : pair of str
-        The parameters.
+    over : mapping of str to pair of float
+        By name of both parameters: the ends of their ranges, as the curves were followed from.
 
     Returns
     -------
@@ -41,17 +43,44 @@ def figure_of(curves: Sequence[Curve], over: Sequence[str]) -> Figure:
                 label="_" if curve.kind in shown else curve.kind,
             )
             shown.add(curve.kind)
-            if curve.words:
-                text = f"{style.word(curve.words[0])} | {style.word(curve.words[1])}"
-                middle = curve.points[len(curve.points) // 2]
-                axes.annotate(text, middle, xytext=(4, 4), textcoords="offset points", fontsize=8)
         style.label(axes, *(style.with_unit(name, unit.variables[name].unit) for name in over))
         if shown:
             axes.legend()
+        begin, end = over[curves[0].names[0]] if curves else (0.0, 0.0)
+        for curve in curves:
+            _write_words(axes, curve, begin < end)
     return figure
 
 
-def draw(path: Path, curves: Sequence[Curve], over: Sequence[str]) -> None:
+def _write_words(axes: Axes, curve: Curve, rises: bool) -> None:
+    """Each word on its side of the curve's middle; both beside it, where the curve turns back.
+
+    The first of the two holds towards the beginning of the first parameter's range.
+    """
+    if curve.words is None or len(curve.points) < 2:
+        return
+    words = [style.word(word) for word in curve.words]
+    after = len(curve.points) // 2
+    begin, end = axes.transData.transform(curve.points[after - 1 : after + 1])
+    across = np.array([end[1] - begin[1], begin[0] - end[0]]) / (float(np.hypot(*(end - begin))) or 1.0)
+    across *= 1.0 if across[0] >= 0.0 else -1.0
+    left, right = words if rises else reversed(words)
+    steps = np.diff(curve.points[:, 1])
+    one_way = bool(np.all(steps > 0.0) or np.all(steps < 0.0))
+    texts = ((left, -across), (right, across)) if one_way else ((" | ".join(words), across),)
+    for text, way in texts:
+        axes.annotate(
+            text,
+            curve.points[after - 1 : after + 1].mean(axis=0),
+            xytext=tuple(BESIDE * way),
+            textcoords="offset points",
+            ha="left" if way[0] > 0.0 else "right",
+            va="bottom" if way[1] > ASLANT else "top" if way[1] < -ASLANT else "center",
+            fontsize=8,
+        )
+
+
+def draw(path: Path, curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) -> None:
     """Draw the curves into a file.
 
     Parameters
@@ -60,7 +89,7 @@ def draw(path: Path, curves: Sequence[Curve], over: Sequence[str]) -> None:
         Of the picture.
     curves : sequence of Curve
         What is drawn.
-    over : pair of str
-        The parameters.
+    over : mapping of str to pair of float
+        See `figure_of`.
     """
     style.save(figure_of(curves, over), path)
