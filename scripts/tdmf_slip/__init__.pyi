@@ -21,6 +21,7 @@ from .library.orbit import Orbit
 from .library.runner import Runner
 from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
+from .optimization.pareto import Front, pareto_front
 from .paper.validation import Validation, validate
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
@@ -37,6 +38,7 @@ __all__ = [
     "Curve",
     "Feedback",
     "Fit",
+    "Front",
     "InputError",
     "Optimum",
     "Orbit",
@@ -63,6 +65,7 @@ __all__ = [
     "load",
     "lqr",
     "optimize",
+    "pareto_front",
     "place_poles",
     "read_parameters",
     "run_batch",

@@ -2,11 +2,12 @@
 
 import pathlib
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from tdmf_slip import Runner, find_orbit, strides_to_fall
-from tdmf_slip.paper.figures import rough, slope, stored, thrust
+from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust
 from tdmf_slip.pictures import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -51,6 +52,35 @@ def test_gaits_of_each_actuation_are_what_is_kept():
     assert compared == 7
 
 
+def test_optimal_runners_are_what_is_kept():
+    """They are gaits, the search finds no better ones from there, and the cheapest slips on purpose."""
+    data = stored.columns("optimal")
+    costs, slips = {}, {}
+    for place in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
+        values = {
+            "ground.friction": data["friction"][place],
+            optimal.ANGLE: data["touchdown_angle"][place],
+            optimal.TORQUE: data["stance_torque"][place],
+            optimal.THRUST: data["thrust"][place],
+        }
+        gait = find_orbit(Runner.of(values))
+        objective = optimal.CHEAPEST if data["cheapest"][place] else optimal.LEAST_SLIP
+        (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
+        assert again.why == ""
+        for name in ("speed", "cost_of_transport", "slip_distance"):
+            assert gait.stride[name] == pytest.approx(data[name][place], rel=1e-6)
+            assert again.gait.stride[name] == pytest.approx(data[name][place], rel=1e-4)
+        costs[objective], slips[objective] = (
+            data[name][place] for name in ("cost_of_transport", "slip_distance")
+        )
+    assert costs[optimal.CHEAPEST] < costs[optimal.LEAST_SLIP]
+    assert slips[optimal.CHEAPEST] > 1.5 * slips[optimal.LEAST_SLIP]
+    cheapest = data["cheapest"] > 0.0
+    frictions, over = data["friction"][cheapest], data["cost_of_transport"][cheapest]
+    assert len(frictions) == len(optimal.FRICTIONS)
+    assert 0.2 < frictions[np.argmin(over)] < 0.45 and np.min(over) < 0.85 * over[np.argmax(frictions)]
+
+
 def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, monkeypatch):
     found = []
     save = style.save
@@ -64,7 +94,7 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
         save(figure, path, *arguments)
 
     monkeypatch.setattr(style, "save", look)
-    for name in ("feedback", "guinea_fowl", "rough", "slope", "thrust"):
+    for name in ("feedback", "guinea_fowl", "optimal", "rough", "slope", "thrust"):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
     assert len(found) >= 5 and all(found)
 

@@ -1,5 +1,7 @@
 """The command `optimize`: the best runner over parameters within bounds."""
 
+from typing import Any
+
 import click
 
 from ..analysis.ordered import OrderNotMetError
@@ -7,6 +9,7 @@ from ..errors import InputError
 from ..library.quantities import QUANTITIES
 from ..optimization.optimize import MOST_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, told
+from ..optimization.pareto import MOST_POINTS, POINTS, Front, pareto_front
 from ..terminal.text import table
 from ..unit.unit import Unit, load
 from .continuation import span_of
@@ -29,8 +32,13 @@ UNITS = {"frequency": "Hz"}
 
 
 @click.command("optimize", cls=Command)
-@click.option("--minimize", metavar="QUANTITY", help=f"What is to be the least: {', '.join(QUANTITIES)}.")
-@click.option("--maximize", metavar="QUANTITY", help="What is to be the most.")
+@click.option(
+    "--minimize",
+    multiple=True,
+    metavar="QUANTITY",
+    help=f"What is to be the least: {', '.join(QUANTITIES)}. Of two, a Pareto front.",
+)
+@click.option("--maximize", multiple=True, metavar="QUANTITY", help="What is to be the most, likewise.")
 @click.option(
     "--over",
     "ranges",
@@ -55,18 +63,26 @@ UNITS = {"frequency": "Hz"}
     show_default=True,
     help="How many searches are made, from places spread over the bounds.",
 )
+@click.option(
+    "--points",
+    type=Number(2, MOST_POINTS, whole=True),
+    default=POINTS,
+    show_default=True,
+    help="How many runners of a Pareto front.",
+)
 @FRICTION_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
 @JSON_OPTION
 def optimize_command(
-    minimize: str | None,
-    maximize: str | None,
+    minimize: tuple[str, ...],
+    maximize: tuple[str, ...],
     ranges: tuple[str, ...],
     prescribed: tuple[str, ...],
     stable: bool,
     starts: int,
+    points: int,
     friction: float | None,
     settings: tuple[str, ...],
     parameters: str | None,
@@ -76,7 +92,8 @@ def optimize_command(
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
 
     By gradients that are exact through the orbit, across changes of the gait word. Where no gait has what is
-    prescribed, JSON has the nearest one, and the status is 1.
+    prescribed, JSON has the nearest one, and the status is 1. Of two quantities, the Pareto front: runners of
+    which none is better in one without being worse in the other.
     """
     unit = load()
     given = values_given(friction, settings)
@@ -86,18 +103,17 @@ def optimize_command(
     if len(over) != len(ranges):
         raise InputError("--over: a parameter is given twice; allowed: once")
     runner = runner_of(unit, parameters, given, model)
+    common: dict[str, Any] = {"at": _values(prescribed), "stable": stable, "starts": starts}
+    common |= {"show_progress": True, "unit": unit}
+    if len(minimize) + len(maximize) > 2:
+        raise InputError("--minimize, --maximize: more than two quantities; allowed: one or two")
     try:
-        best = optimize(
-            runner,
-            over,
-            minimize=minimize,
-            maximize=maximize,
-            at=_values(prescribed),
-            stable=stable,
-            starts=starts,
-            show_progress=True,
-            unit=unit,
-        )
+        if len(minimize) + len(maximize) == 2:
+            front = pareto_front(runner, over, minimize=minimize, maximize=maximize, points=points, **common)
+            print(json_text(front.as_json()) if as_json_object else _front_text(front))
+            return
+        least, most = (next(iter(names), None) for names in (minimize, maximize))
+        best = optimize(runner, over, minimize=least, maximize=most, **common)
     except OrderNotMetError as problem:
         if as_json_object:
             print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
@@ -147,6 +163,22 @@ def _text(best: Optimum, unit: Unit) -> str:
     stable = ["yes" if gait.stable else "no" for gait in (best.before, best.gait)]
     rows.append(("stable", "", stable[0], stable[1], ""))
     return f"{table(header, rows)}\n\n{_judgement(best)}"
+
+
+def _front_text(front: Front) -> str:
+    """A row for each runner."""
+    names = list(front.optima[0].parameters)
+    rows = [
+        (
+            *(f"{told(best.gait)[name]:.9g}" for name in front.objectives),
+            *(f"{best.parameters[name]:.9g}" for name in names),
+            best.word,
+            "yes" if best.stable else "no",
+            best.why,
+        )
+        for best in front.optima
+    ]
+    return table((*front.objectives, *names, "word", "stable", "not shown to be an optimum"), rows)
 
 
 def _judgement(best: Optimum) -> str:

@@ -29,8 +29,6 @@ class OnBorder(Candidate):
 
     border: Border
     """There."""
-    offset: float
-    """s, by which the border is off the plane."""
     plane: NDArray[np.float64]
     """Changes of the parameters by u, shape (d, d - 1): T + n ds/du."""
 
@@ -80,20 +78,58 @@ def best_along(gaits: Gaits, problem: Problem, border: Border, piece: Piece, sta
     Border
         There, or where the search came to.
     """
-    origin = border.short.at
-    free = (origin > AT_BOUND) & (origin < 1.0 - AT_BOUND)
-    normal = np.where(free, border.normal, 0.0)
-    size = float(np.linalg.norm(normal))
-    basis = np.eye(len(origin))[:, free] @ _plane(border.normal[free])
-    if size < AT_BOUND or basis.shape[1] == 0:
-        return border
-    normal /= size
-    wanted = AlongBorder(problem, free)
+    at = border.short.at
+    off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
+    for free in (off_bounds, np.ones_like(off_bounds)):
+        if np.count_nonzero(free) < 2 or not np.any(border.normal[free]):
+            continue
+        border = _best_over(gaits, problem, border, piece, free, stationary)
+        if problem.steepest(border.short, border.normal, along=True) <= stationary:
+            break
+    return border
 
-    def on_border(there: Border, u: NDArray[np.float64]) -> OnBorder:
-        short = there.short
-        bend = -(there.normal @ basis) / (there.normal @ normal)
-        plane = basis + np.outer(normal, bend)
+
+def _best_over(
+    gaits: Gaits,
+    problem: Problem,
+    border: Border,
+    piece: Piece,
+    free: NDArray[np.bool_],
+    stationary: float,
+) -> Border:
+    """With some of the parameters held: first those at their bounds, which may have to leave them then."""
+    wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, piece, free)
+    here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
+    for _ in range(ROUNDS):
+        ended = minimize(wanted, chart.follow, here, here.at - radius, here.at + radius)
+        grows = not ended.lost and wanted.merit(ended.best) < wanted.merit(here)
+        assert isinstance(ended.best, OnBorder)
+        here = ended.best
+        if (
+            not ended.lost
+            and problem.steepest(here.border.short, here.border.normal, along=True) <= stationary
+        ):
+            break
+        radius *= 2.0 if grows else 0.25
+        if radius < SMALLEST:
+            break
+    return here.border
+
+
+class _Chart:
+    """Coordinates u on a border."""
+
+    def __init__(self, gaits: Gaits, border: Border, piece: Piece, free: NDArray[np.bool_]) -> None:
+        self.gaits, self.piece = gaits, piece
+        normal = np.where(free, border.normal, 0.0)
+        self.normal = normal / np.linalg.norm(normal)
+        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
+
+    def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
+        """A place on the border, where its normal says how it bends off the plane."""
+        bend = -(border.normal @ self.basis) / (border.normal @ self.normal)
+        plane = self.basis + np.outer(self.normal, bend)
+        short = border.short
         return OnBorder(
             at=u,
             orbit=short.orbit,
@@ -101,30 +137,12 @@ def best_along(gaits: Gaits, problem: Problem, border: Border, piece: Piece, sta
             values=short.values,
             slopes=short.slopes @ plane,
             spectrum=short.spectrum.along(plane),
-            border=there,
-            offset=float((short.at - origin) @ normal),
+            border=border,
             plane=plane,
         )
 
-    def follow(near: Candidate, u: NDArray[np.float64]) -> OnBorder:
+    def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
+        """The border at u, from a place on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
-        return on_border(across(gaits, near.border.short, at, normal, piece.has), u)
-
-    here, radius = on_border(border, np.zeros(basis.shape[1])), RADIUS
-    for _ in range(ROUNDS):
-        ended = minimize(wanted, follow, here, here.at - radius, here.at + radius)
-        progress = wanted.merit(here) - wanted.merit(ended.best)
-        assert isinstance(ended.best, OnBorder)
-        here = ended.best
-        fall = problem.steepest(here.border.short, here.border.normal, along=True)
-        radius *= 2.0 if not ended.lost and progress > 0.0 else 0.25
-        if (not ended.lost and fall <= stationary) or radius < SMALLEST:
-            break
-    return here.border
-
-
-def _plane(normal: NDArray[np.float64]) -> NDArray[np.float64]:
-    """An orthonormal basis of what is across a vector, in columns."""
-    basis: NDArray[np.float64] = np.linalg.svd(normal[None, :])[2][1:].T
-    return basis
+        return self.point(across(self.gaits, near.border.short, at, self.normal, self.piece.has), u)

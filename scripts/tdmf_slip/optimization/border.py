@@ -21,6 +21,9 @@ ACCURACY = 1e-10
 """Distance of the gaits on both sides, over the width of the bounds."""
 SMOOTH = 1e-3
 """Difference of the changes on both sides, over their size, that counts as none."""
+CONTINUOUS = 1e-4
+"""Largest difference of the apices on both sides, over the scales: where a foot just touches the ground they
+change as a square root does."""
 NARROWEST, WIDEST = 1e-6, 0.3
 """Distances at which a border is looked for across itself."""
 
@@ -39,13 +42,23 @@ class Border:
     """Unit vector across it, towards `beyond`, shape (d,)."""
 
     @property
-    def sides(self) -> tuple[tuple[Candidate, NDArray[np.float64]], ...]:
-        """Both gaits, each with the normal that leads away from the border on its side."""
-        return (self.short, -self.normal), (self.beyond, self.normal)
+    def sides(self) -> tuple["Side", "Side"]:
+        """Both sides, `short` first."""
+        return Side(self.short, -self.normal), Side(self.beyond, self.normal)
 
-    def gain(self, problem: Problem, gait: Candidate, away: NDArray[np.float64]) -> float:
-        """How much steeper the merit falls away from the border than along it, on one of its sides."""
-        return problem.steepest(gait, away) - problem.steepest(gait, away, along=True)
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """A gait beside a border."""
+
+    gait: Candidate
+    """The gait."""
+    away: NDArray[np.float64]
+    """Unit vector that leads away from the border, shape (d,)."""
+
+    def gain(self, problem: Problem) -> float:
+        """How much steeper the merit falls away from the border than along it."""
+        return problem.steepest(self.gait, self.away) - problem.steepest(self.gait, self.away, along=True)
 
 
 def between(
@@ -70,7 +83,7 @@ def between(
     Raises
     ------
     RunError
-        A gait between them cannot be found or has no derivatives.
+        A gait between them cannot be found or has no derivatives, or the gaits end there.
     """
     way = outside.at - inside.at
     low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
@@ -90,8 +103,16 @@ def between(
 
 
 def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Border:
-    """With its normal, which leads to the side that the way does."""
+    """With its normal, which leads to the side that the way does.
+
+    Raises
+    ------
+    RunError
+        The gaits on both sides are no neighbours.
+    """
     scales = short.orbit.runner.scales[:, None]
+    if np.max(np.abs(beyond.orbit.apex - short.orbit.apex) / scales[:, 0]) > CONTINUOUS:
+        raise RunError("the gaits end where the word changes")
     sides = [np.vstack([gait.apex_slopes / scales, gait.slopes]) for gait in (short, beyond)]
     jump = sides[1] - sides[0]
     is_smooth = np.linalg.norm(jump) <= SMOOTH * np.linalg.norm(sides[0])

@@ -24,12 +24,15 @@ from .spectrum import Spectrum, spectrum_of
 CENTRAL: Mapping[float, float] = {1.0: 0.5, -1.0: -0.5}
 FORWARD: Mapping[float, float] = {0.0: -1.5, 1.0: 2.0, 2.0: -0.5}
 BACKWARD: Mapping[float, float] = {0.0: 1.5, -1.0: -2.0, -2.0: 0.5}
-"""Differences of second order: weights by how many steps aside."""
+OPEN_FORWARD: Mapping[float, float] = {1.0: -2.5, 2.0: 4.0, 3.0: -1.5}
+OPEN_BACKWARD: Mapping[float, float] = {-1.0: 2.5, -2.0: -4.0, -3.0: 1.5}
+"""Differences of second order: weights by how many steps aside. The last two do without the gait itself,
+which may be on the edge of a piece: a thrust of zero is no event, any other is."""
 SHORTEST_SHARE = 2.0**-5
 """Of the way from one gait to another, of which a step may be."""
 FARTHEST = 0.7
 """How far a gait may be from where it was predicted, over how far it is from the one before."""
-NEAR = 1e-3
+NEAR = 1e-2
 """Over the scales: a gait as near to where it was predicted is of the branch, if it is on its side of the
 fold."""
 DIFFERENCES = (1e-5, 1e-7)
@@ -160,12 +163,12 @@ def _jacobian_change(orbit: Orbit, stride: Callable[[float], Orbit]) -> NDArray[
     RunError
         There is on neither.
     """
-    for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD)):
+    for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
             orbits = [stride(length * steps) if steps else orbit for steps in weights]
         except (InputError, RunError):
             continue
-        if all(other.sequence == orbit.sequence for other in orbits):
+        if len({other.sequence for other in orbits}) == 1 and orbits[0].word == orbit.word:
             terms = [w / length * other.jacobian for w, other in zip(weights.values(), orbits, strict=True)]
             change: NDArray[np.float64] = np.sum(terms, axis=0)
             return change

@@ -16,12 +16,11 @@ without bound, and an optimum at its very edge cannot be found by gradients: the
 with a constraint that keeps off the fold.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..errors import RunError
 from .along import best_along
-from .border import Border, between
+from .border import Border, Side, between
 from .gaits import Candidate, Gaits
 from .pieces import Piece
 from .problem import MET, Problem
@@ -30,6 +29,8 @@ from .slsqp import Ended, minimize
 RADIUS, SMALLEST = 0.25, 1e-7
 """Half the width of the first box, and of the last one before a search gives up; of the bounds' width."""
 ROUNDS = 80
+PATIENCE, LITTLE = 12, 1e-6
+"""A search that was kept from going on gives up after so many runs that make the merit less by no more."""
 PROGRESS = 1e-9
 """Of the merit: a run that makes it less by no more has come to nothing."""
 ROUGHLY = 1e-3
@@ -56,20 +57,21 @@ class Found:
 class Search:
     """From a gait to the best one of a problem that is reached."""
 
-    def __init__(
-        self, gaits: Gaits, problem: Problem, tell: Callable[[Candidate], None] = lambda gait: None
-    ) -> None:
-        """`tell` is called with the best gait after each run of SLSQP."""
-        self.gaits, self.problem, self.tell = gaits, problem, tell
+    def __init__(self, gaits: Gaits, problem: Problem) -> None:
+        """Of which runner, over which parameters, and what is asked."""
+        self.gaits, self.problem = gaits, problem
 
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
         best, piece, radius, largest, why = begin, Piece.of(begin.orbit), RADIUS, 1.0, ""
+        merits: list[float] = []
         for _ in range(ROUNDS):
             ended = self._in_box(best, radius, piece)
             progress = self.problem.merit(best) - self.problem.merit(ended.best)
             best = ended.best
-            self.tell(best)
+            merits.append(self.problem.merit(best))
+            if len(merits) > PATIENCE and merits[-PATIENCE] - merits[-1] <= LITTLE and why:
+                break
             if ended.beyond is None:
                 fall = self.problem.steepest(best)
                 if fall <= STATIONARY and not ended.lost:
@@ -113,43 +115,34 @@ class Search:
         if border.is_smooth:
             piece.grow(border.beyond.orbit)
             return min((best, border.short), key=merit), piece, False
-        if merit(self._lower(border)[0]) > merit(best) + MET:
+        if min(merit(side.gait) for side in border.sides) > merit(best) + MET:
             return best, piece, True
-        side = self._better_side(border)
-        if side is None:
+        better = self._better_side(border)
+        if better is None:
             border = best_along(self.gaits, self.problem, border, piece, STATIONARY)
-            side = self._better_side(border)
-            if side is None:
+            better = self._better_side(border)
+            if better is None:
                 return self._found(border)
-        if side is border.beyond:
-            return side, Piece.of(side.orbit), False
-        return min((best, side), key=merit), piece, True
+        if better is border.beyond:
+            return better, Piece.of(better.orbit), False
+        return min((best, better), key=merit), piece, True
 
-    def _lower(self, border: Border) -> tuple[Candidate, ...]:
-        """Its side of less merit first; without the other one where the merit jumps."""
-        sides = sorted((border.short, border.beyond), key=self.problem.merit)
-        jumps = self.problem.merit(sides[1]) > self.problem.merit(sides[0]) + MET
-        return (sides[0],) if jumps else (border.short, border.beyond)
+    def _open_sides(self, border: Border) -> list[Side]:
+        """Without the side of more merit where it jumps, for it is no better than the border itself."""
+        merits = [self.problem.merit(side.gait) for side in border.sides]
+        return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 
     def _better_side(self, border: Border) -> Candidate | None:
         """Where the merit falls away from the border, the more if on both sides; None where on neither."""
-        lower = self._lower(border)
-        if lower == (border.beyond,):
+        sides = self._open_sides(border)
+        if len(sides) == 1 and sides[0].gait is border.beyond:
             return border.beyond
-        gains = {
-            id(gait): border.gain(self.problem, gait, away)
-            for gait, away in border.sides
-            if any(gait is one for one in lower)
-        }
-        best = max(lower, key=lambda gait: gains[id(gait)])
-        return best if gains[id(best)] > STATIONARY else None
+        gains = [side.gain(self.problem) for side in sides]
+        best = max(range(len(sides)), key=lambda number: gains[number])
+        return sides[best].gait if gains[best] > STATIONARY else None
 
     def _found(self, border: Border) -> Found:
-        lower = self._lower(border)
-        falls = {
-            gait.orbit.word: self.problem.steepest(gait, away)
-            for gait, away in border.sides
-            if any(gait is one for one in lower)
-        }
+        sides = self._open_sides(border)
+        falls = {side.gait.orbit.word: self.problem.steepest(side.gait, side.away) for side in sides}
         why = "" if max(falls.values()) <= STATIONARY else "the search along a border does not converge"
-        return Found(min(lower, key=self.problem.merit), falls, border, why)
+        return Found(min((side.gait for side in sides), key=self.problem.merit), falls, border, why)

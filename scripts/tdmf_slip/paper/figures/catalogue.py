@@ -34,6 +34,7 @@ from . import (
     figure_8,
     figure_9,
     guinea_fowl,
+    optimal,
     reduced,
     retraction,
     rough,
@@ -164,6 +165,14 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
         return reduced.planes(runner)
 
     @cache
+    def optima() -> Columns:
+        return (
+            optimal.table(optimal.measure(runner, show_progress=True))
+            if measure
+            else stored.columns("optimal")
+        )
+
+    @cache
     def roughness() -> Columns:
         return rough.table(rough.measure(runner, show_progress=True)) if measure else stored.columns("rough")
 
@@ -203,6 +212,7 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
         ),
         "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
         "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
+        "optimal": Figure(lambda path: optimal.draw(path, optima()), optima),
         "retraction": Figure(
             lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
         ),

@@ -1,0 +1,150 @@
+"""The best compromises between two quantities: the least of one for every value of the other."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..analysis.ordered import OrderNotMetError
+from ..analysis.search import find_orbit, runner_by
+from ..checks import checked_whole
+from ..errors import InputError
+from ..library.runner import Runner
+from ..terminal import progress
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .optimize import MOST_STARTS, STARTS
+from .optimizer import Optimizer, Start
+from .optimum import Optimum, told
+from .problem import Goal
+from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
+
+POINTS, MOST_POINTS = 7, 1000
+
+
+@dataclass(frozen=True)
+class Front:
+    """Runners of which none is better in one quantity without being worse in the other."""
+
+    objectives: tuple[str, str]
+    """The two quantities."""
+    optima: tuple[Optimum, ...]
+    """From the best in the first to the best in the second."""
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object."""
+        return {"objectives": list(self.objectives), "front": [best.as_json() for best in self.optima]}
+
+
+def pareto_front(
+    runner: Runner | Mapping[str, Given] | None,
+    over: Mapping[str, tuple[Given, Given]],
+    *,
+    minimize: Sequence[str] = (),
+    maximize: Sequence[str] = (),
+    at: Mapping[str, float] | None = None,
+    stable: bool | float = False,
+    points: int = POINTS,
+    starts: int = STARTS,
+    model: str | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Front:
+    """The best compromises between two quantities, from the best in one to the best in the other.
+
+    Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second; the limits
+    are spread evenly between the values that the two ends have.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float
+        As in `optimize`.
+    over : mapping of str to pairs of float
+        As in `optimize`.
+    minimize, maximize : sequence of str
+        Two quantities in all; those to be minimized come first.
+    at : mapping of str to float, optional
+        As in `optimize`.
+    stable : bool or float, default False
+        As in `optimize`.
+    points : int, default 7
+        How many runners, both ends among them.
+    starts : int, default 3
+        How many searches are made for the ends; the others begin at their neighbours.
+    model : str, optional
+        As in `optimize`.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        As in `optimize`.
+
+    Returns
+    -------
+    Front
+        The runners that were found.
+
+    Raises
+    ------
+    InputError
+        Not two quantities, and as in `optimize`.
+    OrderNotMetError
+        As in `optimize`.
+    RunError
+        As in `optimize`.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> over = {"hip.stance_torque": (0.15, 0.25)}
+    >>> front = tdmf_slip.pareto_front(
+    ...     {}, over, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
+    ... )
+    >>> [best.parameters["hip.stance_torque"] for best in front.optima]
+    [0.15, 0.25]
+    """
+    unit = load(unit)
+    signs = _checked_objectives(minimize, maximize)
+    (first, second), space = tuple(signs), checked_space(over, unit)
+    prescribed = checked_values(at, (first, second), space)
+    radius = checked_radius(stable)
+    goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
+    count = checked_whole("points", points, 2, MOST_POINTS)
+    before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
+    optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
+    check_action(optimizer.candidate(goals[0]), space)
+    total = 2 * len(optimizer.starts) + 2 * (count - 2)
+    with progress.bar("Pareto front", total, "searches", show_progress) as bar:
+        ends = [optimizer.best(goal, bar) for goal in goals]
+        inside = _between(optimizer, goals, ends[0][1], ends[1][1], count, bar)
+        found = [optimizer.optimum(goals[0], ends[0][0]), *inside, optimizer.optimum(goals[1], ends[1][0])]
+    return Front((first, second), tuple(found))
+
+
+def _between(
+    optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: progress.Bar
+) -> Iterator[Optimum]:
+    """With limits on the second quantity, each from the one before and from the last."""
+    first, second = goals
+    low, high = (told(start.orbit)[second.objective] for start in (begin, end))
+    for limit in np.linspace(low, high, count)[1:-1]:
+        at_most = {second.objective: (second.sign, float(limit))}
+        goal = Goal(first.objective, first.sign, first.at, at_most, first.radius)
+        try:
+            found, begin = optimizer.best(goal, bar, (begin, end))
+        except OrderNotMetError:
+            continue
+        yield optimizer.optimum(goal, found)
+
+
+def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str]) -> dict[str, float]:
+    """Two quantities with their signs."""
+    if isinstance(minimize, str) or isinstance(maximize, str):
+        raise InputError("minimize, maximize: a text; allowed: lists of names, two in all")
+    signs = {checked_quantity(name, "minimize"): 1.0 for name in minimize}
+    both = [*minimize, *maximize]
+    signs |= {checked_quantity(name, "maximize"): -1.0 for name in maximize}
+    if len(both) != 2 or len(signs) != 2:
+        raise InputError(
+            f"minimize, maximize: {', '.join(map(str, both))}; allowed: two quantities that differ"
+        )
+    return signs

@@ -1,0 +1,178 @@
+"""The best runner for each friction: at one speed, the cheapest and the one that slips least.
+
+Both by the touchdown angle, the hip's torque and the thrust of the leg, the body as it is. The cheapest slips
+on purpose where the other one, at the same speed, slips less.
+"""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from ...analysis.search import find_orbit
+from ...errors import RunError
+from ...library.orbit import orbit_near
+from ...library.runner import Runner
+from ...optimization.optimizer import Optimizer, Start
+from ...optimization.optimum import Optimum
+from ...optimization.problem import Goal
+from ...optimization.space import Space
+from ...pictures import style
+from ...terminal import progress
+from ...unit.unit import FRICTION
+from .columns import Columns
+
+FRICTIONS = np.geomspace(10.0, 0.05, 16)
+SPEED = 0.8
+"""Over l0 sqrt(k/m)."""
+RADIUS = 0.95
+"""Largest spectral radius: of a disturbance, half is left after 14 strides at the most."""
+ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
+BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
+"""In rad, k l0^2, l0."""
+CHEAPEST, LEAST_SLIP = "cost_of_transport", "slip_distance"
+COLOURS = {CHEAPEST: "#e07b00", LEAST_SLIP: "#1f5fa8"}
+NAMES = {CHEAPEST: "cheapest", LEAST_SLIP: "least slip"}
+
+
+def measure(
+    runner: Runner,
+    frictions: Sequence[float] | NDArray[np.float64] = FRICTIONS,
+    *,
+    show_progress: bool = False,
+) -> list[Optimum]:
+    """The best runners, from friction to friction, each also from the one before.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose body it is.
+    frictions : sequence of float
+        In order.
+    show_progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    list of Optimum
+        At each friction the cheapest, then the one that slips least; where there is one.
+    """
+    found: list[Optimum] = []
+    cheapest: list[Optimum] = []
+    slipping_least: list[Optimum] = []
+    with progress.bar("optimal runners", len(frictions), "frictions", show_progress) as bar:
+        for friction in frictions:
+            its = runner.but(FRICTION, float(friction))
+            cheapest = best(its, CHEAPEST, cheapest, begin=True)
+            slipping_least = best(its, LEAST_SLIP, [*slipping_least, *cheapest])
+            found += [*cheapest, *slipping_least]
+            bar.update()
+    return found
+
+
+def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
+    """The best runner at its friction, from others that are near.
+
+    Parameters
+    ----------
+    runner : Runner
+        With its friction.
+    objective : str
+        `CHEAPEST` or `LEAST_SLIP`.
+    near : sequence of Optimum
+        Where searches begin.
+    begin : bool, default False
+        One begins at the runner's own gait, too.
+
+    Returns
+    -------
+    list of Optimum
+        One, or none where none was found.
+    """
+    goal = Goal(objective, at={"speed": SPEED}, radius=RADIUS)
+    try:
+        optimizer = Optimizer(find_orbit(runner), Space(BOUNDS), 1)
+        starts = list(_starts(optimizer.space, runner, near))
+        starts += optimizer.starts if begin or not starts else []
+        with progress.bar("", len(starts), "", show=False) as bar:
+            return [optimizer.optimum(goal, optimizer.best(goal, bar, starts)[0])]
+    except RunError:
+        return []
+
+
+def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[Start]:
+    for optimum in near:
+        at = space.place_of(optimum.gait.runner)
+        try:
+            yield Start(at, orbit_near(space.runner_at(runner, at), optimum.gait.apex))
+        except RunError:
+            continue
+
+
+def table(found: Sequence[Optimum]) -> Columns:
+    """The figure's data, by column."""
+    gaits = [optimum.gait for optimum in found]
+    return {
+        "friction": [gait.friction for gait in gaits],
+        "cheapest": [optimum.objective == CHEAPEST for optimum in found],
+        "touchdown_angle": [gait.runner.values[ANGLE] for gait in gaits],
+        "stance_torque": [gait.runner.values[TORQUE] for gait in gaits],
+        "thrust": [gait.runner.values[THRUST] for gait in gaits],
+        "word": [gait.word for gait in gaits],
+        "speed": [gait.stride["speed"] for gait in gaits],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
+        "slip_distance": [gait.stride["slip_distance"] for gait in gaits],
+        "length": [gait.stride["length"] for gait in gaits],
+        "lambda_max": [gait.lambda_max for gait in gaits],
+        "shown": [not optimum.why for optimum in found],
+    }
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw cost and slip of both runners over the friction, and what the cheapest one does.
+
+    Left out is what was not shown to be an optimum.
+    """
+    columns = {name: np.asarray(values) for name, values in data.items()}
+    with style.styled():
+        figure, panels = plt.subplots(2, 2, figsize=(9.2, 6.2), sharex=True, layout="constrained")
+        (cost, angle), (slip, drive) = panels
+        for objective, chosen in ((CHEAPEST, 1.0), (LEAST_SLIP, 0.0)):
+            rows = (columns["cheapest"].astype(float) == chosen) & (columns["shown"].astype(float) > 0.0)
+            for axes, column, factor in (
+                (cost, "cost_of_transport", 1.0),
+                (slip, "slip_distance", 1.0),
+                (angle, "touchdown_angle", 180.0 / np.pi),
+            ):
+                _curve(axes, columns, column, rows, factor, color=COLOURS[objective], label=NAMES[objective])
+        rows = (columns["cheapest"].astype(float) == 1.0) & (columns["shown"].astype(float) > 0.0)
+        _curve(drive, columns, "stance_torque", rows, color=style.CURVE, label="hip torque  / k l₀²")
+        _curve(drive, columns, "thrust", rows, color=style.SECOND_CURVE, label="thrust of the leg  / l₀")
+        cost.set_title(f"(a) cost of transport at speed {SPEED:g} l₀√(k/m)")
+        slip.set_title("(b) slip in a stride  / l₀")
+        angle.set_title("(c) touchdown angle, degrees")
+        drive.set_title("(d) drive of the cheapest")
+        for axes in (cost, drive):
+            axes.legend()
+        for axes in panels[1]:
+            axes.set_xscale("log")
+            axes.set_xlabel("friction")
+        style.save(figure, path)
+
+
+def _curve(
+    axes: Axes,
+    columns: dict[str, NDArray[np.float64]],
+    column: str,
+    rows: NDArray[np.bool_],
+    factor: float = 1.0,
+    *,
+    color: str,
+    label: str,
+) -> None:
+    order = np.argsort(columns["friction"][rows])
+    x, y = (columns[name][rows][order].astype(float) for name in ("friction", column))
+    axes.plot(x, factor * y, marker="o", markersize=3.0, color=color, label=label)
