@@ -221,6 +221,12 @@ def test_a_pareto_front_leads_from_one_best_to_the_other(command):
     assert cheaper.value == pytest.approx(costs[1], rel=1e-8)
 
 
-def test_bounds_that_no_gait_reaches_are_told():
-    with pytest.raises(InputError, match="allowed"):
+@pytest.mark.parametrize("bounds", [((1.0, 2.0), 3.0), (0.1,), "12", None, (0.1, float("nan"))])
+def test_bounds_that_are_none_are_refused(bounds):
+    with pytest.raises(InputError, match=r"hip\.kp.*allowed"):
+        optimize({}, {"hip.kp": bounds}, maximize="speed")
+
+
+def test_no_parameters_are_refused():
+    with pytest.raises(InputError, match="allowed: 1 to 12"):
         optimize({}, {}, maximize="speed")

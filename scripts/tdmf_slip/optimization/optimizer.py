@@ -129,12 +129,13 @@ class Optimizer:
         ]
         wanted += [f"a spectral radius of {goal.radius:g} at the most"] if goal.radius is not None else []
         values = told(found.gait.orbit)
+        end = f"; the search ended there: {found.why}" if found.why else ""
         names = [*goal.at, *goal.at_most, *(["lambda_max"] if goal.radius is not None else [])]
         has = ", ".join(f"{name} {values[name]:.6g}" for name in names)
         at = ", ".join(f"{name} = {value:.6g}" for name, value in self.space.values(found.gait.at).items())
         return OrderNotMetError(
             f"no gait with {' and '.join(wanted)} was found within the bounds: the nearest has {has}, "
-            f"at {at}",
+            f"at {at}{end}",
             found.gait.orbit,
             (),
         )

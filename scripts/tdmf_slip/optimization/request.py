@@ -105,7 +105,7 @@ def checked_space(over: object, unit: Unit) -> Space:
     for name, pair in given.items():
         check_varied(name, "over")
         where = f"over {name}"
-        if np.shape(pair) != (2,):
+        if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2:
             raise InputError(f"{where} = {pair!r} is not allowed; allowed: two bounds, A below B")
         low, high = (float(unit.variables[name].value_of(value, where)) for value in pair)
         if not low < high:
