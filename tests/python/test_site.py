@@ -91,7 +91,7 @@ def test_links_and_anchors_inside_the_site_lead_somewhere(pages):
 @built
 def test_each_guide_downloads_as_a_notebook_with_its_code(pages):
     guides = sorted((SOURCES / "guides").glob("*.md"))
-    assert len(guides) >= 11
+    assert len(guides) >= 16
     for guide in guides:
         page = SITE / "guides" / f"{guide.stem}.html"
         (link,) = {link for link in pages[page].links if link.endswith(f"/{guide.stem}.ipynb")}
