@@ -60,11 +60,11 @@ def test_arguments_that_are_told_are_those_that_there_are():
     assert compared > 60
 
 
-def test_functions_of_library_analysis_and_feedback_tell_what_they_take_and_give():
+def test_functions_of_the_parts_that_compute_tell_what_they_take_and_give():
     looked_at = 0
     for name, function in functions():
         part, is_method = name.split(".")[1], name.count(".") > 3
-        if part in ("library", "analysis", "feedback") and not is_method:
+        if part in ("library", "analysis", "feedback", "optimization") and not is_method:
             told, gives = sections(function), inspect.signature(function).return_annotation
             assert "Parameters" in told or not arguments(function), name
             assert gives is None or {"Returns", "Yields"} & set(told), name

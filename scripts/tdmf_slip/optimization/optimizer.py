@@ -1,6 +1,6 @@
 """Searches from several starts, of which the best counts; and what is told where none meets a goal."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -161,7 +161,8 @@ class Optimizer:
         )
 
 
-def _natural(orbit: Orbit) -> Mapping[int, float] | NDArray[np.float64]:
+def _natural(orbit: Orbit) -> NDArray[np.float64]:
+    """Scales of the six coordinates, whatever the runner's model."""
     return replace(orbit.runner, reduced=False).scales
 
 
