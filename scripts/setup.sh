@@ -93,21 +93,42 @@ get_zig() {
     install_locked platforms
 }
 
+PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
+
+# for_each_platform COMMAND WHAT: COMMAND PLATFORM for every one, two side by side, for Zig uses one processor only.
+for_each_platform() {
+    local command=$1 what=$2 first platform pair processes
+    for ((first = 0; first < ${#PLATFORMS[@]}; first += 2)); do
+        pair=("${PLATFORMS[@]:first:2}")
+        processes=()
+        for platform in "${pair[@]}"; do
+            "$command" "$platform" >"build/platforms/$what.$platform.log" 2>&1 &
+            processes+=($!)
+        done
+        for platform in "${pair[@]}"; do
+            wait "${processes[0]}" || {
+                tail -n 40 "build/platforms/$what.$platform.log" >&2
+                fail "the $what for $platform could not be built"
+            }
+            processes=("${processes[@]:1}")
+        done
+    done
+}
+
+# build_units PLATFORM
+build_units() {
+    cmake --preset "$1" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
+        cmake --build "build/platforms/$1" --target fmi2_unit fmi3_unit importer
+}
+
 # The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file. The ensemble
 # engine, which is not in them, is in the wheels.
-PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
 build_platforms() {
-    local platform units=() log=build/platforms/build.log
+    local platform units=()
     mkdir -p build/platforms
-    : >"$log"
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
+    for_each_platform build_units units
     for platform in "${PLATFORMS[@]}"; do
-        { cmake --preset "$platform" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
-            cmake --build "build/platforms/$platform" \
-                --target fmi2_unit fmi3_unit importer; } >>"$log" 2>&1 || {
-            tail -n 40 "$log" >&2
-            fail "could not compile for $platform"
-        }
         units+=("build/platforms/$platform/fmu_src")
     done
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
@@ -144,19 +165,14 @@ build_wheel() {
 }
 
 build_distribution() {
-    local platform
     say "Building source distribution and wheels into dist"
     mkdir -p dist
     rm -f dist/*.whl dist/*.tar.gz dist/*.fmu
-    {
-        .venv/bin/python -m build --sdist --no-isolation -o dist . &&
-            for platform in "${PLATFORMS[@]}"; do
-                build_wheel "$platform" || return 1
-            done
-    } >build/distribution.log 2>&1 || {
+    .venv/bin/python -m build --sdist --no-isolation -o dist . >build/distribution.log 2>&1 || {
         tail -n 40 build/distribution.log >&2
-        fail "the distribution could not be built"
+        fail "the source distribution could not be built"
     }
+    for_each_platform build_wheel wheel
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
 }
 
