@@ -106,11 +106,11 @@ static inline void watch_slip(event_search *search, const ground_constants *c, c
 static inline void watch_ground(event_search *search, const ground_constants *c, const ground_series *g,
                                 const ground_coordinates *at, ground_case is, real length_change) {
     watch_standing_leg(search, c, g, length_change);
+    watch_mid_stance(search, c, g);
     if (is.grazes) {
         watch_graze(search, c, g, at->angle);
     } else {
         watch_forces(search, c, g, !is.slips);
-        watch_mid_stance(search, c, g);
         watch_greatest_compression(search, c, g);
     }
     if (is.slips) {

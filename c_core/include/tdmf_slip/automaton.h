@@ -26,7 +26,7 @@ typedef enum {
                                         the foot slips forward */
     TDMF_GUARD_SLIP_ONSET_NEGATIVE,  /* stick: the same, backward */
     TDMF_GUARD_SLIP_VELOCITY_ZERO,   /* slip: speed in the direction of slip */
-    TDMF_GUARD_MID_STANCE,           /* contact, drive: the leg angle */
+    TDMF_GUARD_MID_STANCE,           /* on the ground, until mid-stance: the leg angle */
     TDMF_GUARD_FORCE_PEAK,           /* contact: rate of the vertical ground force, up or down */
     TDMF_GUARD_GRAZE_TO_CONTACT,     /* graze: the stance law loads the foot */
     TDMF_GUARD_GRAZE_TO_FLIGHT,      /* graze: the flight law lifts it */

@@ -3,10 +3,9 @@
 
 /* Phases in which an event is watched. */
 enum {
-    DRIVE = 1 << TDMF_PHASE_DRIVE,
     RETRACT = 1 << TDMF_PHASE_RETRACT,
     PLACE = 1 << TDMF_PHASE_PLACE,
-    ALWAYS = DRIVE | RETRACT | PLACE | 1 << TDMF_PHASE_COAST
+    ALWAYS = 1 << TDMF_PHASE_DRIVE | 1 << TDMF_PHASE_COAST | RETRACT | PLACE
 };
 
 typedef struct {
@@ -21,13 +20,14 @@ static const watched in_flight[] = {{TDMF_GUARD_NEW_GROUND, ALWAYS},    {TDMF_GU
 static const watched in_graze[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
                                    {TDMF_GUARD_APEX, RETRACT},
+                                   {TDMF_GUARD_MID_STANCE, ALWAYS},
                                    {TDMF_GUARD_GRAZE_TO_CONTACT, ALWAYS},
                                    {TDMF_GUARD_GRAZE_TO_FLIGHT, ALWAYS}};
 
 static const watched in_stick[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                    {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
                                    {TDMF_GUARD_GREATEST_COMPRESSION, ALWAYS},
-                                   {TDMF_GUARD_MID_STANCE, DRIVE},
+                                   {TDMF_GUARD_MID_STANCE, ALWAYS},
                                    {TDMF_GUARD_LIFT_OFF, ALWAYS},
                                    {TDMF_GUARD_SLIP_ONSET_POSITIVE, ALWAYS},
                                    {TDMF_GUARD_SLIP_ONSET_NEGATIVE, ALWAYS},
@@ -36,7 +36,7 @@ static const watched in_stick[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
 static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                   {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
                                   {TDMF_GUARD_GREATEST_COMPRESSION, ALWAYS},
-                                  {TDMF_GUARD_MID_STANCE, DRIVE},
+                                  {TDMF_GUARD_MID_STANCE, ALWAYS},
                                   {TDMF_GUARD_LIFT_OFF, ALWAYS},
                                   {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS},
                                   {TDMF_GUARD_FORCE_PEAK, ALWAYS}};

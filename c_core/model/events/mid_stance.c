@@ -1,9 +1,10 @@
-/* Mid-stance: the leg falls through the vertical, and drive turns into coast. */
+/* Mid-stance: the leg falls through the vertical, and drive turns into coast. In graze the drive waits, for
+ * the foot to be loaded again, and ends alike. */
 #include "events.h"
 #include "record.h"
 
 static double leg_angle(const tdmf_evaluation *at) {
-    return tdmf_armed(at->state[TDMF_LEG_ANGLE], 1.0);
+    return at->mode->mid_stance_pending ? tdmf_armed(at->state[TDMF_LEG_ANGLE], 1.0) : 1.0;
 }
 
 static double vary_leg_angle(const tdmf_evaluation *at, const tdmf_direction *d,
@@ -15,7 +16,9 @@ static double vary_leg_angle(const tdmf_evaluation *at, const tdmf_direction *d,
 
 static void reset(tdmf_run *run) {
     run->mode->mid_stance_pending = false;
-    run->mode->phase = TDMF_PHASE_COAST;
+    if (tdmf_in_contact(run->mode)) {
+        run->mode->phase = TDMF_PHASE_COAST;
+    }
     tdmf_record_event(run->record, run->time);
 }
 

@@ -1,0 +1,165 @@
+/* Runs through graze, followed by every solver. */
+#include "compare.h"
+#include "integrate.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- a leg that passes upright in graze ---------------------------------------------------------------- */
+
+/* On a slope of 0.4 a leg is set down nearly upright and falls through the vertical while the foot grazes.
+ * That ends the drive; under the law of coast the ground loads the foot, which slips backward from there. */
+static runner runner_that_passes_upright(void) {
+    runner runner = {.inputs = tdmf_default_inputs()};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    const double start[TDMF_STATE_COUNT] = {
+        [TDMF_LEG_LENGTH] = 0.95, [TDMF_LEG_ANGLE] = 0.05, [TDMF_LEG_ANGLE_RATE] = -0.6};
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.inputs.ground.slope = 0.4;
+    memcpy(runner.state, start, sizeof start);
+    runner_start(&runner);
+    assert_int_equal(runner.mode.contact, TDMF_CONTACT_GRAZE);
+    assert_true(runner.mode.mid_stance_pending);
+    return runner;
+}
+
+typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
+                             double, tdmf_motion *);
+
+static tdmf_event_log events_until(advance *solve, double end) {
+    const runner runner = runner_that_passes_upright();
+    tdmf_motion motion = {.mode = runner.mode, .record = runner.record};
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_event_log log = {0};
+    memcpy(motion.state, runner.state, sizeof motion.state);
+    solver.log = &log;
+    assert_int_equal(solve(&solver, &runner.model, &runner.inputs, NULL, end, &motion), TDMF_ARRIVED);
+    return log;
+}
+
+/* The times are those of an independent program. */
+static void assert_slips_after_mid_stance(const tdmf_event_log *log) {
+    assert_true(log->count >= 2);
+    const tdmf_event *upright = &log->events[0], *unloaded = &log->events[1];
+    assert_int_equal(upright->guard, TDMF_GUARD_MID_STANCE);
+    assert_int_equal(upright->before.contact, TDMF_CONTACT_GRAZE);
+    assert_close(upright->time, 0.0767, 5e-5);
+    assert_close(upright->state[TDMF_LEG_ANGLE], 0.0, 1e-9);
+    assert_int_equal(upright->after.contact, TDMF_CONTACT_SLIP_NEGATIVE);
+    assert_int_equal(upright->after.phase, TDMF_PHASE_COAST);
+    assert_false(upright->after.mid_stance_pending);
+    assert_int_equal(unloaded->guard, TDMF_GUARD_LIFT_OFF);
+    assert_close(unloaded->time, 0.2560, 5e-5);
+    assert_int_equal(unloaded->after.contact, TDMF_CONTACT_GRAZE);
+}
+
+static void a_leg_that_passes_upright_in_graze_ends_its_drive(void **state) {
+    (void)state;
+    const tdmf_event_log log = events_until(tdmf_native_advance, 0.3);
+    assert_slips_after_mid_stance(&log);
+}
+
+static void by_cvode_too(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    const tdmf_event_log log = events_until(tdmf_cvode_advance, 0.3);
+    assert_slips_after_mid_stance(&log);
+}
+
+static void and_by_whoever_integrates_the_equations(void **state) {
+    (void)state;
+    runner runner = runner_that_passes_upright();
+    while (runner.mode.contact == TDMF_CONTACT_GRAZE) {
+        assert_true(runner_advance(&runner, 1e-3) && runner.time < 0.1);
+    }
+    assert_close(runner.time, 0.0767, 5e-5);
+    assert_int_equal(runner.mode.contact, TDMF_CONTACT_SLIP_NEGATIVE);
+    assert_int_equal(runner.mode.phase, TDMF_PHASE_COAST);
+}
+
+/* ---- the same within a stride -------------------------------------------------------------------------- */
+
+/* A runner with a light foot that is pushed over a slope and passes upright in graze. */
+static tdmf_model model_of_stride(tdmf_inputs *inputs) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    *inputs = tdmf_default_inputs();
+    parameters.gravity = 0.0046;
+    parameters.ground.static_friction_ratio = 1.6;
+    parameters.foot.mass = 0.02;
+    parameters.leg.damping = 0.16;
+    parameters.leg.thrust = 0.2;
+    parameters.hip.stance_torque = 0.25;
+    parameters.hip.touchdown_angle = 0.9;
+    parameters.hip.kp = 0.028;
+    parameters.hip.kd = 0.19;
+    parameters.hip.liftoff_angle_factor = 1.0;
+    inputs->ground.friction = 1.1;
+    inputs->ground.slope = 0.04;
+    inputs->body.external_fx = 0.001;
+    inputs->body.external_fy = 0.0004;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    return model;
+}
+
+static const double apex_of_stride[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, -0.29, 0.0, 0.0};
+
+static tdmf_event_log events_of_stride(tdmf_motion *motion) {
+    tdmf_inputs inputs;
+    const tdmf_model model = model_of_stride(&inputs);
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_event_log log = {0};
+    solver.log = &log;
+    tdmf_section_state(&model, &inputs, apex_of_stride, motion->state);
+    assert_null(tdmf_start(&model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
+    assert_true(tdmf_native_stride(&solver, &model, &inputs, 1e3, motion).closed);
+    return log;
+}
+
+static void a_stride_in_lanes_passes_upright_in_graze(void **state) {
+    tdmf_inputs inputs;
+    const tdmf_model model = model_of_stride(&inputs);
+    const tdmf_ensemble_case its_case = {.model = &model, .inputs = inputs, .rules = {.most_strides = 1}};
+    tdmf_motion motion = {0};
+    const tdmf_event_log log = events_of_stride(&motion);
+    int instruction_sets = 0, upright_in_graze = 0;
+    (void)state;
+    for (int i = 0; i < log.count; ++i) {
+        upright_in_graze += log.events[i].guard == TDMF_GUARD_MID_STANCE &&
+                            log.events[i].before.contact == TDMF_CONTACT_GRAZE;
+    }
+    assert_int_equal(upright_in_graze, 1);
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        const tdmf_ensemble ensemble = {.cases = &its_case,
+                                        .case_count = 1,
+                                        .starts = &apex_of_stride,
+                                        .count = 1,
+                                        .relative_tolerance = 1e-11,
+                                        .instructions = (tdmf_instructions)set,
+                                        .threads = 1};
+        tdmf_ensemble_end end;
+        if (tdmf_has_instructions((tdmf_instructions)set)) {
+            assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
+            assert_int_equal(end.strides, 1);
+            assert_close(end.time, motion.time, 1e-9);
+            assert_close(end.apex[0], motion.record.apex.com_height, 1e-9);
+            ++instruction_sets;
+        }
+    }
+    assert_true(instruction_sets >= 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_leg_that_passes_upright_in_graze_ends_its_drive),
+        cmocka_unit_test(by_cvode_too),
+        cmocka_unit_test(and_by_whoever_integrates_the_equations),
+        cmocka_unit_test(a_stride_in_lanes_passes_upright_in_graze),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
