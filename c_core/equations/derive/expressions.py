@@ -121,6 +121,14 @@ class Expression:
     def __bool__(self) -> bool:
         raise TypeError("a page branches on a value")
 
+    def atan2(self, other: Any) -> "Expression":
+        """Give the angle of the point (other, self)."""
+        return Expression("atan2", self, lift(other))
+
+    def larger(self, other: Any) -> "Expression":
+        """Give the larger of two."""
+        return Expression("larger", self, lift(other))
+
     def __getattr__(self, name: str) -> Any:
         """Give the functions of one number: sqrt, sin, cos, exp, log, expm1, log1p."""
         if name not in UNARY:
@@ -216,6 +224,13 @@ def change_of(node: Expression, changes: list[Expression]) -> Expression:
         return d_a + changes[1] if operation == "+" else d_a - changes[1]
     if operation == "*":
         return d_a * node.operands[1] + a * changes[1]
+    if operation == "larger":
+        return Expression("choose", a, node.operands[1], d_a, changes[1])
+    if operation == "atan2":
+        b = node.operands[1]
+        return (b * d_a - a * changes[1]) / (a * a + b * b)
+    if operation == "/" and a.is_number(1):
+        return -(node * node * changes[1])
     if operation == "/":
         return (d_a - node * changes[1]) / node.operands[1]
     rates: dict[str, Callable[[], Expression]] = {
@@ -259,6 +274,11 @@ def c_text(expression: Expression, text_of: Callable[[Expression], str | None], 
             strength, text = 2, f"-{write(node.operands[0], 2)}"
         elif node.operation in UNARY:
             strength, text = 3, f"{functions}{node.operation}({write(node.operands[0], 0)})"
+        elif node.operation == "atan2":
+            strength, text = 3, f"{functions}atan2({', '.join(write(o, 0) for o in node.operands)})"
+        elif node.operation in ("larger", "choose"):
+            a, b, *chosen = (write(o, 1) for o in (*node.operands, *node.operands)[:4])
+            strength, text = -1, f"{a} >= {b} ? {chosen[0]} : {chosen[1]}"
         else:
             strength = 0 if node.operation in "+-" else 1
             left, right = (write(o, strength + i) for i, o in enumerate(node.operands))

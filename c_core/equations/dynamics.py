@@ -1,0 +1,87 @@
+"""The equations of motion (8)-(9), solved for the accelerations by writing Newton's law for each point mass.
+
+With u = (-sin, cos) along the leg, t = (-cos, -sin) across it and the ground force (f_x, f_y) of the mode:
+
+    foot:  m_f ax = f_x + F_s sin + (tau/r) cos        m_f ay = f_y - F_s cos + (tau/r) sin - m_f g
+    body:  u.a_body = F_s/m + u.a                      t.a_body = tau/(m r) + t.a
+    leg:   rddot = r thetadot^2 + u.(a_body - a_foot)
+           r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot
+
+with a = (0, -g) + (external force)/m. A foot on the ground is accelerated along it alone, and one that
+sticks not at all, exactly and not by cancellation.
+"""
+
+from . import ground_force
+from .functions import Record, larger
+from .leg import damper_power
+
+
+def foot_in_flight(model, leg, torque):
+    """m_f a = F_s (sin, -cos) + (tau/r) (cos, sin) - (0, m_f g), off the ground  (8)."""
+    across = torque * leg.inverse_length
+    push_x = leg.axial_force * leg.sine + across * leg.cosine
+    push_y = across * leg.sine - leg.axial_force * leg.cosine
+    return Record(
+        x=push_x * model.inverse_foot_mass, y=push_y * model.inverse_foot_mass - model.parameters.gravity
+    )
+
+
+def foot_acceleration(model, line, leg, torque, force, contact):
+    """m_f a = f - f_stick, along the ground, and in flight by the leg and gravity  (8)."""
+    if contact == "flight":
+        return foot_in_flight(model, leg, torque)
+    if contact == "stick":
+        return Record(x=0, y=0)
+    held = ground_force.under(model, line, leg, torque)
+    along = (force.tangential - held.tangential) * model.inverse_foot_mass
+    return Record(x=along * line.cosine, y=along * line.sine)
+
+
+def leg_acceleration(model, leg, torque, fall, foot):
+    """rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9)."""
+    turning = (
+        torque * leg.inverse_length * model.inverse_body_mass
+        - (fall.x * leg.cosine + fall.y * leg.sine)
+        + foot.x * leg.cosine
+        + foot.y * leg.sine
+        - 2 * leg.length_rate * leg.angle_rate
+    )
+    return Record(
+        length=leg.length * leg.angle_rate * leg.angle_rate
+        + leg.axial_force * model.inverse_body_mass
+        + (fall.y * leg.cosine - fall.x * leg.sine)
+        + foot.x * leg.sine
+        - foot.y * leg.cosine,
+        angle=turning * leg.inverse_length,
+    )
+
+
+def rates(model, state, leg, torque, force, foot, acceleration, slip_velocity, place_rate, external_power):
+    """The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
+
+    The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg
+    does no work.
+    """
+    power = torque * leg.angle_rate
+    return Record(
+        foot_x=state.foot_vx,
+        foot_y=state.foot_vy,
+        leg_length=leg.length_rate,
+        leg_angle=leg.angle_rate,
+        foot_vx=foot.x,
+        foot_vy=foot.y,
+        leg_length_rate=acceleration.length,
+        leg_angle_rate=acceleration.angle,
+        hip_work=power,
+        hip_place_time=place_rate,
+        leg_work=0,
+        energy_damper_loss=damper_power(model.parameters.leg.damping, leg.length_rate),
+        energy_friction_loss=-force.tangential * slip_velocity,
+        hip_positive_work=larger(0, power),
+        energy_external_work=external_power,
+    )
+
+
+def external_power(inputs, body):
+    """f.v_m, the power of the external force on the body."""
+    return inputs.body.external_fx * body.vx + inputs.body.external_fy * body.vy

@@ -1,0 +1,31 @@
+"""Free fall: gravity and the external force on the body, and the centre of mass in flight."""
+
+from .functions import Record
+
+
+def push_on_body(model, inputs):
+    """The external force by the body's mass; of inputs' rates, its rate."""
+    return Record(
+        x=inputs.body.external_fx * model.inverse_body_mass,
+        y=inputs.body.external_fy * model.inverse_body_mass,
+    )
+
+
+def of_body(model, push):
+    """a = (0, -g) + (external force)/m, of the body alone."""
+    return Record(x=push.x, y=push.y - model.parameters.gravity)
+
+
+def of_center(model, push):
+    """(0, -g) + (external force)/(m + m_f), of the centre of mass."""
+    return Record(x=model.body_share * push.x, y=model.body_share * push.y - model.parameters.gravity)
+
+
+def ballistic(start, fall, jerk, time):
+    """The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6."""
+    return Record(
+        x=start.x + time * (start.vx + time * (fall.x / 2 + time * jerk.x / 6)),
+        y=start.y + time * (start.vy + time * (fall.y / 2 + time * jerk.y / 6)),
+        vx=start.vx + time * (fall.x + time * jerk.x / 2),
+        vy=start.vy + time * (fall.y + time * jerk.y / 2),
+    )

@@ -1,0 +1,54 @@
+"""The ground: a line with tangent t = (cos sigma, sin sigma), normal n = (-sin sigma, cos sigma).
+
+Its pivot is (0, h).
+"""
+
+from .functions import Record
+
+
+def along(line, x, y):
+    """t.(x, y), what of a vector is along the line."""
+    return line.cosine * x + line.sine * y
+
+
+def off(line, x, y):
+    """n.(x, y), what of a vector is across the line."""
+    return line.cosine * y - line.sine * x
+
+
+def place_along(line, x, y):
+    """t.(p - (0, h)), from the pivot along the line."""
+    return along(line, x, y - line.height)
+
+
+def height_over(line, x, y):
+    """n.(p - (0, h)), the distance from the line, negative below."""
+    return off(line, x, y - line.height)
+
+
+def height_at(line, x):
+    """h + x tan sigma, the height of the line."""
+    return line.height + x * (line.sine / line.cosine)
+
+
+def point_on(line, along, velocity):
+    """The point at a distance from the pivot that moves along the line."""
+    return Record(
+        x=line.cosine * along,
+        y=line.height + line.sine * along,
+        vx=line.cosine * velocity,
+        vy=line.sine * velocity,
+    )
+
+
+def vector_on(line, tangential, normal):
+    """f_t t + f_n n, in horizontal and vertical components."""
+    return Record(
+        x=tangential * line.cosine - normal * line.sine,
+        y=tangential * line.sine + normal * line.cosine,
+    )
+
+
+def path_to(line, x):
+    """x/cos sigma, the way along the line to what is above x."""
+    return x / line.cosine

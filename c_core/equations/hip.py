@@ -1,0 +1,93 @@
+"""The hip's law, with the corrections to the printed one that its text and its gaits ask for.
+
+    stance (11):  tau = -tau0 from touchdown with theta >= 0 to mid-stance, then 0
+    retract (12): tau = max{-kp (theta - eta theta_LO) - kd thetadot, 0}      while the centre of mass rises
+    place (12):   tau = -kp (theta - theta_ref) - kd (thetadot + omega)       from the apex on
+
+The sign in (11) is turned, because theta falls in forward running and only a negative torque then does
+positive work; min in (12) is a max, because the text asks for a positive torque that stops the leg's
+backward rotation. In place the leg is retracted: theta_ref = theta0 - omega s, with s the time since place
+began; the paper has omega = 0.
+
+In every phase the law is affine in the leg's angle, its rate and time, and is data, with t counted from now:
+
+    tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t
+"""
+
+from .functions import Record
+
+
+def _law(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
+    return Record(
+        gain=gain,
+        rate_gain=rate_gain,
+        target=target,
+        target_rate=target_rate,
+        torque=torque,
+        torque_rate=torque_rate,
+    )
+
+
+def external(inputs, rates):
+    """The torque from outside alone; `rates` are those of the inputs."""
+    return _law(torque=inputs.hip.external_torque, torque_rate=rates.hip.external_torque)
+
+
+def stance(model, inputs, rates, drives):
+    """-tau0 while the stance drives, then 0  (11), and the torque from outside."""
+    drive = model.parameters.hip.stance_torque + inputs.control.stance_torque if drives else 0
+    return _law(torque=inputs.hip.external_torque - drive, torque_rate=rates.hip.external_torque)
+
+
+def retract(hip, liftoff_angle):
+    """-kp (theta - eta theta_LO) - kd thetadot  (12)."""
+    return _law(gain=hip.kp, rate_gain=hip.kd, target=hip.liftoff_angle_factor * liftoff_angle)
+
+
+def place(hip, control, place_time):
+    """-kp (theta - theta0 + omega s) - kd (thetadot + omega)  (12)."""
+    return _law(
+        gain=hip.kp,
+        rate_gain=hip.kd,
+        target=hip.touchdown_angle + control.touchdown_angle - hip.retraction_rate * place_time,
+        target_rate=-hip.retraction_rate,
+        torque=-hip.kd * hip.retraction_rate,
+    )
+
+
+def servo(model, inputs, phase, liftoff_angle, place_time):
+    """Of the flight's law the servo alone: the sign of its torque decides the clamp."""
+    hip = model.parameters.hip
+    return place(hip, inputs.control, place_time) if phase == "place" else retract(hip, liftoff_angle)
+
+
+def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time):
+    """Off the ground: the servo, unless the clamp of (12) holds it at 0, and the torque from outside."""
+    if phase != "place" and clamp_closed:
+        return external(inputs, rates)
+    law = servo(model, inputs, phase, liftoff_angle, place_time)
+    law.torque = law.torque + inputs.hip.external_torque
+    law.torque_rate = rates.hip.external_torque
+    return law
+
+
+def torque(law, angle, angle_rate):
+    """gain (target - theta) - rate_gain thetadot + torque, now."""
+    return law.gain * (law.target - angle) - law.rate_gain * angle_rate + law.torque
+
+
+def drift(law):
+    """The rate of the torque while the leg stands still."""
+    return law.torque_rate + law.gain * law.target_rate
+
+
+def after(law, elapsed):
+    """The law as it is some time later."""
+    return _law(
+        law.gain,
+        law.rate_gain,
+        law.target + elapsed * law.target_rate,
+        law.target_rate,
+        law.torque + elapsed * law.torque_rate,
+        law.torque_rate,
+    )
