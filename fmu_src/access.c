@@ -29,6 +29,12 @@ static bool is_stored(const unit_variable *variable) {
            variable->storage == STORED_STATE;
 }
 
+/* A state without a start value, of a run that has not begun: the start calculates it. */
+static bool follows_from_start(const instance *instance, const unit_variable *variable) {
+    return variable->storage == STORED_STATE && !variable->settable_before_start &&
+           !unit_has_begun(&instance->unit);
+}
+
 static call_status get_number(instance *instance, const char *call, unsigned types, uint32_t reference,
                               double *value) {
     const unit_variable *variable = find_variable(instance, call, reference, types);
@@ -36,9 +42,11 @@ static call_status get_number(instance *instance, const char *call, unsigned typ
         return CALL_ERROR;
     }
     call_status status = CALL_OK;
-    const unit_view *view = is_stored(variable) ? NULL : current_view(instance, call, &status);
+    const bool calculated = follows_from_start(instance, variable);
+    const unit_view *view = is_stored(variable) && !calculated ? NULL : current_view(instance, call, &status);
     if (status == CALL_OK) {
-        *value = unit_get_number(&instance->unit, view, variable);
+        *value =
+            calculated ? view->states[variable->place] : unit_get_number(&instance->unit, view, variable);
     }
     return status;
 }

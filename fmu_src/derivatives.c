@@ -74,7 +74,7 @@ static void differentiate(const instance *instance, const unit *present, unit *d
     }
     unit_differentiate_start(&instance->unit, present, direction, change);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        direction->motion.state[i] = 0.0; /* a start sets these to zero */
+        direction->motion.state[i] = change->states[i]; /* calculated at the start */
     }
 }
 

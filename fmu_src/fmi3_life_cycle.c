@@ -68,13 +68,9 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     static const char call[] = "fmi3InstantiateCoSimulation";
     (void)resource_path;
     (void)visible;
-    (void)required_variables;
+    (void)required_variables; /* for updates between communication points, of which the unit makes none */
+    (void)required_count;
     (void)update;
-    if (required_count > 0) {
-        refuse_instance(call, "intermediate variables are required, and the unit provides none", environment,
-                        logger);
-        return NULL;
-    }
     fmi3_instance *made = instantiate(call, event_mode_used ? CO_SIMULATION_WITH_EVENT_MODE : CO_SIMULATION,
                                       name, token, logging, environment, logger);
     if (made != NULL) {

@@ -80,8 +80,17 @@ call_status get_states(instance *instance, const char *call, double states[], si
         !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
+    call_status status = CALL_OK;
+    const unit_view *view = NULL;
     memcpy(states, instance->unit.motion.state, sizeof instance->unit.motion.state);
-    return CALL_OK;
+    if (!unit_has_begun(&instance->unit)) {
+        view = current_view(instance, call, &status);
+    }
+    if (view != NULL) { /* the start calculates those that have no start value */
+        memcpy(states + TDMF_MECHANICAL_COUNT, view->states + TDMF_MECHANICAL_COUNT,
+               (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *states);
+    }
+    return status;
 }
 
 call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count) {

@@ -10,6 +10,7 @@
 static const uint32_t byte_order = 0x01020304; /* reads otherwise on a machine of another kind */
 
 typedef struct {
+    uint64_t zero; /* an importer that frees a state where its address is due frees a null pointer */
     char guid[40]; /* of the unit that saved it: its variables and version */
     uint32_t byte_order;
     uint32_t size;
@@ -53,7 +54,7 @@ static const char *read_state(const void *state, saved_run *run, char *reason, s
     if (found.byte_order != wanted.byte_order || found.size != wanted.size) {
         return "it was saved by another program or on another kind of machine";
     }
-    if (memcmp(found.guid, wanted.guid, sizeof found.guid) != 0) {
+    if (found.zero != wanted.zero || memcmp(found.guid, wanted.guid, sizeof found.guid) != 0) {
         return "it was saved by another version of the unit";
     }
     if (found.checksum != wanted.checksum) {

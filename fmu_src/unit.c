@@ -72,6 +72,7 @@ void unit_evaluate(const unit *unit, unit_view *view) {
     unit_event_indicators(unit, view->guards);
     view->work.solver.steps = as_integer(unit->solver.steps);
     view->work.solver.evaluations = as_integer(unit->solver.evaluations);
+    memcpy(view->states, unit->motion.state, sizeof view->states);
 }
 
 static void differentiate(const unit *unit, const tdmf_change *change, const tdmf_variation *variation,
@@ -81,6 +82,7 @@ static void differentiate(const unit *unit, const tdmf_change *change, const tdm
         tdmf_tangent_along(&unit->model, &unit->inputs, &motion->mode, motion->state, change, variation);
     memset(view, 0, sizeof *view);
     memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
+    memcpy(view->states, variation->state, sizeof view->states);
     view->outputs.body.x = tangent.body.x;
     view->outputs.body.y = tangent.body.y;
     view->outputs.body.vx = tangent.body.vx;

@@ -60,6 +60,7 @@ typedef struct {
 typedef struct {
     tdmf_outputs outputs;
     unit_work work;
+    double states[TDMF_STATE_COUNT]; /* of a run that has not begun: those that it would begin with */
     double derivatives[TDMF_STATE_COUNT];
     double guards[TDMF_GUARD_COUNT];
 } unit_view;

@@ -1,19 +1,19 @@
-/* Serialized states as an attacker would make them: the header is 40 bytes of identification, 4 each of byte
- * order and size, and 8 of the checksum of what follows: 4 bytes each of interface and state of the call
- * sequence, one that tells whether an event is pending, and the run. */
+/* Serialized states as an attacker would make them: the header is 8 bytes of zero, 40 of identification, 4 each
+ * of byte order and size, and 8 of the checksum of what follows: 4 bytes each of interface and state of the
+ * call sequence, one that tells whether an event is pending, and the run. */
 #ifndef TDMF_TESTS_FORGE_H
 #define TDMF_TESTS_FORGE_H
 
 #include <stddef.h>
 
 enum {
-    FORGE_BYTE_ORDER = 40,
-    FORGE_SIZE = 44,
-    FORGE_CHECKSUM = 48,
-    FORGE_CONTENT = 56,
-    FORGE_CALL_STATE = 60,
-    FORGE_BEGUN = 64,
-    FORGE_PENDING = 65
+    FORGE_BYTE_ORDER = 48,
+    FORGE_SIZE = 52,
+    FORGE_CHECKSUM = 56,
+    FORGE_CONTENT = 64,
+    FORGE_CALL_STATE = 68,
+    FORGE_BEGUN = 72,
+    FORGE_PENDING = 73
 };
 
 /* Makes the checksum that of the present content. */

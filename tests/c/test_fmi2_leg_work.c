@@ -153,6 +153,32 @@ static void jumps_without_an_event_are_seen_at_the_next_step(void **state) {
     assert_true(fine.gap < 0.5 * coarse.gap && fine.gap < 2e-5);
 }
 
+/* A leg that lengthens on the ground thrusts from the start on, which is work at once. */
+static void a_thrust_from_the_start_is_read_before_the_run_begins(void **state) {
+    const double length = 0.8, thrust = 0.02, free_length = 1.0, stiffness = 1.0;
+    const double gained =
+        0.5 * stiffness * (pow(free_length + thrust - length, 2.0) - pow(free_length - length, 2.0));
+    fmi2Component component = new_instance();
+    double x[TDMF_STATE_COUNT];
+    (void)state;
+    assert_int_equal(set_real(component, "leg.thrust", thrust), fmi2OK);
+    assert_int_equal(set_real(component, "leg.length", length), fmi2OK);
+    assert_int_equal(set_real(component, "leg.length_rate", 0.1), fmi2OK);
+    assert_int_equal(set_real(component, "leg.angle", -0.2), fmi2OK);
+    assert_int_equal(set_real(component, "foot.y", 0.0), fmi2OK);
+    assert_int_equal(set_real(component, "foot.vx", 0.0), fmi2OK);
+    assert_int_equal(set_real(component, "foot.vy", 0.0), fmi2OK);
+    assert_close(get_real(component, "leg.work"), gained, 1e-15);
+    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
+    const double before = get_real(component, "leg.work");
+    assert_close(before, gained, 1e-15);
+    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_true(x[TDMF_LEG_WORK] == before && x[TDMF_LEG_LENGTH] == length && x[TDMF_FOOT_VX] == 0.0);
+    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    assert_true(get_real(component, "leg.work") == before);
+    fmi2FreeInstance(component);
+}
+
 /* In event mode, before it is told of, the work is part of a saved state. */
 static void work_that_is_due_is_saved(void **state) {
     fmi2Component one = new_instance(), other = new_instance();
@@ -185,6 +211,7 @@ int main(void) {
         cmocka_unit_test(an_extension_that_stays_asks_for_no_event),
         cmocka_unit_test(a_jump_in_event_mode_is_accounted_for_exactly),
         cmocka_unit_test(jumps_without_an_event_are_seen_at_the_next_step),
+        cmocka_unit_test(a_thrust_from_the_start_is_read_before_the_run_begins),
         cmocka_unit_test(work_that_is_due_is_saved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

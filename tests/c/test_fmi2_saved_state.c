@@ -196,6 +196,26 @@ static void states_of_other_interfaces_are_refused(void **unused) {
     fmi2FreeInstance(exchange);
 }
 
+/* fmusim 0.0.39 frees a state so. It stays the caller's, who has lost it. */
+static void a_state_passed_where_its_address_is_due_is_left_alone(void **unused) {
+    (void)unused;
+    fmi2FMUstate saved = NULL;
+    fmi2Component component = new_slave(), twin = new_slave();
+    initialize(component);
+    initialize(twin);
+    step(component, 12.0);
+    step(twin, 12.0);
+    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
+    step(component, 5.0);
+    assert_int_equal(fmi2FreeFMUstate(component, saved), fmi2OK);
+    assert_int_equal(fmi2SetFMUstate(component, saved), fmi2OK);
+    assert_same(component, twin);
+    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
+    assert_null(saved);
+    fmi2FreeInstance(component);
+    fmi2FreeInstance(twin);
+}
+
 /* ---- as fmusim resumes a run: restore, then start values, then on without initialization --------------- */
 
 static void change(fmi2Component component) {
@@ -399,6 +419,7 @@ int main(void) {
         cmocka_unit_test(an_error_is_left_by_an_older_state),
         cmocka_unit_test(bytes_that_are_no_state_are_refused),
         cmocka_unit_test(states_of_other_interfaces_are_refused),
+        cmocka_unit_test(a_state_passed_where_its_address_is_due_is_left_alone),
         cmocka_unit_test(an_instance_after_an_error_is_saved_as_such),
         cmocka_unit_test(a_changed_run_of_co_simulation_is_resumed),
         cmocka_unit_test(a_changed_run_of_model_exchange_is_resumed),

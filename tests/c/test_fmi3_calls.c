@@ -31,16 +31,63 @@ static void refuses_wrong_name_and_token(void **state) {
     assert_not_made("runner", NULL, "token");
 }
 
-static void refuses_interfaces_and_variables_it_does_not_have(void **state) {
-    const fmi3ValueReference wanted = reference_of("foot.x");
+static void refuses_an_interface_it_does_not_have(void **state) {
     (void)state;
     forget_messages();
     assert_null(fmi3InstantiateScheduledExecution("runner", UNIT_GUID, NULL, false, false, NULL,
                                                   importer_logger, NULL, NULL, NULL));
     assert_non_null(strstr(last_message, "Scheduled Execution"));
-    assert_null(fmi3InstantiateCoSimulation("runner", UNIT_GUID, NULL, false, false, false, false, &wanted, 1,
-                                            NULL, importer_logger, NULL));
-    assert_non_null(strstr(last_message, "intermediate"));
+}
+
+static void called_back(fmi3InstanceEnvironment environment, fmi3Float64 time, fmi3Boolean set_requested,
+                        fmi3Boolean get_allowed, fmi3Boolean step_finished, fmi3Boolean may_return_early,
+                        fmi3Boolean *early_return, fmi3Float64 *early_return_time) {
+    (void)environment;
+    (void)time;
+    (void)set_requested;
+    (void)get_allowed;
+    (void)step_finished;
+    (void)may_return_early;
+    (void)early_return;
+    (void)early_return_time;
+    fail_msg("the unit has called back");
+}
+
+/* Intermediate updates are an offer that the unit need not take up. */
+static void an_importer_that_offers_intermediate_updates_is_never_called_back(void **state) {
+    const fmi3ValueReference wanted[] = {reference_of("foot.x"), reference_of("leg.angle")};
+    (void)state;
+    forget_messages();
+    for (int way = 0; way < 4; ++way) {
+        const fmi3Boolean event_mode = way >= 2, early_return = way % 2 == 1;
+        double places[2];
+        for (int offers = 0; offers < 2; ++offers) {
+            fmi3Instance instance = fmi3InstantiateCoSimulation(
+                "runner", UNIT_GUID, NULL, false, false, event_mode, early_return, offers ? wanted : NULL,
+                offers ? 2 : 0, NULL, importer_logger, offers ? called_back : NULL);
+            step_answer answer;
+            update_answer updated;
+            assert_non_null(instance);
+            initialize3(instance);
+            if (event_mode) {
+                assert_int_equal(update(instance, &updated), fmi3OK);
+                assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+            }
+            for (int i = 0; i < 4; ++i) { /* early, to the first event */
+                assert_int_equal(do_step(instance, get_float(instance, "time"), 40.0, &answer), fmi3OK);
+                if (answer.event) {
+                    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+                    assert_int_equal(update(instance, &updated), fmi3OK);
+                    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+                }
+            }
+            assert_int_equal(answer.event, way == 3);
+            places[offers] = get_float(instance, "foot.x");
+            fmi3FreeInstance(instance);
+        }
+        assert_true(places[0] == places[1]);
+    }
+    assert_int_equal(message_count, 0);
 }
 
 static void refuses_null_instances(void **state) {
@@ -623,7 +670,8 @@ static void derivatives_by_what_is_fixed_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_wrong_name_and_token),
-        cmocka_unit_test(refuses_interfaces_and_variables_it_does_not_have),
+        cmocka_unit_test(refuses_an_interface_it_does_not_have),
+        cmocka_unit_test(an_importer_that_offers_intermediate_updates_is_never_called_back),
         cmocka_unit_test(refuses_null_instances),
         cmocka_unit_test(runs_without_logger),
         cmocka_unit_test(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken),
