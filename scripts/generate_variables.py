@@ -248,14 +248,21 @@ def guid_of(source, version):
     return "{" + str(uuid.UUID(hashlib.sha256(content).hexdigest()[:32])) + "}"
 
 
+def declared_dependencies(table, tag):
+    """Dependencies by name, as the elements of that name in the table's ModelStructure have them."""
+    return {
+        table.find(element.get("name"), "ModelStructure").name: element.get("dependencies").split()
+        for element in table.root.find("ModelStructure").iter(tag)
+    }
+
+
 def known_dependencies(table):
-    """Dependencies by name; an output that is a state depends on itself."""
+    """Dependencies by name: of an output that is a state, itself; of one that only events change, nothing."""
     dependencies = {s.name: [s.name] for s in table.states if s.causality == "output"}
-    for element in table.root.find("ModelStructure"):
-        dependencies[table.find(element.get("name"), "ModelStructure").name] = element.get(
-            "dependencies"
-        ).split()
-    return dependencies
+    dependencies |= {
+        v.name: [] for v in table.variables if v.causality == "output" and v.variability == "discrete"
+    }
+    return dependencies | declared_dependencies(table, "Unknown")
 
 
 def initial_unknowns(table):
@@ -266,10 +273,11 @@ def initial_unknowns(table):
 def structure(table):
     """The model structure: (kind, variable, names of what it depends on or None where that is not said)."""
     dependencies = known_dependencies(table)
+    at_start = declared_dependencies(table, "InitialUnknown")
     outputs = [v for v in table.variables if v.causality == "output"]
     rows = [("output", v, dependencies.get(v.name)) for v in outputs]
     rows += [("derivative", v, dependencies.get(v.name)) for v in table.derivatives]
-    rows += [("initial", v, None) for v in initial_unknowns(table)]
+    rows += [("initial", v, at_start.get(v.name)) for v in initial_unknowns(table)]
     return rows
 
 
@@ -367,9 +375,10 @@ def fmi3_interface(element):
 
 
 def fmi3_type(element):
-    """A declared type of FMI 3.0."""
+    """A declared type of FMI 3.0, without its description, on which FMPy 0.3.19 to 0.3.23 stumbles."""
     (value,) = element
-    made = ElementTree.Element(FMI3_TYPES.get(value.tag, value.tag) + "Type", element.attrib | value.attrib)
+    attributes = {"name": element.get("name")} | value.attrib
+    made = ElementTree.Element(FMI3_TYPES.get(value.tag, value.tag) + "Type", attributes)
     made.extend(list(value))
     return made
 

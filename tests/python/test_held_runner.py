@@ -1,15 +1,22 @@
 """The runner in a bigger system: an SSP description of it and a controller, run by two tools."""
 
+import graphlib
 import importlib
+import io
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+import zipfile
 
+import fmpy.ssp
 import numpy as np
 import pytest
+from fmpy.fmi2 import FMU2Slave
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.validation import validate_fmu
+from lxml import etree
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 STEP, STOP_TIME = 0.1, 150.0
@@ -75,6 +82,94 @@ def test_a_container_runs_the_system_as_the_library(system, expected, tmp_path):
     assert count > 1490
     for name, column in (("place", 1), ("leg_angle", 2), ("speed", 3)):
         assert rows[name][:count] == pytest.approx(expected[:count, column], rel=1e-8, abs=1e-8), name
+
+
+# ---- what OMSimulator reads of it; the guide to other tools tells of its run ---------------------------
+
+
+@pytest.fixture(scope="module")
+def structure(system):
+    """The system's description, checked against its schema, without namespaces as OMSimulator reads it."""
+    with zipfile.ZipFile(system) as archive:
+        content = archive.read("SystemStructure.ssd")
+    schema = pathlib.Path(fmpy.ssp.__file__).parent / "schema" / "SystemStructureDescription.xsd"
+    etree.XMLSchema(file=str(schema)).assertValid(etree.fromstring(content))
+    return etree.fromstring(re.sub(rb' xmlns:\w+="[^"]*"', b"", content), etree.XMLParser(recover=True))
+
+
+def test_omsimulator_finds_a_master_of_fixed_steps(structure):
+    path = ("System", "Annotations", "Annotation", "Annotations", "SimulationInformation", "FixedStepMaster")
+    prefixes = ("ssd", "ssd", "ssc", "oms", "oms", "oms")
+    element = structure
+    for prefix, name in zip(prefixes, path, strict=True):
+        (element,) = (child for child in element if child.tag == f"{prefix}:{name}")
+    assert element.get("description") == "oms-ma" and float(element.get("stepSize")) == STEP
+    (annotation,) = structure.iter("ssc:Annotation")
+    assert annotation.get("type") == "org.openmodelica"
+
+
+def followers(system, structure, group):
+    """(element, variable) -> what follows it at once, by connections and by what units declare of inputs."""
+    edges = {}
+    for connection in structure.iter("ssd:Connection"):
+        start, end = (
+            (connection.get(f"{side}Element"), connection.get(f"{side}Connector"))
+            for side in ("start", "end")
+        )
+        edges.setdefault(start, []).append(end)
+    for component in structure.iter("ssd:Component"):
+        with zipfile.ZipFile(system) as archive, archive.open(component.get("source")) as unit:
+            description = fmpy.read_model_description(io.BytesIO(unit.read()))
+        inputs = {v.name: v for v in description.modelVariables if v.causality == "input"}
+        for unknown in getattr(description, group):
+            knowns = inputs.values() if unknown.dependencies is None else unknown.dependencies
+            for known in (known for known in knowns if known.name in inputs):
+                name = component.get("name")
+                edges.setdefault((name, known.name), []).append((name, unknown.variable.name))
+    return edges
+
+
+@pytest.mark.parametrize("group", ["outputs", "initialUnknowns"])
+def test_the_system_has_no_algebraic_loop(system, structure, group):
+    edges = followers(system, structure, group)
+    order = list(graphlib.TopologicalSorter(edges).static_order())
+    assert {("runner", "stride.speed"), ("controller", "touchdown_angle")} <= set(order)
+
+
+def test_the_controller_s_angle_follows_from_no_input_but_by_a_step(system, tmp_path):
+    path = str(system.with_name("STRIDE_CONTROLLER.fmu"))
+    description = fmpy.read_model_description(path)
+    references = {v.name: v.valueReference for v in description.modelVariables}
+    controller = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=fmpy.extract(path, str(tmp_path)),
+        modelIdentifier="STRIDE_CONTROLLER",
+        instanceName="controller",
+    )
+    controller.instantiate()
+    controller.setupExperiment()
+    controller.enterInitializationMode()
+    angles = []
+    for speed, strides in ((0.0, 0), (1.06, 0), (1.06, 1), (1.04, 1), (1.04, 2)):
+        held = controller.getReal([references["touchdown_angle"]])
+        controller.setReal([references["speed"]], [speed])
+        controller.setInteger([references["strides"]], [strides])
+        assert controller.getReal([references["touchdown_angle"]]) == held
+        if not angles:
+            controller.exitInitializationMode()
+        controller.doStep(0.1 * len(angles), 0.1)
+        angles += controller.getReal([references["touchdown_angle"]])
+    controller.freeInstance()
+    assert angles == pytest.approx([0.0, 0.0, 0.05, 0.05, -0.04], abs=1e-15)
+
+
+def test_it_ends_where_the_guide_says_that_omsimulator_did(example, structure):
+    (experiment,) = structure.iter("ssd:DefaultExperiment")
+    stop_time = float(experiment.get("stopTime"))
+    held = example.by_communication(STEP, stop_time - STEP / 2)
+    assert held[-1][0] + STEP == pytest.approx(stop_time) and stop_time == example.LONGEST
+    guide = (EXAMPLES.parent / "documentation/guides/tools.md").read_text(encoding="utf-8")
+    assert f"{held[-1][1]:.6f}" in guide
 
 
 def test_the_speed_is_held(example):

@@ -1,10 +1,16 @@
 """Dependencies declared in the model structure, and directional derivatives, against perturbations."""
 
+import ctypes
 import math
 import random
 
+import fmpy
 import numpy as np
 import pytest
+import tdmf_slip
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 INPUTS = (
     "ground.friction",
@@ -17,6 +23,30 @@ INPUTS = (
     "control.touchdown_angle",
     "control.stance_torque",
     "control.thrust",
+)
+CONTINUOUS_INPUTS = (
+    "ground.friction",
+    "hip.external_torque",
+    "leg.extension",
+    "body.external_fx",
+    "body.external_fy",
+)
+STATES = (
+    "foot.x",
+    "foot.y",
+    "leg.length",
+    "leg.angle",
+    "foot.vx",
+    "foot.vy",
+    "leg.length_rate",
+    "leg.angle_rate",
+    "hip.work",
+    "hip.place_time",
+    "leg.work",
+    "energy.damper_loss",
+    "energy.friction_loss",
+    "hip.positive_work",
+    "energy.external_work",
 )
 ALL_MODES = {1, 2, 3, 4, 5}
 
@@ -48,60 +78,307 @@ def random_start(draw):
     }
 
 
+WIDE = {
+    "ground.friction": (0, 3),
+    "ground.height": (-1, 1),
+    "ground.slope": (-0.5, 0.5),
+    "leg.extension": (-0.3, 0.3),
+    "control.thrust": (-0.3, 0.3),
+    "leg.length": (0.2, 2),
+    "hip.place_time": (0, 10),
+}
+"""Where a jump leads, of what is not between -2 and 2."""
+READERS = {
+    2: {
+        "Real": "Real",
+        "Integer": "Integer",
+        "Enumeration": "Integer",
+        "Boolean": "Boolean",
+        "String": "String",
+    },
+    3: {
+        "Float64": "Float64",
+        "Int32": "Int32",
+        "Enumeration": "Int64",
+        "Boolean": "Boolean",
+        "String": "String",
+    },
+}
+"""FMPy's functions for each type of variable, by the version of FMI."""
+
+
 @pytest.fixture(scope="module")
 def declared(description):
-    """Unknown -> the knowns that it may depend on; those without a declaration are left out."""
-    unknowns = [*description.outputs, *description.derivatives]
+    """Continuous unknown -> the knowns that it depends on."""
     return {
         unknown.variable.name: {known.name for known in unknown.dependencies}
-        for unknown in unknowns
+        for unknown in (*description.outputs, *description.derivatives)
         if unknown.variable.variability == "continuous"
     }
 
 
-def moved(unknowns, before, after):
-    return {name for name, a, b in zip(unknowns, before, after, strict=True) if a != b}
+class Probe:
+    """An instance of either version of FMI, of which everything may be read and much be set."""
+
+    def __init__(self, unit, kind, **options):
+        self.fmi, self.description = unit.fmi, unit.description
+        self.variables = {v.name: v for v in self.description.modelVariables}
+        self.model = kind(
+            guid=self.description.guid,
+            unzipDirectory=unit.folder,
+            modelIdentifier="TDMF_SLIP",
+            instanceName="runner",
+        )
+        self.model.instantiate(**options)
+
+    def of_each_type(self, names):
+        """(FMPy's name of a type, names of that type)."""
+        groups = {}
+        for name in names:
+            groups.setdefault(READERS[self.fmi][self.variables[name].type], []).append(name)
+        return groups.items()
+
+    def read(self, names):
+        """Values by name, of any type."""
+        values = {}
+        for kind, members in self.of_each_type(names):
+            references = [self.variables[name].valueReference for name in members]
+            values.update(zip(members, getattr(self.model, f"get{kind}")(references), strict=True))
+        return values
+
+    def write(self, name, value):
+        ((kind, _),) = self.of_each_type([name])
+        getattr(self.model, f"set{kind}")([self.variables[name].valueReference], [value])
+
+    def begin(self, start, time=0.0):
+        """Into Initialization Mode, with start values."""
+        if self.fmi == 2:
+            self.model.setupExperiment(startTime=time)
+            self.model.enterInitializationMode()
+        else:
+            self.model.enterInitializationMode(startTime=time)
+        for name, value in start.items():
+            self.write(name, value)
+
+    def update(self):
+        self.model.newDiscreteStates() if self.fmi == 2 else self.model.updateDiscreteStates()
+
+    def states(self):
+        values = (ctypes.c_double * len(STATES))()
+        self.model.getContinuousStates(values, len(STATES))
+        return list(values)
+
+    def set_states(self, values):
+        self.model.setContinuousStates((ctypes.c_double * len(STATES))(*values), len(STATES))
 
 
-def changed_by_input(instance, unknowns, known):
-    """Names of the unknowns that move when an input does, in event mode."""
-    before = instance.real(*unknowns)
-    value = instance.real(known)[0]
-    instance.set_values({known: value + 1e-3})
-    after = instance.real(*unknowns)
-    instance.set_values({known: value})
-    return moved(unknowns, before, after)
+class Unit:
+    """The unit of a version of FMI, and what its description declares."""
+
+    def __init__(self, fmi, folder):
+        self.fmi = fmi
+        self.description = fmpy.read_model_description(tdmf_slip.fmu_path(fmi=fmi))
+        self.folder = fmpy.extract(str(tdmf_slip.fmu_path(fmi=fmi)), str(folder))
+
+    def exchange(self):
+        return Probe(self, FMU2Model if self.fmi == 2 else FMU3Model)
+
+    def stepper(self, **options):
+        return Probe(self, FMU2Slave if self.fmi == 2 else FMU3Slave, **options)
+
+    def declared(self, *groups):
+        """Unknown -> names of what it depends on, or None where that is not said."""
+        return {
+            unknown.variable.name: None
+            if unknown.dependencies is None
+            else {known.name for known in unknown.dependencies}
+            for group in groups
+            for unknown in getattr(self.description, group)
+        }
 
 
-def changed_by_state(instance, unknowns, known):
-    """Names of the unknowns that move when a state does, in continuous-time mode."""
-    before = instance.real(*unknowns)
-    states = instance.continuous_states()
-    instance.set_continuous_states(states + 1e-3 * (np.array(instance.states) == known))
-    after = instance.real(*unknowns)
-    instance.set_continuous_states(states)
-    return moved(unknowns, before, after)
+@pytest.fixture(scope="module", params=[2, 3], ids=["FMI 2.0", "FMI 3.0"])
+def version(request, tmp_path_factory):
+    return Unit(request.param, tmp_path_factory.mktemp("unit"))
 
 
-def test_declared_dependencies_are_those_observed(new_instance, declared):
+class Observed:
+    """Which unknowns have been seen to follow which knowns at once."""
+
+    def __init__(self, unknowns):
+        self.of = {name: set() for name in unknowns}
+
+    def compare(self, known, before, after):
+        for name, values in self.of.items():
+            if before[name] != after[name]:
+                values.add(known)
+
+
+def elsewhere(draw, name, value):
+    """A little off, and two jumps."""
+    return [value + 1e-3, *(draw.uniform(*WIDE.get(name, (-2, 2))) for _ in range(2))]
+
+
+def move_inputs(probe, observed, draw, names):
+    """Set each of these inputs elsewhere, and back."""
+    before = probe.read(observed.of)
+    for known in names:
+        (value,) = probe.read([known]).values()
+        for other in elsewhere(draw, known, value):
+            probe.write(known, other)
+            observed.compare(known, before, probe.read(observed.of))
+        probe.write(known, value)
+    assert probe.read(observed.of) == before
+
+
+def move_states_and_time(probe, observed, draw):
+    """Set each state elsewhere, and the clock, and back."""
+    before, states = probe.read(observed.of), probe.states()
+    for i, known in enumerate(STATES):
+        for other in elsewhere(draw, known, states[i]):
+            probe.set_states([*states[:i], other, *states[i + 1 :]])
+            observed.compare(known, before, probe.read(observed.of))
+    probe.set_states(states)
+    for time in (1e-3, 3.7):
+        probe.model.setTime(time)
+        observed.compare("time", before, probe.read(observed.of))
+    probe.model.setTime(0.0)
+    assert probe.read(observed.of) == before
+
+
+def fall(probe):
+    """By a leg that is too short."""
+    probe.model.enterContinuousTimeMode()
+    states = probe.states()
+    states[STATES.index("leg.length")] = 0.01
+    probe.set_states(states)
+    probe.model.enterEventMode()
+    probe.update()
+
+
+def test_declared_dependencies_are_those_observed(version):
+    """In event mode and in continuous time, of outputs of every type: nothing more, nothing less."""
     draw = random.Random(2016)
-    unknowns = sorted(declared)
-    observed = {name: set() for name in unknowns}
-    modes = set()
-    for _ in range(200):
-        instance = new_instance()
-        instance.set_values(random_start(draw))
-        instance.start()
-        modes.add(instance.integer("contact.mode"))
-        for known in INPUTS:
-            for name in changed_by_input(instance, unknowns, known):
-                observed[name].add(known)
-        instance.model.enterContinuousTimeMode()
-        for known in instance.states:
-            for name in changed_by_state(instance, unknowns, known):
-                observed[name].add(known)
-    assert modes == ALL_MODES
-    assert observed == declared
+    declared = version.declared("outputs", "derivatives")
+    observed = Observed(declared)
+    seen = set()
+    for i in range(600):
+        probe = version.exchange()
+        probe.begin(random_start(draw))
+        probe.model.exitInitializationMode()
+        probe.update()
+        if i % 2:  # inputs that have jumped since, and a ground that waits
+            for name in INPUTS:
+                probe.write(name, draw.uniform(*WIDE.get(name, (-0.1, 0.1))))
+            probe.update()
+        if i % 10 == 0:
+            fall(probe)
+        now = probe.read(["contact.mode_index", "ground.pending", "status.fallen"])
+        seen |= {(name, int(value)) for name, value in now.items()}
+        move_inputs(probe, observed, draw, INPUTS)
+        probe.model.enterContinuousTimeMode()
+        move_states_and_time(probe, observed, draw)
+        move_inputs(probe, observed, draw, CONTINUOUS_INPUTS)
+        probe.model.freeInstance()
+    assert seen >= {*(("contact.mode_index", mode) for mode in ALL_MODES)}
+    assert seen >= {(name, value) for name in ("ground.pending", "status.fallen") for value in (0, 1)}
+    assert observed.of == declared
+
+
+def runs_in_steps(version, early, **options):
+    """What is seen to follow inputs at communication points, and the strides, falls and events meanwhile."""
+    draw = random.Random(22)
+    observed = Observed(version.declared("outputs"))
+    strides, falls, events = 0, 0, 0
+    for i in range(60):
+        probe = version.stepper(**options)
+        probe.begin({} if i % 3 == 0 else random_start(draw))
+        probe.model.exitInitializationMode()
+        time = 0.0
+        for _ in range(20):
+            if early:
+                probe.update()
+                probe.model.enterStepMode()
+            step = draw.uniform(0.1, 6.0)
+            done = probe.model.doStep(time, step)
+            time = done[3] if early else time + step
+            move_inputs(probe, observed, draw, INPUTS)
+            if early:
+                events += bool(done[0])
+                probe.model.enterEventMode()
+                move_inputs(probe, observed, draw, INPUTS)
+        end = probe.read(["stride.count", "status.fallen"])
+        strides, falls = strides + end["stride.count"], falls + end["status.fallen"]
+        probe.model.freeInstance()
+    return observed.of, strides, falls, events
+
+
+def inputs_declared(version):
+    return {name: known & set(INPUTS) for name, known in version.declared("outputs").items()}
+
+
+def test_at_communication_points_outputs_follow_the_declared_inputs(version):
+    observed, strides, falls, _ = runs_in_steps(version, early=False)
+    assert strides > 20 and falls > 5
+    assert observed == inputs_declared(version)
+
+
+def test_so_they_do_where_an_event_is_found_and_not_taken_yet(tmp_path):
+    version = Unit(3, tmp_path)
+    options = {"eventModeUsed": True, "earlyReturnAllowed": True}
+    observed, strides, falls, events = runs_in_steps(version, early=True, **options)
+    assert strides > 10 and falls > 5 and events > 300
+    assert observed == inputs_declared(version)
+
+
+def initial_start(draw, i):
+    """Start values: an apex, an impact, a leg at its shortest, any posture."""
+    if i % 4 == 0:
+        return {"leg.thrust": 0.02}
+    start = random_start(draw)
+    if i % 4 == 1:
+        x, height, slope = start["foot.x"], start["ground.height"], start["ground.slope"]
+        start |= {"foot.y": height + x * math.tan(slope), "foot.vy": -draw.uniform(0.5, 1.0)}
+    if i % 4 == 2:
+        start |= {"leg.length": 0.7, "leg.min_length": 0.7}
+    return start
+
+
+def test_what_no_start_value_changes_is_declared_so(version):
+    """Every other initial unknown follows some start value, input or the start time, and declares nothing."""
+    draw = random.Random(29)
+    declared = version.declared("initialUnknowns")
+    observed = Observed(declared)
+    settable = [
+        v for v in version.description.modelVariables if v.initial == "exact" or v.causality == "input"
+    ]
+    read, refused = 0, 0
+    for i in range(120):
+        start = initial_start(draw, i)
+        probe, later = version.exchange(), version.exchange()
+        probe.begin(start)
+        later.begin(start, time=5.0)
+        before = probe.read(declared)
+        observed.compare("time", before, later.read(declared))
+        later.model.freeInstance()
+        for variable in settable:
+            (value,) = probe.read([variable.name]).values()
+            others = [*elsewhere(draw, variable.name, value), draw.uniform(0.5, 1.5) * value]
+            for other in {"Boolean": [not value], "Enumeration": [3 - value]}.get(variable.type, others):
+                try:
+                    probe.write(variable.name, other)
+                    observed.compare(variable.name, before, probe.read(declared))
+                    read += 1
+                except FMICallException:  # no value of this variable, or no start with it
+                    refused += 1
+            probe.write(variable.name, value)
+        assert probe.read(declared) == before
+        probe.model.freeInstance()
+    assert read > 5 * refused > 0
+    assert {name for name, known in observed.of.items() if not known} == {
+        name for name, known in declared.items() if known is not None
+    }
+    assert [name for name, known in declared.items() if known] == []
 
 
 def difference(instance, unknowns, known):
