@@ -1,6 +1,6 @@
-/* Serialized states as an attacker would make them: the header is 8 bytes of zero, 40 of identification, 4 each
- * of byte order and size, and 8 of the checksum of what follows: 4 bytes each of interface and state of the
- * call sequence, one that tells whether an event is pending, and the run. */
+/* Serialized states as an attacker would make them: the header is 8 bytes of zero, 40 of identification, 4
+ * each of byte order and size, and 8 of the checksum of what follows: 4 bytes each of interface and state of
+ * the call sequence, one that tells whether an event is pending, and the run. */
 #ifndef TDMF_TESTS_FORGE_H
 #define TDMF_TESTS_FORGE_H
 
