@@ -1,17 +1,28 @@
-# Hardening, where compiler and platform have it: stacks are checked, and calls of the C library that write where the
-# size is known; in ELF files the loader binds all symbols at once and then makes their table read-only. MSVC checks
-# stacks by itself, Windows and macOS have no such table; the C library of MinGW checks nothing.
+# Hardening, where compiler and platform have it: stacks are checked, a frame of more than a page is opened page by page,
+# so that none is skipped over, jumps arrive at marked places only (on Intel and on Arm, where return addresses are signed
+# too), and calls of the C library that write where the size is known are checked; in ELF files the loader binds all
+# symbols at once and then makes their table read-only. MSVC checks stacks by itself, Windows opens frames page by page
+# in any case, Windows and macOS have no such table; the C library of MinGW checks nothing.
 include(CheckCCompilerFlag)
 include(CheckLinkerFlag)
-check_c_compiler_flag(-fstack-protector-strong TDMF_SLIP_COMPILER_CHECKS_STACKS)
+set(hardening_flags -fstack-protector-strong -fstack-clash-protection -fcf-protection -mbranch-protection=standard)
+if(NOT MSVC)
+    set(CMAKE_REQUIRED_FLAGS -Werror) # what a platform does without is told by a warning
+    foreach(flag IN LISTS hardening_flags)
+        string(MAKE_C_IDENTIFIER "TDMF_SLIP_COMPILER_TAKES${flag}" takes)
+        check_c_compiler_flag(${flag} ${takes})
+        if(${takes})
+            list(APPEND TDMF_SLIP_HARDENING ${flag})
+        endif()
+    endforeach()
+    unset(CMAKE_REQUIRED_FLAGS)
+endif()
 set(bind_at_once LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
 if(NOT WIN32 AND NOT APPLE)
     check_linker_flag(C "${bind_at_once}" TDMF_SLIP_LINKER_BINDS_AT_ONCE)
 endif()
 function(harden target)
-    if(TDMF_SLIP_COMPILER_CHECKS_STACKS)
-        target_compile_options(${target} PRIVATE -fstack-protector-strong)
-    endif()
+    target_compile_options(${target} PRIVATE ${TDMF_SLIP_HARDENING})
     if(NOT WIN32 AND NOT TDMF_SLIP_SANITIZE) # sanitizers check more
         target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)
     endif()

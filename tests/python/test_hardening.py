@@ -1,6 +1,8 @@
 """Binaries of the unit and the library are hardened, as far as their platform has it."""
 
 import pathlib
+import re
+import struct
 import sys
 import zipfile
 
@@ -30,7 +32,51 @@ def given_out():
     return [*(ROOT / "dist").glob("*.whl"), *(ROOT / "dist").glob("*.fmu")]
 
 
+PAGE = 4096
+ENDBR64 = bytes.fromhex("f30f1efa")
+# bti c, and paciasp, which signs the return address and marks the place, too
+BRANCH_TARGETS = (0xD503245F, 0xD503233F)
+
+
+def words_of(code):
+    return struct.unpack(f"<{len(code) // 4}I", code[: len(code) // 4 * 4])
+
+
+def largest_frame_opened_at_once(architecture, code):
+    """What an instruction takes from the stack pointer at the most, in bytes."""
+    if architecture == lief.ELF.ARCH.X86_64:  # sub rsp, imm32; a frame of ours is below a MiB
+        taken = [int.from_bytes(found, "little") for found in re.findall(rb"\x48\x81\xec(....)", code, re.S)]
+        return max((size for size in taken if size < 2**20), default=0)
+    shifted = [word for word in words_of(code) if word & 0xFFC003FF == 0xD14003FF]  # sub sp, sp, #imm, lsl 12
+    return max((PAGE * (word >> 10 & 0xFFF) for word in shifted), default=0)
+
+
+def is_marked(architecture, start):
+    if architecture == lief.ELF.ARCH.X86_64:
+        return start[:4] == ENDBR64
+    return words_of(start[:4])[0] in BRANCH_TARGETS
+
+
+def assert_code_is_hardened(name, elf):
+    """Jumps arrive at marked places, and no frame skips a page of the stack."""
+    architecture = elf.header.machine_type
+    if architecture not in (lief.ELF.ARCH.X86_64, lief.ELF.ARCH.AARCH64):
+        return
+    functions = [
+        symbol
+        for symbol in elf.exported_symbols
+        if re.match("tdmf_|fmi[23]", symbol.name) and symbol.is_function
+    ]
+    assert len(functions) > 20, name
+    for function in functions:
+        start = bytes(elf.get_content_from_virtual_address(function.value, 4))
+        assert is_marked(architecture, start), (name, function.name)
+    code = bytes(elf.get_section(".text").content)
+    assert largest_frame_opened_at_once(architecture, code) <= PAGE, name
+
+
 def assert_elf_is_hardened(name, elf):
+    assert_code_is_hardened(name, elf)
     flags = {flag for entry in elf.dynamic_entries if hasattr(entry, "flags") for flag in entry.flags}
     assert lief.ELF.DynamicEntryFlags.FLAG.NOW in flags, name
     kinds = lief.ELF.Segment.TYPE
