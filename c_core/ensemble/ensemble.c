@@ -115,7 +115,7 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
 }
 
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
-    if (!tdmf_is_sound_ensemble(ensemble)) {
+    if (!tdmf_is_sound_ensemble(ensemble, ends)) {
         return false;
     }
     /* No more threads than runners, and one if there are none. */

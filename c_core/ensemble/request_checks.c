@@ -22,13 +22,21 @@ static bool has(const int *settings, int count, int setting) {
     return false;
 }
 
+/* Of no elements an array may be absent. */
+static bool is_array(const void *elements, int64_t count) {
+    return count == 0 || (count > 0 && elements != NULL);
+}
+
 static bool are_settings(const int *settings, int count) {
+    if (!is_array(settings, count) || count > TDMF_SETTING_LIMIT) {
+        return false;
+    }
     for (int i = 0; i < count; ++i) {
         if (tdmf_setting_range(settings[i]) == NULL || has(settings, i, settings[i])) {
             return false;
         }
     }
-    return count >= 0 && count <= TDMF_SETTING_LIMIT;
+    return true;
 }
 
 /* Coordinates that are measured: the others have neither gain nor noise. */
@@ -64,7 +72,9 @@ static bool is_law(const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
     const tdmf_given_settings *given = ensemble->given;
     const int coordinates =
         ensemble->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
-    if (!are_settings(law->settings, law->count) || !measures(law, coordinates) || !has_limits(law)) {
+    if (!are_settings(law->settings, law->count) || !is_array(law->nominal, law->count) ||
+        !is_array(law->gain, law->count) || !is_array(law->low, law->count) ||
+        !is_array(law->high, law->count) || !measures(law, coordinates) || !has_limits(law)) {
         return false;
     }
     for (int i = 0; given != NULL && i < given->count; ++i) {
@@ -76,7 +86,8 @@ static bool is_law(const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
 }
 
 static bool are_given(const tdmf_given_settings *given, int64_t runners) {
-    if (!are_settings(given->settings, given->count) || given->first < 0 || given->strides <= 0) {
+    if (!are_settings(given->settings, given->count) || given->first < 0 || given->strides <= 0 ||
+        !is_array(given->values, given->count * runners)) {
         return false;
     }
     for (int64_t row = 0; row < runners * given->strides; ++row) {
@@ -101,8 +112,10 @@ static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *en
            !(rules->law != NULL && has(rules->law->settings, rules->law->count, height));
 }
 
-static bool is_case(const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
-    return (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
+static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+    const tdmf_ensemble_rules *rules = &its_case->rules;
+    return its_case->model != NULL && is_array(rules->gaits, rules->gait_count) &&
+           (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
 }
 
 static bool has_cases(const tdmf_ensemble *ensemble) {
@@ -112,17 +125,34 @@ static bool has_cases(const tdmf_ensemble *ensemble) {
         }
     }
     for (int i = 0; i < ensemble->case_count; ++i) {
-        if (!is_case(&ensemble->cases[i].rules, ensemble)) {
+        if (!is_case(&ensemble->cases[i], ensemble)) {
             return false;
         }
     }
-    return ensemble->count <= 0 || ensemble->case_count > 0;
+    return ensemble->count == 0 || ensemble->case_count > 0;
 }
 
-bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble) {
-    return ensemble->threads > 0 && tdmf_is_tolerance(ensemble->relative_tolerance) &&
+/* Where strides are noted, and what runners go on from. */
+static bool has_room(const tdmf_ensemble *ensemble) {
+    return ensemble->strides == NULL || (ensemble->first_stride >= 0 && ensemble->stride_count >= 0);
+}
+
+static bool has_places(const tdmf_ensemble *ensemble) {
+    for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
+        if (ensemble->places == NULL ||
+            (ensemble->places[i].stands && !tdmf_is_sound_motion(&ensemble->places[i].motion))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends) {
+    return ensemble != NULL && is_array(ends, ensemble->count) &&
+           is_array(ensemble->starts, ensemble->count) && is_array(ensemble->cases, ensemble->case_count) &&
+           ensemble->threads > 0 && tdmf_is_tolerance(ensemble->relative_tolerance) &&
            tdmf_has_instructions(ensemble->instructions) &&
            (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&
            (ensemble->given == NULL || are_given(ensemble->given, ensemble->count)) && has_cases(ensemble) &&
-           (!ensemble->goes_on || ensemble->places != NULL);
+           has_room(ensemble) && has_places(ensemble);
 }

@@ -4,6 +4,6 @@
 
 #include "tdmf_slip/ensemble.h"
 
-bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble);
+bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends);
 
 #endif

@@ -18,7 +18,7 @@ const tdmf_range *tdmf_setting_range(int setting) {
 
 int tdmf_setting_of(const char *name) {
     const int count = (int)tdmf_parameter_count + TDMF_INPUT_COUNT;
-    for (int setting = 0; setting < count; ++setting) {
+    for (int setting = 0; name != NULL && setting < count; ++setting) {
         const tdmf_range *range = tdmf_setting_range(setting);
         if (range != NULL && strcmp(range->name, name) == 0) {
             return setting;

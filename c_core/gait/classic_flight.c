@@ -12,6 +12,7 @@
 #include "swinging_height.h"
 
 #include <math.h>
+#include <stddef.h>
 
 static const double right_angle = 1.5707963267948966;
 
@@ -20,9 +21,9 @@ tdmf_ground_line tdmf_classic_ground(const tdmf_classic *slip) {
 }
 
 static bool is_allowed(const tdmf_classic *slip) {
-    return slip->mass > 0.0 && slip->stiffness > 0.0 && slip->free_length > 0.0 && slip->gravity > 0.0 &&
-           slip->touchdown_angle > 0.0 && slip->touchdown_angle < right_angle && slip->friction >= 0.0 &&
-           fabs(slip->ground_slope) < 1.0 &&
+    return slip != NULL && slip->mass > 0.0 && slip->stiffness > 0.0 && slip->free_length > 0.0 &&
+           slip->gravity > 0.0 && slip->touchdown_angle > 0.0 && slip->touchdown_angle < right_angle &&
+           slip->friction >= 0.0 && fabs(slip->ground_slope) < 1.0 &&
            isfinite(slip->mass + slip->stiffness + slip->free_length + slip->gravity + slip->retraction_rate);
 }
 
@@ -37,8 +38,11 @@ typedef struct {
 } apex;
 
 static bool begins(const tdmf_classic *slip, double energy, double height, apex *from) {
+    if (!is_allowed(slip)) {
+        return false;
+    }
     const double speed_square = 2.0 * (energy / slip->mass - slip->gravity * height);
-    if (!is_allowed(slip) || !(speed_square > 0.0)) {
+    if (!(speed_square > 0.0)) {
         return false;
     }
     const double length = slip->free_length;

@@ -11,6 +11,7 @@
 #include "series_sums.h"
 
 #include <float.h>
+#include <stddef.h>
 
 enum { ORDER = 20, STEP_LIMIT = 100000, ITERATION_LIMIT = 60 };
 
@@ -266,7 +267,7 @@ tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, 
 
 bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double guess, double *height) {
     double at = guess;
-    for (int i = 0; i < ITERATION_LIMIT; ++i) {
+    for (int i = 0; height != NULL && i < ITERATION_LIMIT; ++i) {
         const tdmf_classic_step step = tdmf_classic_return_map(slip, energy, at);
         if (step.outcome != TDMF_CLASSIC_FLIES || step.early_take_off) {
             return false;
@@ -283,6 +284,9 @@ bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double gu
 
 bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, double *height) {
     const double small = 1e-5;
+    if (slip == NULL || angle == NULL || height == NULL) {
+        return false;
+    }
     tdmf_classic at = *slip;
     double y = *height;
     at.touchdown_angle = *angle;

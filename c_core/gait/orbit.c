@@ -68,6 +68,10 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                            const double guess[TDMF_SECTION_COUNT], const tdmf_change *change) {
+    static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START};
+    if (model == NULL || guess == NULL) {
+        return refused;
+    }
     search search = {.solver = solver, .model = model, .inputs = inputs, .change = change};
     tdmf_map map = {.count = TDMF_SECTION_COUNT, .evaluate = evaluate, .context = &search};
     tdmf_section_scales(model, map.scales);
@@ -81,7 +85,7 @@ tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const t
 
 int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
                 double section[TDMF_SECTION_COUNT]) {
-    for (int i = 0; i < strides; ++i) {
+    for (int i = 0; model != NULL && i < strides; ++i) {
         const tdmf_return stride = tdmf_return_map(solver, model, inputs, section,
                                                    TDMF_LONGEST_STRIDE * model->scales.time, false, NULL, 0);
         if (!stride.outcome.closed) {
@@ -89,5 +93,5 @@ int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs 
         }
         memcpy(section, stride.apex, sizeof stride.apex);
     }
-    return strides;
+    return model != NULL && strides > 0 ? strides : 0;
 }

@@ -6,6 +6,7 @@
 #include "ground_line.h"
 #include "prescribed_flight.h"
 #include "reduced_stride.h"
+#include "request.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"
 
@@ -185,7 +186,8 @@ tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *mode
     run run = {.model = model, .inputs = inputs};
     tdmf_reduced_return result;
     memset(&result, 0, sizeof result);
-    if (count < 0 || count > TDMF_REDUCED_CHANGES) {
+    if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || apex == NULL ||
+        !tdmf_are_sound_changes(changes, count, TDMF_REDUCED_CHANGES)) {
         result.outcome = TDMF_REDUCED_REFUSED;
         return result;
     }

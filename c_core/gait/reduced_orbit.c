@@ -57,6 +57,11 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
                                            const tdmf_inputs *inputs, const double guess[TDMF_REDUCED_COUNT],
                                            const tdmf_change *changes, int count) {
+    static const tdmf_reduced_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
+                                               .stride = {.outcome = TDMF_REDUCED_REFUSED}};
+    if (model == NULL || guess == NULL) {
+        return refused;
+    }
     search search = {.solver = solver, .model = model, .inputs = inputs, .changes = changes, .count = count};
     const tdmf_map map = {TDMF_REDUCED_COUNT, {model->scales.length, model->scales.speed}, evaluate, &search};
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
@@ -69,7 +74,7 @@ tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model
 
 int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
                         double apex[TDMF_REDUCED_COUNT]) {
-    for (int i = 0; i < strides; ++i) {
+    for (int i = 0; model != NULL && i < strides; ++i) {
         const tdmf_reduced_return stride = tdmf_reduced_map(
             solver, model, inputs, apex, TDMF_LONGEST_STRIDE * model->scales.time, false, NULL, 0);
         if (stride.outcome != TDMF_REDUCED_CLOSED) {
@@ -77,5 +82,5 @@ int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf
         }
         memcpy(apex, stride.apex, sizeof stride.apex);
     }
-    return strides;
+    return model != NULL && strides > 0 ? strides : 0;
 }

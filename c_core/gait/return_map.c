@@ -7,6 +7,7 @@
 #include "free_fall.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "request.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
 
@@ -15,21 +16,22 @@
 
 /* The leg of a point of the section, or of a variation on it; the rest is zero. */
 static void write_leg(const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
-    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
-    state[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH];
-    state[TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE];
-    state[TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE];
-    state[TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE];
+    double written[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = section[TDMF_SECTION_LEG_LENGTH],
+                                        [TDMF_LEG_ANGLE] = section[TDMF_SECTION_LEG_ANGLE],
+                                        [TDMF_LEG_LENGTH_RATE] = section[TDMF_SECTION_LEG_LENGTH_RATE],
+                                        [TDMF_LEG_ANGLE_RATE] = section[TDMF_SECTION_LEG_ANGLE_RATE]};
+    memcpy(state, written, sizeof written);
 }
 
 void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
                         const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
+    const double com_height = section[TDMF_SECTION_COM_HEIGHT], com_speed = section[TDMF_SECTION_COM_SPEED];
     write_leg(section, state);
     const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
     const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     const double ground_height = tdmf_ground_height_at(&ground, model->body_share * body.x);
-    state[TDMF_FOOT_Y] = section[TDMF_SECTION_COM_HEIGHT] + ground_height - model->body_share * body.y;
-    state[TDMF_FOOT_VX] = section[TDMF_SECTION_COM_SPEED] - model->body_share * body.vx;
+    state[TDMF_FOOT_Y] = com_height + ground_height - model->body_share * body.y;
+    state[TDMF_FOOT_VX] = com_speed - model->body_share * body.vx;
     state[TDMF_FOOT_VY] = -model->body_share * body.vy;
 }
 
@@ -131,12 +133,13 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     tdmf_motion motion;
     bundle bundle;
     memset(&result, 0, sizeof result);
-    motion.time = 0.0;
-    tdmf_section_state(model, inputs, section, motion.state);
-    if (count < 0 || count > TDMF_RETURN_CHANGES) {
+    if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || section == NULL ||
+        !tdmf_are_sound_changes(changes, count, TDMF_RETURN_CHANGES)) {
         result.outcome.outcome = TDMF_REFUSED;
         return result;
     }
+    motion.time = 0.0;
+    tdmf_section_state(model, inputs, section, motion.state);
     if (tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable ||
         !motion.record.open.began_at_apex) {
         return result;

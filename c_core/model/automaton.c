@@ -1,6 +1,7 @@
 /* The resolution of events. */
 #include "tdmf_slip/automaton.h"
 
+#include "contact_mode.h"
 #include "events.h"
 #include "greatest_compression.h"
 
@@ -9,6 +10,10 @@
 tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                                    double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
                                    tdmf_mode *mode, tdmf_record *record) {
+    static const tdmf_resolution no_mode = {.unresolved = true};
+    if (!tdmf_is_mode(mode)) {
+        return no_mode;
+    }
     const tdmf_mode mode_before = *mode;
     double state_before[TDMF_STATE_COUNT];
     memcpy(state_before, state, sizeof state_before);

@@ -4,6 +4,13 @@
 
 #include "tdmf_slip/state.h"
 
+/* Contact and phase are ones that there are. */
+static inline bool tdmf_is_mode(const tdmf_mode *mode) {
+    const int contact = (int)mode->contact, phase = (int)mode->phase;
+    return contact >= TDMF_CONTACT_FLIGHT && contact <= TDMF_CONTACT_GRAZE && phase >= TDMF_PHASE_DRIVE &&
+           phase <= TDMF_PHASE_PLACE;
+}
+
 static inline bool tdmf_is_loaded(const tdmf_mode *mode) {
     return mode->contact == TDMF_CONTACT_STICK || mode->contact == TDMF_CONTACT_SLIP_POSITIVE ||
            mode->contact == TDMF_CONTACT_SLIP_NEGATIVE;

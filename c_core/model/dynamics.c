@@ -249,8 +249,10 @@ void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const 
         memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
         return;
     }
+    double rates[TDMF_STATE_COUNT];
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    rates_of_state(&at, derivatives);
+    rates_of_state(&at, rates);
+    memcpy(derivatives, rates, sizeof rates);
 }
 
 double tdmf_normal_force_rate(const tdmf_evaluation *at) {

@@ -52,7 +52,11 @@ static inline double tdmf_vary_flight_torque(const tdmf_evaluation *at, const td
 
 /* ---- the total torque in the mode, where the leg is evaluated ------------------------------------------ */
 
+/* Not a number in a mode that there is not, so that nothing that follows from it passes for a result. */
 static inline double tdmf_torque_in_mode(const tdmf_evaluation *at) {
+    if (!tdmf_is_mode(at->mode)) {
+        return (double)NAN;
+    }
     switch (at->mode->contact) {
     case TDMF_CONTACT_GRAZE:
         return tdmf_graze_torque(at);

@@ -25,6 +25,11 @@ static void fill_with_starts(void *values, const tdmf_range *ranges, size_t coun
     }
 }
 
+tdmf_refusal tdmf_absent(const char *name) {
+    const tdmf_refusal refusal = {.variable = name, .value = (double)NAN};
+    return refusal;
+}
+
 static tdmf_refusal first_out_of_range(const void *values, const tdmf_range *ranges, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         const double value = value_at(values, ranges[i].offset);
@@ -61,6 +66,9 @@ static tdmf_scales scales_of(const tdmf_parameters *p) {
 }
 
 tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters) {
+    if (model == NULL || parameters == NULL) {
+        return tdmf_absent(model == NULL ? "model" : "parameters");
+    }
     tdmf_refusal refusal = first_out_of_range(parameters, tdmf_parameter_ranges, tdmf_parameter_count);
     if (refusal.variable != NULL) {
         return refusal;
@@ -98,7 +106,8 @@ tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *chang
 }
 
 tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
-    return first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
+    return inputs == NULL ? tdmf_absent("inputs")
+                          : first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
 }
 
 const tdmf_inputs tdmf_held_inputs = {.ground = {.friction = 0.0}};
@@ -147,14 +156,18 @@ static const char *number(double value, char text[32]) {
 
 char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity) {
     char value[32], minimum[32], maximum[32];
-    if (capacity == 0) {
+    if (text == NULL || capacity == 0) {
         return text;
     }
     if (refusal->variable == NULL) {
         snprintf(text, capacity, "accepted");
         return text;
     }
-    const bool has_unit = refusal->unit != NULL && strcmp(refusal->unit, "1") != 0;
+    if (refusal->unit == NULL) {
+        snprintf(text, capacity, "%s is refused: it is NULL", refusal->variable);
+        return text;
+    }
+    const bool has_unit = strcmp(refusal->unit, "1") != 0;
     const char *space = has_unit ? " " : "";
     const char *unit = has_unit ? refusal->unit : "";
     const char *rule = refusal->bound_by;

@@ -31,6 +31,9 @@ static inline bool tdmf_in_range(const tdmf_range *range, double value) {
     return value >= range->minimum && value <= range->maximum;
 }
 
+/* Refuses a pointer that is NULL, by the name of what it would point at. */
+tdmf_refusal tdmf_absent(const char *name);
+
 static inline tdmf_refusal tdmf_out_of_range(const tdmf_range *range, double value) {
     const tdmf_refusal refusal = {.variable = range->name,
                                   .unit = range->unit,

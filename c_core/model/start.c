@@ -137,7 +137,13 @@ static void begin(tdmf_run *run) {
 
 tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                         double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
-    const tdmf_refusal refusal = check_start(model, inputs, time, state);
+    const char *absent = model == NULL    ? "model"
+                         : state == NULL  ? "state"
+                         : mode == NULL   ? "mode"
+                         : record == NULL ? "record"
+                                          : NULL;
+    const tdmf_refusal refusal =
+        absent != NULL ? tdmf_absent(absent) : check_start(model, inputs, time, state);
     if (refusal.variable != NULL) {
         return refusal;
     }

@@ -243,14 +243,14 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
                                 const tdmf_inputs *rates, double until, tdmf_motion *motion) {
-    const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
     const tdmf_inputs *given = tdmf_rates_or_held(rates);
+    if (!tdmf_is_sound_request(options, model, inputs, given, until, motion)) {
+        return TDMF_REFUSED;
+    }
+    const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
     problem problem = {model, inputs, given, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
-    if (!tdmf_is_sound_request(options, inputs, given, until, motion)) {
-        return TDMF_REFUSED;
-    }
     motion->record.now = start;
     /* An input may have jumped since the last call. */
     tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);

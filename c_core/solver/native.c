@@ -401,7 +401,7 @@ static tdmf_outcome advance_once(integration *integration) {
 
 static bool begin(integration *integration, tdmf_solver *solver, const tdmf_model *model,
                   const tdmf_inputs *inputs, const tdmf_inputs *rates, double until, tdmf_motion *motion) {
-    if (!tdmf_is_sound_request(solver, inputs, rates, until, motion)) {
+    if (!tdmf_is_sound_request(solver, model, inputs, rates, until, motion)) {
         return false;
     }
     integration->solver = solver;
@@ -481,7 +481,7 @@ tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *mo
 static bool begin_varied(integration *integration, tdmf_solver *solver, const tdmf_model *model,
                          const tdmf_inputs *inputs, double until, tdmf_motion *motion,
                          const tdmf_change *changes, tdmf_variation *variations, int count) {
-    if (count < 0 || count > TDMF_VARIATION_LIMIT ||
+    if (!tdmf_are_sound_changes(changes, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
         !begin(integration, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)) {
         return false;
     }

@@ -2,10 +2,12 @@
 #ifndef TDMF_SOLVER_REQUEST_H
 #define TDMF_SOLVER_REQUEST_H
 
+#include "contact_mode.h"
 #include "input_rates.h"
 #include "tdmf_slip/solver.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A share that steps may err by. */
 static inline bool tdmf_is_tolerance(double relative_tolerance) {
@@ -23,9 +25,30 @@ static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_i
     return tdmf_check_inputs(&last).variable == NULL;
 }
 
-static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_inputs *inputs,
-                                         const tdmf_inputs *rates, double until, const tdmf_motion *motion) {
-    return tdmf_is_tolerance(solver->relative_tolerance) && until >= motion->time &&
+static inline bool tdmf_is_sound_solver(const tdmf_solver *solver) {
+    return solver != NULL && tdmf_is_tolerance(solver->relative_tolerance) &&
+           (solver->log == NULL || solver->log->count >= 0);
+}
+
+/* A mode that a run may be in: a loaded foot is driven or coasts, any other is retracted or placed. The word
+ * ends within its array. */
+static inline bool tdmf_is_sound_motion(const tdmf_motion *motion) {
+    const tdmf_mode *mode = &motion->mode;
+    const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
+    return tdmf_is_mode(mode) && stance == tdmf_is_loaded(mode) &&
+           memchr(motion->record.open.word, '\0', TDMF_WORD_CAPACITY) != NULL;
+}
+
+/* Changes of parameters and inputs, at the most so many. */
+static inline bool tdmf_are_sound_changes(const tdmf_change *changes, int count, int limit) {
+    return count >= 0 && count <= limit && (count == 0 || changes != NULL);
+}
+
+static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_model *model,
+                                         const tdmf_inputs *inputs, const tdmf_inputs *rates, double until,
+                                         const tdmf_motion *motion) {
+    return tdmf_is_sound_solver(solver) && model != NULL && inputs != NULL && motion != NULL &&
+           tdmf_is_sound_motion(motion) && until >= motion->time &&
            tdmf_are_sound_inputs(inputs, rates, until - motion->time);
 }
 

@@ -10,7 +10,8 @@ extern "C" {
 #endif
 
 /* Time derivative of the state in the given mode (8). A frozen run (mode->fallen) gives zeros. Finite for
- * leg lengths at or below zero too, as a solver may probe beyond an event. */
+ * leg lengths at or below zero too, as a solver may probe beyond an event; the leg's rates are not a number
+ * where contact or phase are none. `derivatives` may be `state`. */
 void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                       const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 

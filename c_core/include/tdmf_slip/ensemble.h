@@ -24,7 +24,8 @@ typedef enum {
 } tdmf_instructions;
 
 /* What may be set anew at each apex: a setting that is tunable, or an input, by its name in the unit, as in
- * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name. */
+ * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name, or it is NULL.
+ */
 int tdmf_setting_of(const char *name);
 
 /* As many there are: no law sets more. */
@@ -118,7 +119,7 @@ typedef struct {
     int64_t count;                              /* of runners */
     uint64_t first_number;                      /* of the first; by their numbers rough ground is drawn */
     double relative_tolerance;                  /* as in tdmf_solver */
-    int threads;                                /* at the most so many work at once */
+    int threads;                                /* so many work at once, but no more than runners */
     tdmf_instructions instructions;             /* how they are stepped */
     tdmf_ensemble_map map;                      /* by which all of them go */
     const tdmf_given_settings *given;           /* or NULL: none are */
@@ -164,7 +165,8 @@ typedef struct {
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
  * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
  * setting is none, is set twice or gets a value out of its range, heights of rough ground are set, a number
- * of a law is beyond 1e100 or its limits are no range, or there is no memory. */
+ * of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their array NULL, a
+ * place to go on from has a contact or phase that there is not, or there is no memory. */
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.

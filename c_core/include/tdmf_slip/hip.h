@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /* Total torque on the hip, N.m: the law of the present mode plus the external torque; in graze the torque
- * that holds the foot at the ground. */
+ * that holds the foot at the ground; not a number where contact or phase are none. */
 double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                        const double state[TDMF_STATE_COUNT]);
 

@@ -13,7 +13,7 @@ typedef enum {
     TDMF_ORBIT_FOUND,     /* a gait */
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
     TDMF_ORBIT_FELL,      /* the runner falls from the guess */
-    TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused */
+    TDMF_ORBIT_NO_START,  /* the guess is no apex: below the ground, or refused, as is what is asked for */
     TDMF_ORBIT_UNSOLVED,  /* the solver could not follow the runner: see stride.outcome */
     TDMF_ORBIT_NO_STRIDE  /* no stride closes from the guess within 1e4 sqrt(m/k), as where it stands still */
 } tdmf_orbit_outcome;
@@ -33,12 +33,13 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
 /* Newton's method on the return map from a guess, down to rounding: where the solver's tolerance is as tight,
  * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
  * Iterations that make the error larger are shortened. `change` may be NULL: the stride is differentiated by
- * the section only. */
+ * the section only. With any other NULL there is no start. */
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                            const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
 
 /* Runs up to `strides` strides from an apex and writes the last one into `section`; less where one does not
- * close: tdmf_find_orbit from there says why. Returns how many were run. */
+ * close: tdmf_find_orbit from there says why. Returns how many were run: 0 for a number below 0, or with
+ * NULL. */
 int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
                 double section[TDMF_SECTION_COUNT]);
 

@@ -85,7 +85,7 @@ typedef struct {
 /* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */
 typedef struct {
     const char *variable; /* name as in the FMU, "leg.length" */
-    const char *unit;     /* of value and limits */
+    const char *unit;     /* of value and limits; NULL where a pointer of that name is NULL */
     double value;         /* what was given */
     double minimum;       /* allowed from */
     double maximum;       /* allowed to */
@@ -107,8 +107,8 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
 
 /* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
- * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL if the
- * capacity is 0. */
+ * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL: then nothing is
+ * written. */
 char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
 
 #ifdef __cplusplus

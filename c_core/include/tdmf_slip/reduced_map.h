@@ -20,15 +20,16 @@ enum {
     TDMF_REDUCED_COUNT
 };
 
-/* The state at an apex above x = 0, with the leg at rest where it is to be placed, integrals zero. */
+/* The state at an apex above x = 0, with the leg at rest where it is to be placed, integrals zero. `apex` may
+ * lie within `state`. */
 void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
                         const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]);
 
 /* What becomes of a stride. */
 typedef enum {
-    TDMF_REDUCED_CLOSED,       /* it has a next apex */
-    TDMF_REDUCED_REFUSED,      /* a value is out of range, or too many changes are asked for */
-    TDMF_REDUCED_FOOT_BELOW,   /* at the apex the foot is not above the ground */
+    TDMF_REDUCED_CLOSED,     /* it has a next apex */
+    TDMF_REDUCED_REFUSED,    /* a value is out of range, a pointer NULL, or too many changes are asked for */
+    TDMF_REDUCED_FOOT_BELOW, /* at the apex the foot is not above the ground */
     TDMF_REDUCED_NO_TOUCHDOWN, /* the foot does not come down within the time allowed */
     TDMF_REDUCED_NO_STANCE,    /* the impact leaves the foot without load */
     TDMF_REDUCED_STUCK,        /* the foot stays on the ground for the time allowed */

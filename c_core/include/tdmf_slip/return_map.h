@@ -22,7 +22,8 @@ enum {
     TDMF_SECTION_COUNT
 };
 
-/* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. */
+/* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. `section`
+ * may lie within `state`. */
 void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
                         const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
@@ -51,7 +52,8 @@ typedef struct {
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
  * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES, or less
- * than 0, are refused. */
+ * than 0, are refused, as are NULL for any pointer but `changes` where there are none, and a tolerance out of
+ * range. */
 tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                             const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                             const tdmf_change *changes, int count);

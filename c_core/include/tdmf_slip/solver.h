@@ -29,7 +29,7 @@ typedef struct {
 /* Where events are noted, for whoever wants to see them; those beyond the capacity are only counted. */
 enum { TDMF_EVENT_CAPACITY = 32 };
 typedef struct {
-    int count;                              /* of all events, noted or not */
+    int count;                              /* of all events, noted or not; 0 to begin with */
     tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first ones, in order */
 } tdmf_event_log;
 
@@ -67,7 +67,8 @@ tdmf_solver tdmf_solver_default(void);
  * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
  * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are a tolerance out of
  * range, inputs that are or will be, rates that are not finite, a rate other than 0 of an input that changes
- * at events only, and a time before the present one or not a number. */
+ * at events only, a time before the present one or not a number, a contact or phase that there is not or that
+ * do not go together, a log that counts less than 0, and any pointer that is NULL but `rates`. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
@@ -86,10 +87,10 @@ enum { TDMF_VARIATION_LIMIT = 8 };
 
 /* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
  * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
- * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused. A run on the edge of an event, where a
- * crossing is a touch, two events come together or a foot stands without friction, has no variation, nor has
- * one by gains that are both zero under the clamp; values are then not finite. Steps are bounded by the
- * variations, too. */
+ * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused, as are NULL for some of them and all
+ * that tdmf_native_advance refuses. A run on the edge of an event, where a crossing is a touch, two events
+ * come together or a foot stands without friction, has no variation, nor has one by gains that are both zero
+ * under the clamp; values are then not finite. Steps are bounded by the variations, too. */
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs, double until, tdmf_motion *motion,
                                               const tdmf_change *changes, tdmf_variation *variations,

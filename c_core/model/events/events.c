@@ -1,6 +1,8 @@
 /* Which mode watches which event, and in what order those are taken that are due at one instant. */
 #include "events.h"
 
+#include "contact_mode.h"
+
 /* Phases in which an event is watched. */
 enum {
     RETRACT = 1 << TDMF_PHASE_RETRACT,
@@ -80,9 +82,9 @@ const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {
 void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                  const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
-        guards[i] = 1.0;
+        guards[i] = tdmf_is_mode(mode) ? 1.0 : (double)NAN;
     }
-    if (mode->fallen) {
+    if (mode->fallen || !tdmf_is_mode(mode)) {
         return;
     }
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
@@ -111,7 +113,7 @@ static tdmf_guard first_due(const tdmf_evaluation *at) {
 tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                           const double state[TDMF_STATE_COUNT]) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    return first_due(&at);
+    return tdmf_is_mode(mode) ? first_due(&at) : TDMF_GUARD_COUNT;
 }
 
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {

@@ -1,0 +1,486 @@
+/* Calls that make no sense, with a contact, a phase, a number of elements or a pointer that there is not, are
+ * refused and touch nothing; and buffers that may be the same give what others give. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "scene.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+enum { GAIT = 2 };
+
+static const double long_enough = 1e3;
+
+typedef struct {
+    tdmf_solver solver;
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_motion motion;
+    double section[TDMF_SECTION_COUNT];
+} scene;
+
+static scene standing_at_apex(void) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    scene scene;
+    memset(&scene, 0, sizeof scene);
+    scene.solver = tdmf_solver_default();
+    scene.inputs = tdmf_default_inputs();
+    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    memcpy(scene.section, &reference_gaits[GAIT].apex, sizeof scene.section);
+    tdmf_section_state(&scene.model, &scene.inputs, scene.section, scene.motion.state);
+    assert_null(tdmf_start(&scene.model, &scene.inputs, 0.0, scene.motion.state, &scene.motion.mode,
+                           &scene.motion.record)
+                    .variable);
+    return scene;
+}
+
+/* ---- contact and phase -------------------------------------------------------------------------------- */
+
+static const int no_contacts[] = {0, -1, 6, 77, INT_MAX, INT_MIN};
+static const int no_phases[] = {0, -1, 5, 40, INT_MAX, INT_MIN};
+enum { NO_MODES = 6 };
+
+static tdmf_mode no_mode(const tdmf_mode *mode, int which) {
+    tdmf_mode changed = *mode;
+    if (which < NO_MODES) {
+        changed.contact = (tdmf_contact_mode)no_contacts[which];
+    } else {
+        changed.phase = (tdmf_hip_phase)no_phases[which - NO_MODES];
+    }
+    return changed;
+}
+
+typedef tdmf_outcome run(scene *scene);
+
+static tdmf_outcome advance(scene *s) {
+    return tdmf_native_advance(&s->solver, &s->model, &s->inputs, NULL, 10.0, &s->motion);
+}
+
+static tdmf_outcome stride(scene *s) {
+    return tdmf_native_stride(&s->solver, &s->model, &s->inputs, long_enough, &s->motion).outcome;
+}
+
+static tdmf_outcome stride_varied(scene *s) {
+    return tdmf_native_stride_varied(&s->solver, &s->model, &s->inputs, long_enough, &s->motion, NULL, NULL,
+                                     0)
+        .outcome;
+}
+
+static tdmf_outcome stance(scene *s) {
+    return tdmf_native_stance(&s->solver, &s->model, &s->inputs, long_enough, &s->motion, NULL, NULL, 0)
+        .outcome;
+}
+
+static tdmf_outcome by_cvode(scene *s) {
+    return tdmf_cvode_advance(&s->solver, &s->model, &s->inputs, NULL, 10.0, &s->motion);
+}
+
+static run *const runs[] = {advance, stride, stride_varied, stance, by_cvode};
+enum { RUNS = sizeof runs / sizeof runs[0] };
+
+static void assert_refused(run *run, scene *scene) {
+    const tdmf_motion before = scene->motion;
+    assert_int_equal(run(scene), TDMF_REFUSED);
+    assert_memory_equal(&scene->motion, &before, sizeof before);
+    assert_int_equal(scene->solver.steps, 0);
+}
+
+static void no_solver_runs_in_a_mode_that_there_is_not(void **state) {
+    (void)state;
+    const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
+    for (int i = 0; i < count; ++i) {
+        scene sound = standing_at_apex();
+        assert_int_not_equal(runs[i](&sound), TDMF_REFUSED);
+        for (int which = 0; which < 2 * NO_MODES; ++which) {
+            scene scene = standing_at_apex();
+            scene.motion.mode = no_mode(&scene.motion.mode, which);
+            assert_refused(runs[i], &scene);
+        }
+    }
+}
+
+static void contact_and_phase_have_to_go_together(void **state) {
+    (void)state;
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        for (int phase = TDMF_PHASE_DRIVE; phase <= TDMF_PHASE_PLACE; ++phase) {
+            scene scene = standing_at_apex();
+            scene.motion.mode.contact = (tdmf_contact_mode)contact;
+            scene.motion.mode.phase = (tdmf_hip_phase)phase;
+            const bool of_stance = phase == TDMF_PHASE_DRIVE || phase == TDMF_PHASE_COAST;
+            if (of_stance != tdmf_in_contact(&scene.motion.mode)) {
+                assert_refused(advance, &scene);
+            } else {
+                assert_int_not_equal(advance(&scene), TDMF_REFUSED);
+            }
+        }
+    }
+}
+
+static void the_automaton_takes_nothing_in_a_mode_that_there_is_not(void **state) {
+    (void)state;
+    const scene s = standing_at_apex();
+    for (int which = 0; which < 2 * NO_MODES; ++which) {
+        const tdmf_mode mode = no_mode(&s.motion.mode, which);
+        tdmf_motion motion = s.motion;
+        double guards[TDMF_GUARD_COUNT], derivatives[TDMF_STATE_COUNT];
+        motion.mode = mode;
+        const tdmf_motion before = motion;
+        assert_true(
+            tdmf_resolve(&s.model, &s.inputs, 1.0, motion.state, &motion.mode, &motion.record).unresolved);
+        assert_memory_equal(&motion, &before, sizeof before);
+        assert_int_equal(tdmf_first_due(&s.model, &s.inputs, &mode, motion.state), TDMF_GUARD_COUNT);
+        tdmf_guards(&s.model, &s.inputs, &mode, motion.state, guards);
+        for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+            assert_true(isnan(guards[i]));
+        }
+        tdmf_derivatives(&s.model, &s.inputs, &mode, motion.state, derivatives);
+        assert_true(isnan(derivatives[TDMF_LEG_ANGLE_RATE]) && isnan(derivatives[TDMF_LEG_LENGTH_RATE]));
+        assert_true(isnan(tdmf_hip_torque(&s.model, &s.inputs, &mode, motion.state)));
+    }
+}
+
+/* ---- counts and pointers ------------------------------------------------------------------------------ */
+
+static void solvers_refuse_null(void **state) {
+    (void)state;
+    const scene s = standing_at_apex();
+    tdmf_solver solver = s.solver;
+    tdmf_motion motion = s.motion;
+    tdmf_variation variation = {.liftoff_angle = 0.0};
+    const tdmf_change change = {.inputs = {.ground = {.friction = 1.0}}};
+    assert_int_equal(tdmf_native_advance(NULL, &s.model, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, NULL, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, &s.model, NULL, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, &s.model, &s.inputs, NULL, 1.0, NULL), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(NULL, &s.model, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, NULL, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, &s.model, NULL, NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, &s.model, &s.inputs, NULL, 1.0, NULL), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_stride(&solver, &s.model, &s.inputs, 1.0, NULL).outcome, TDMF_REFUSED);
+    for (int missing = 0; missing < 2; ++missing) {
+        const tdmf_change *changes = missing == 0 ? NULL : &change;
+        tdmf_variation *variations = missing == 1 ? NULL : &variation;
+        assert_int_equal(
+            tdmf_native_stride_varied(&solver, &s.model, &s.inputs, 1.0, &motion, changes, variations, 1)
+                .outcome,
+            TDMF_REFUSED);
+        assert_int_equal(
+            tdmf_native_stance(&solver, &s.model, &s.inputs, 1.0, &motion, changes, variations, 1).outcome,
+            TDMF_REFUSED);
+    }
+    assert_memory_equal(&motion, &s.motion, sizeof motion);
+}
+
+static void a_log_begins_at_none(void **state) {
+    (void)state;
+    scene s = standing_at_apex();
+    tdmf_event_log log;
+    memset(&log, 0, sizeof log);
+    s.solver.log = &log;
+    log.count = -5;
+    assert_refused(stride, &s);
+    assert_int_equal(
+        tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, false, NULL, 0).outcome,
+        TDMF_REDUCED_REFUSED);
+    assert_int_equal(log.count, -5);
+    log.count = INT_MAX;
+    assert_int_equal(stride(&s), TDMF_ARRIVED);
+    assert_int_equal(log.count, INT_MAX);
+}
+
+static void maps_refuse_null(void **state) {
+    (void)state;
+    scene s = standing_at_apex();
+    const int counts[] = {1, INT_MAX, -1};
+    for (int i = 0; i < 3; ++i) {
+        assert_int_equal(
+            tdmf_return_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
+                .outcome.outcome,
+            TDMF_REFUSED);
+        assert_int_equal(
+            tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
+                .outcome,
+            TDMF_REDUCED_REFUSED);
+        assert_int_equal(
+            tdmf_find_reduced_orbit(&s.solver, &s.model, &s.inputs, s.section, NULL, counts[i]).outcome,
+            TDMF_ORBIT_NO_START);
+    }
+    for (int missing = 0; missing < 4; ++missing) {
+        tdmf_solver *solver = missing == 0 ? NULL : &s.solver;
+        const tdmf_model *model = missing == 1 ? NULL : &s.model;
+        const tdmf_inputs *inputs = missing == 2 ? NULL : &s.inputs;
+        double *section = missing == 3 ? NULL : s.section;
+        assert_int_equal(
+            tdmf_return_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome.outcome,
+            TDMF_REFUSED);
+        assert_int_equal(tdmf_reduced_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome,
+                         TDMF_REDUCED_REFUSED);
+        assert_int_equal(tdmf_find_orbit(solver, model, inputs, section, NULL).outcome, TDMF_ORBIT_NO_START);
+        assert_int_equal(tdmf_find_reduced_orbit(solver, model, inputs, section, NULL, 0).outcome,
+                         TDMF_ORBIT_NO_START);
+        assert_int_equal(tdmf_settle(solver, model, inputs, 3, section), 0);
+        assert_int_equal(tdmf_settle_reduced(solver, model, inputs, 3, section), 0);
+    }
+    assert_int_equal(tdmf_settle(&s.solver, &s.model, &s.inputs, -3, s.section), 0);
+    assert_int_equal(tdmf_settle_reduced(&s.solver, &s.model, &s.inputs, -3, s.section), 0);
+    assert_int_equal(s.solver.steps, 0);
+}
+
+static void refusals_name_what_is_null(void **state) {
+    (void)state;
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    scene s = standing_at_apex();
+    char text[64];
+    assert_string_equal(tdmf_model_create(NULL, &parameters).variable, "model");
+    assert_string_equal(tdmf_model_create(&s.model, NULL).variable, "parameters");
+    const tdmf_refusal refusal = tdmf_check_inputs(NULL);
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), "inputs is refused: it is NULL");
+    assert_null(tdmf_refusal_text(&refusal, NULL, sizeof text));
+    double *const x = s.motion.state;
+    tdmf_mode *const mode = &s.motion.mode;
+    tdmf_record *const record = &s.motion.record;
+    assert_string_equal(tdmf_start(NULL, &s.inputs, 0.0, x, mode, record).variable, "model");
+    assert_string_equal(tdmf_start(&s.model, NULL, 0.0, x, mode, record).variable, "inputs");
+    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, NULL, mode, record).variable, "state");
+    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, x, NULL, record).variable, "mode");
+    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, x, mode, NULL).variable, "record");
+    assert_int_equal(tdmf_setting_of(NULL), -1);
+}
+
+static void the_classic_runner_refuses_null(void **state) {
+    (void)state;
+    const tdmf_classic slip = tdmf_classic_default();
+    double height = 1.03, angle = 0.77;
+    assert_int_equal(tdmf_classic_return_map(NULL, 6000.0, height).outcome, TDMF_CLASSIC_NO_START);
+    assert_true(isnan(tdmf_classic_stance(NULL, 6000.0, height, 0.01).x));
+    assert_false(tdmf_classic_fixed_point(NULL, 6000.0, height, &height));
+    assert_false(tdmf_classic_fixed_point(&slip, 6000.0, height, NULL));
+    assert_false(tdmf_classic_fold(NULL, 6000.0, &angle, &height));
+    assert_false(tdmf_classic_fold(&slip, 6000.0, NULL, &height));
+    assert_false(tdmf_classic_fold(&slip, 6000.0, &angle, NULL));
+    assert_true(height == 1.03 && angle == 0.77);
+}
+
+/* ---- the ensemble ------------------------------------------------------------------------------------- */
+
+enum { RUNNERS = 3, STRIDES = 2 };
+
+typedef struct {
+    scene scene;
+    double starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ensemble_case its_case;
+    tdmf_ensemble_place places[RUNNERS];
+    tdmf_ensemble_stride strides[RUNNERS];
+    int setting;
+    double one[1];
+    double gain[1][TDMF_SECTION_COUNT];
+    tdmf_affine_law law;
+    tdmf_given_settings given;
+    tdmf_ensemble ensemble;
+    tdmf_ensemble_end ends[RUNNERS];
+} crowd;
+
+static void gather(crowd *crowd) {
+    memset(crowd, 0, sizeof *crowd);
+    crowd->scene = standing_at_apex();
+    for (int i = 0; i < RUNNERS; ++i) {
+        memcpy(crowd->starts[i], crowd->scene.section, sizeof crowd->starts[i]);
+    }
+    crowd->setting = tdmf_setting_of("ground.friction");
+    crowd->one[0] = 0.6;
+    const tdmf_affine_law law = {.count = 1,
+                                 .settings = &crowd->setting,
+                                 .nominal = crowd->one,
+                                 .gain = (const double(*)[TDMF_SECTION_COUNT])crowd->gain,
+                                 .low = crowd->one,
+                                 .high = crowd->one};
+    crowd->law = law;
+    const tdmf_given_settings given = {1, &crowd->setting, 0, 1, NULL};
+    crowd->given = given;
+    const tdmf_ensemble_case its_case = {&crowd->scene.model, crowd->scene.inputs, {.most_strides = STRIDES}};
+    crowd->its_case = its_case;
+    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = 1e-9,
+                                    .threads = 1,
+                                    .strides = crowd->strides,
+                                    .stride_count = 1,
+                                    .places = crowd->places};
+    crowd->ensemble = ensemble;
+}
+
+typedef void change(crowd *crowd);
+
+static void no_cases(crowd *c) {
+    c->ensemble.cases = NULL;
+}
+static void cases_below_zero(crowd *c) {
+    c->ensemble.case_count = -1;
+}
+static void no_model(crowd *c) {
+    c->its_case.model = NULL;
+}
+static void no_starts(crowd *c) {
+    c->ensemble.starts = NULL;
+}
+static void runners_below_zero(crowd *c) {
+    c->ensemble.count = -1;
+}
+static void gaits_without_array(crowd *c) {
+    c->its_case.rules.gait_count = INT_MAX;
+}
+static void gaits_below_zero(crowd *c) {
+    c->its_case.rules.gait_count = -1;
+}
+static void notes_below_zero(crowd *c) {
+    c->ensemble.stride_count = -1;
+}
+static void notes_from_below_zero(crowd *c) {
+    c->ensemble.first_stride = -1;
+}
+static void goes_on_from_nowhere(crowd *c) {
+    c->ensemble.goes_on = true;
+    c->ensemble.places = NULL;
+}
+static void goes_on_in_no_mode(crowd *c) {
+    c->ensemble.goes_on = true;
+    c->places[RUNNERS - 1].stands = true;
+    c->places[RUNNERS - 1].motion = c->scene.motion;
+    c->places[RUNNERS - 1].motion.mode.contact = (tdmf_contact_mode)77;
+}
+static void given_no_values(crowd *c) {
+    c->ensemble.given = &c->given;
+}
+static void given_no_settings(crowd *c) {
+    c->given.settings = NULL;
+    c->given.values = c->one;
+    c->ensemble.given = &c->given;
+}
+static void follow_law(crowd *c) {
+    c->its_case.rules.law = &c->law;
+}
+static void law_without_settings(crowd *c) {
+    follow_law(c);
+    c->law.settings = NULL;
+}
+static void law_of_too_many(crowd *c) {
+    follow_law(c);
+    c->law.count = INT_MAX;
+}
+static void law_without_nominal(crowd *c) {
+    follow_law(c);
+    c->law.nominal = NULL;
+}
+static void law_without_gain(crowd *c) {
+    follow_law(c);
+    c->law.gain = NULL;
+}
+static void law_without_low(crowd *c) {
+    follow_law(c);
+    c->law.low = NULL;
+}
+static void law_without_high(crowd *c) {
+    follow_law(c);
+    c->law.high = NULL;
+}
+
+static void ensembles_refuse_counts_without_arrays(void **state) {
+    (void)state;
+    change *const changes[] = {no_cases,
+                               cases_below_zero,
+                               no_model,
+                               no_starts,
+                               runners_below_zero,
+                               gaits_without_array,
+                               gaits_below_zero,
+                               notes_below_zero,
+                               notes_from_below_zero,
+                               goes_on_from_nowhere,
+                               goes_on_in_no_mode,
+                               given_no_values,
+                               given_no_settings,
+                               law_without_settings,
+                               law_of_too_many,
+                               law_without_nominal,
+                               law_without_gain,
+                               law_without_low,
+                               law_without_high};
+    crowd crowd;
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
+        gather(&crowd);
+        changes[i](&crowd);
+        crowd.ends[0].strides = 77;
+        assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+        assert_int_equal(crowd.ends[0].strides, 77);
+    }
+    gather(&crowd);
+    assert_false(tdmf_run_ensemble(NULL, crowd.ends, NULL));
+    assert_false(tdmf_run_ensemble(&crowd.ensemble, NULL, NULL));
+    follow_law(&crowd);
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    assert_int_equal(crowd.ends[RUNNERS - 1].strides, STRIDES);
+}
+
+/* So many threads could not even be counted. */
+static void threads_are_no_more_than_runners(void **state) {
+    (void)state;
+    crowd crowd;
+    gather(&crowd);
+    crowd.ensemble.threads = INT_MAX;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    crowd.ensemble.count = 0;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+}
+
+/* ---- buffers that are the same ------------------------------------------------------------------------ */
+
+static void in_place_gives_the_same(void **state) {
+    (void)state;
+    const scene s = standing_at_apex();
+    double apart[TDMF_STATE_COUNT], in_place[TDMF_STATE_COUNT];
+    tdmf_section_state(&s.model, &s.inputs, s.section, apart);
+    for (int at = 0; at + TDMF_SECTION_COUNT <= TDMF_STATE_COUNT; ++at) {
+        memset(in_place, 0, sizeof in_place);
+        memcpy(in_place + at, s.section, sizeof s.section);
+        tdmf_section_state(&s.model, &s.inputs, in_place + at, in_place);
+        assert_memory_equal(in_place, apart, sizeof apart);
+    }
+    tdmf_reduced_state(&s.model, &s.inputs, s.section, apart);
+    for (int at = 0; at + TDMF_REDUCED_COUNT <= TDMF_STATE_COUNT; ++at) {
+        memset(in_place, 0, sizeof in_place);
+        memcpy(in_place + at, s.section, TDMF_REDUCED_COUNT * sizeof *in_place);
+        tdmf_reduced_state(&s.model, &s.inputs, in_place + at, in_place);
+        assert_memory_equal(in_place, apart, sizeof apart);
+    }
+    random_source source = {4};
+    for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
+        const runner anybody = scene_random(&source, (tdmf_contact_mode)contact);
+        memcpy(in_place, anybody.state, sizeof in_place);
+        tdmf_derivatives(&anybody.model, &anybody.inputs, &anybody.mode, anybody.state, apart);
+        tdmf_derivatives(&anybody.model, &anybody.inputs, &anybody.mode, in_place, in_place);
+        assert_memory_equal(in_place, apart, sizeof apart);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_solver_runs_in_a_mode_that_there_is_not),
+        cmocka_unit_test(contact_and_phase_have_to_go_together),
+        cmocka_unit_test(the_automaton_takes_nothing_in_a_mode_that_there_is_not),
+        cmocka_unit_test(solvers_refuse_null),
+        cmocka_unit_test(a_log_begins_at_none),
+        cmocka_unit_test(maps_refuse_null),
+        cmocka_unit_test(refusals_name_what_is_null),
+        cmocka_unit_test(the_classic_runner_refuses_null),
+        cmocka_unit_test(ensembles_refuse_counts_without_arrays),
+        cmocka_unit_test(threads_are_no_more_than_runners),
+        cmocka_unit_test(in_place_gives_the_same),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
