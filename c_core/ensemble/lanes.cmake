@@ -17,7 +17,7 @@ function(add_lanes name function count)
         return()
     endif()
     add_library(lanes_${name} OBJECT ensemble/batches.c)
-    target_include_directories(lanes_${name} PRIVATE include model model/events solver kernel gait)
+    target_include_directories(lanes_${name} PRIVATE include derived model model/events solver kernel gait)
     target_compile_definitions(lanes_${name} PRIVATE TDMF_RUN_BATCHES=${function} TDMF_LANES=${count})
     tdmf_slip_compile(lanes_${name})
     target_compile_options(lanes_${name} PRIVATE ${ARGN})
@@ -45,7 +45,7 @@ get_property(lane_macros DIRECTORY PROPERTY lane_macros)
 # use_ensemble(<target>): puts the engine into a library of the core's sources, or beside one.
 function(use_ensemble target)
     target_sources(${target} PRIVATE ${ensemble_sources} ${lanes})
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/model
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/derived ${PROJECT_SOURCE_DIR}/c_core/model
                                ${PROJECT_SOURCE_DIR}/c_core/model/events ${PROJECT_SOURCE_DIR}/c_core/solver
                                ${PROJECT_SOURCE_DIR}/c_core/kernel ${PROJECT_SOURCE_DIR}/c_core/gait)
     target_compile_definitions(${target} PRIVATE ${lane_macros})

@@ -5,6 +5,7 @@ x_m = x - r sin theta,   y_m = y + r cos theta
 
 from . import ground_line
 from .functions import Record, atan2, sqrt
+from .leg import direction_over
 
 
 def body_from_foot(state, direction):
@@ -62,6 +63,11 @@ def foot_over_ground(line, state):
     )
 
 
+def angle_seen(x, y, slope):
+    """theta = atan2(-x, y) + sigma, of a body there as seen from the foot, in axes turned by a slope."""
+    return atan2(-x, y) + slope
+
+
 def leg_to(body, slope):
     """The leg to a body that is there and moves so as seen from the foot, in axes turned by a slope.
 
@@ -70,7 +76,7 @@ def leg_to(body, slope):
     length = sqrt(body.x * body.x + body.y * body.y)
     return Record(
         length=length,
-        angle=atan2(-body.x, body.y) + slope,
+        angle=angle_seen(body.x, body.y, slope),
         length_rate=(body.x * body.vx + body.y * body.vy) / length,
         angle_rate=(body.x * body.vy - body.y * body.vx) / (length * length),
     )
@@ -84,3 +90,39 @@ def leg_rates_with_foot(state, direction, vx, vy):
         length=state.leg_length_rate + (direction.cosine * lost_y - direction.sine * lost_x),
         angle=state.leg_angle_rate - (direction.cosine * lost_x + direction.sine * lost_y) / state.leg_length,
     )
+
+
+def on_ground(line, state, direction):
+    """The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes."""
+    body = body_from_foot(state, direction_over(line, direction))
+    foot_vx = ground_line.along(line, state.foot_vx, state.foot_vy)
+    return Record(
+        x=body.x,
+        y=body.y,
+        vx=foot_vx + body.vx,
+        vy=body.vy,
+        foot_x=ground_line.place_along(line, state.foot_x, state.foot_y),
+        foot_vx=foot_vx,
+    )
+
+
+def from_ground(line, at, turns):
+    """The state that coordinates on the ground stand for; the leg has wound by `turns`, in radians."""
+    body = Record(x=at.x, y=at.y, vx=at.vx - at.foot_vx, vy=at.vy)
+    leg = leg_to(body, line.slope)
+    foot = ground_line.point_on(line, at.foot_x, at.foot_vx)
+    return Record(
+        foot_x=foot.x,
+        foot_y=foot.y,
+        leg_length=leg.length,
+        leg_angle=leg.angle + turns,
+        foot_vx=foot.vx,
+        foot_vy=foot.vy,
+        leg_length_rate=leg.length_rate,
+        leg_angle_rate=leg.angle_rate,
+    )
+
+
+def angle_rate(momentum, length):
+    """L/r^2, of the momentum r^2 thetadot."""
+    return momentum / (length * length)

@@ -16,7 +16,7 @@ def sliding_force(friction, normal):
     return friction * normal
 
 
-def room(friction, sign, force, wide):
+def room(friction, wide, sign, force):
     """rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s.
 
     Of a wide cone, rho mu > 1, by rho mu: so it has the forces' own rounding, and nothing overflows.

@@ -56,11 +56,10 @@ def in_mode(model, inputs, line, leg, torque, contact, sign):
     return force
 
 
-def graze_torque(model, line, leg, sine):
+def graze_torque(model, line, leg, upright, sine):
     """tau_eq = r (F_s cos theta' + m_f g cos sigma)/sin theta', which keeps an unloaded foot at the ground.
 
-    `sine` is that of theta', or the smallest that may stand in a denominator.
+    Of an upright leg `sine` is the smallest that may stand in the denominator.
     """
-    return (leg.axial_force * leg.ground_cosine + foot_weight(model) * line.cosine) / (
-        sine * leg.inverse_length
-    )
+    load = leg.axial_force * leg.ground_cosine + foot_weight(model) * line.cosine
+    return load / ((sine if upright else leg.ground_sine) * leg.inverse_length)

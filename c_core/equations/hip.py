@@ -14,7 +14,10 @@ In every phase the law is affine in the leg's angle, its rate and time, and is d
     tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t
 """
 
+from . import ground_force
 from .functions import Record
+
+HELD = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
 
 
 def _law(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
@@ -91,3 +94,29 @@ def after(law, elapsed):
         law.torque + elapsed * law.torque_rate,
         law.torque_rate,
     )
+
+
+def servo_torque(model, inputs, state, phase, liftoff_angle):
+    """Of the servo alone, by which the clamp of (12) is decided."""
+    law = servo(model, inputs, phase, liftoff_angle, state.hip_place_time)
+    return torque(law, state.leg_angle, state.leg_angle_rate)
+
+
+def stance_torque(model, inputs, state, drives):
+    """Under the law of stance  (11), with the inputs held."""
+    return torque(stance(model, inputs, HELD, drives), state.leg_angle, state.leg_angle_rate)
+
+
+def flight_torque(model, inputs, state, phase, clamp_closed, liftoff_angle):
+    """Under the law of flight  (12), with the inputs held."""
+    law = flight(model, inputs, HELD, phase, clamp_closed, liftoff_angle, state.hip_place_time)
+    return torque(law, state.leg_angle, state.leg_angle_rate)
+
+
+def torque_in_mode(model, inputs, mode, state, leg, upright, sine):
+    """The total torque: of flight or stance, and in graze what keeps the foot at the ground."""
+    if mode.contact == "graze":
+        return ground_force.graze_torque(model, mode.ground, leg, upright, sine)
+    if mode.contact == "flight":
+        return flight_torque(model, inputs, state, mode.phase, mode.clamp_closed, mode.liftoff_angle)
+    return stance_torque(model, inputs, state, mode.mid_stance_pending)

@@ -15,42 +15,37 @@
 
 /* ---- the centre of mass ------------------------------------------------------------------------------- */
 
-static tdmf_fall acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
+static tdmf_vector acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
     return tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
 }
 
-static tdmf_fall vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
-                                   const tdmf_direction *d) {
+static tdmf_vector vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const tdmf_direction *d) {
     return tdmf_vary_fall_of_center(model, tdmf_push_on_body(model, inputs), &d->model,
                                     tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
 }
 
+static const tdmf_vector steady = {0.0, 0.0};
+
 tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from, double t) {
-    const tdmf_fall a = acceleration_of(model, inputs);
-    const tdmf_point later = {from.x + t * (from.vx + 0.5 * t * a.x), from.y + t * (from.vy + 0.5 * t * a.y),
-                              from.vx + t * a.x, from.vy + t * a.y};
-    return later;
+    return tdmf_ballistic_after(from, acceleration_of(model, inputs), steady, t);
 }
 
 tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                                tdmf_point from, tdmf_point d_from, double t, double d_time) {
-    const tdmf_fall a = acceleration_of(model, inputs);
-    const tdmf_fall d_a = vary_acceleration(model, inputs, d);
-    const tdmf_point d_later = {d_from.x + t * (d_from.vx + 0.5 * t * d_a.x) + (from.vx + t * a.x) * d_time,
-                                d_from.y + t * (d_from.vy + 0.5 * t * d_a.y) + (from.vy + t * a.y) * d_time,
-                                d_from.vx + t * d_a.x + a.x * d_time, d_from.vy + t * d_a.y + a.y * d_time};
-    return d_later;
+    return tdmf_vary_ballistic_after(from, acceleration_of(model, inputs), steady, t, d_from,
+                                     vary_acceleration(model, inputs, d), steady, d_time);
 }
 
 double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from) {
-    const tdmf_fall a = acceleration_of(model, inputs);
+    const tdmf_vector a = acceleration_of(model, inputs);
     return a.y < 0.0 ? from.vy / -a.y : INFINITY;
 }
 
 double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                               tdmf_point from, tdmf_point d_from) {
-    const tdmf_fall a = acceleration_of(model, inputs);
-    const tdmf_fall d_a = vary_acceleration(model, inputs, d);
+    const tdmf_vector a = acceleration_of(model, inputs);
+    const tdmf_vector d_a = vary_acceleration(model, inputs, d);
     return (d_from.vy + tdmf_time_to_apex(model, inputs, from) * d_a.y) / -a.y;
 }
 
@@ -77,14 +72,15 @@ static void write_leg(const tdmf_model *model, const tdmf_inputs *inputs, double
 void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex, double time,
                            double state[TDMF_STATE_COUNT]) {
     write_leg(model, inputs, time, state);
-    tdmf_set_center_of_mass(model, tdmf_ballistic(model, inputs, apex, time), state);
+    const tdmf_point center = tdmf_ballistic(model, inputs, apex, time);
+    tdmf_set_foot(tdmf_foot_below(model, center, state, tdmf_leg_direction_of(state)), state);
     state[TDMF_HIP_PLACE_TIME] = time;
 }
 
 /* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
 void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
-    const tdmf_fall a = acceleration_of(model, inputs);
+    const tdmf_vector a = acceleration_of(model, inputs);
     const double rate = state[TDMF_LEG_ANGLE_RATE];
     const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
@@ -101,8 +97,11 @@ void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inpu
                                 const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
     write_leg(&d->model, &d->inputs, time, d_state);
-    const tdmf_point d_com = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
-    tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, d_com, d_state);
+    const tdmf_point center = tdmf_ballistic(model, inputs, apex, time);
+    const tdmf_point d_center = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
+    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, tdmf_leg_direction_of(state), &d->model,
+                                       d_center, d_state),
+                  d_state);
 }
 
 /* ---- the way down ------------------------------------------------------------------------------------- */
@@ -116,7 +115,7 @@ static bool body_may_come_first(const tdmf_swinging_height *foot, double time) {
 tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                           tdmf_point apex) {
     const double length = placed_length(model, inputs);
-    const tdmf_fall a = acceleration_of(model, inputs);
+    const tdmf_vector a = acceleration_of(model, inputs);
     tdmf_swinging_height foot = {
         tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
         tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,

@@ -51,8 +51,8 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
                                const tdmf_change *change, const tdmf_variation *variation) {
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point com = tdmf_center_of_mass(model, state);
-    const tdmf_point d_com =
-        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d.model, variation->state);
+    const tdmf_point d_com = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
+                                                            &d.model, variation->state);
     const double time = tdmf_time_to_apex(model, inputs, com);
     const double d_time = tdmf_vary_time_to_apex(model, inputs, &d, com, d_com);
     const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);

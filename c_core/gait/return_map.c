@@ -43,7 +43,7 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
     write_leg(d_section, d_state);
     /* The foot does not move yet: this is how the centre of mass moves from it. */
     const tdmf_point from_foot =
-        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
+        tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state), &d->model, d_state);
     const double d_ground_height =
         tdmf_vary_ground_height_at(ground, tdmf_center_of_mass(model, state).x, &d->mode.ground, from_foot.x);
     d_state[TDMF_FOOT_Y] = d_section[TDMF_SECTION_COM_HEIGHT] + d_ground_height - from_foot.y;
@@ -59,9 +59,9 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
     const double *d_state = variation->state;
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
-    const tdmf_point d_com = tdmf_vary_center_of_mass(
+    const tdmf_point d_com = tdmf_vary_center_of_mass_along(
         model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const tdmf_fall fall = tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
+    const tdmf_vector fall = tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
     const double shift = d_com.vy / -fall.y;
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
@@ -105,9 +105,9 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_grou
         vary_section_state(model, ground, state, d_section, &d, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
         memset(&variation->stance, 0, sizeof variation->stance);
-        bundle->start_com_x[i] =
-            tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d.model, variation->state)
-                .x;
+        bundle->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
+                                                                &d.model, variation->state)
+                                     .x;
     }
 }
 

@@ -1,4 +1,4 @@
-/* Ground forces as the world asks for them; ground_force.h has the law. */
+/* Ground forces as the world asks for them; equations/ground_force.py has the law. */
 #include "tdmf_slip/contact.h"
 
 #include "evaluation.h"
@@ -6,12 +6,8 @@
 tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs *inputs,
                                       const tdmf_mode *mode, double torque,
                                       const double state[TDMF_STATE_COUNT]) {
-    const tdmf_evaluation at = {.model = model,
-                                .inputs = inputs,
-                                .mode = mode,
-                                .state = state,
-                                .leg = tdmf_leg_of(model, inputs, mode, state)};
-    return tdmf_force_under(&at, torque);
+    const tdmf_leg leg = tdmf_leg_of(model, inputs, mode, state);
+    return tdmf_force_under(model, &mode->ground, &leg, torque);
 }
 
 tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,

@@ -1,15 +1,15 @@
-/* Mechanical energy, varied. */
+/* Mechanical energy where the leg's direction is at hand; its law is in equations/energy.py. */
 #ifndef TDMF_MODEL_ENERGY_H
 #define TDMF_MODEL_ENERGY_H
 
-#include "evaluated.h"
-#include "tdmf_slip/energy.h"
+#include "energy_laws.h"
+#include "leg.h"
 
-/* tdmf_mechanical_energy, where the leg's direction is at hand. */
-tdmf_energy tdmf_mechanical_energy_along(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                         tdmf_leg_direction direction);
-
-tdmf_energy tdmf_vary_energy(const tdmf_evaluation *at, const tdmf_direction *d, const tdmf_evaluation *d_at);
+static inline tdmf_energy tdmf_mechanical_energy_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                       const tdmf_mode *mode,
+                                                       const double state[TDMF_STATE_COUNT],
+                                                       tdmf_leg_direction direction) {
+    return tdmf_energy_with(model, state, direction, tdmf_rest_length(model, inputs, mode));
+}
 
 #endif

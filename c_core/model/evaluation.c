@@ -2,12 +2,20 @@
 #include "evaluation.h"
 
 tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_direction *d) {
+    const tdmf_model *model = at->model;
+    const tdmf_inputs *inputs = at->inputs;
+    const tdmf_mode *mode = at->mode;
+    const tdmf_leg *leg = &at->leg;
+    const tdmf_leg_direction direction = {leg->sine, leg->cosine};
     tdmf_evaluation d_at = {.model = &d->model, .inputs = &d->inputs, .mode = &d->mode, .state = d->state};
-    d_at.leg = tdmf_vary_leg(
-        at->model, &at->leg, &d->model,
-        tdmf_vary_rest_length(tdmf_thrust_acts(at->model, at->inputs, at->mode), &d->model, &d->inputs),
-        &d->mode.ground, d->state);
-    d_at.torque = tdmf_vary_torque_in_mode(at, &d_at.leg, d);
-    d_at.force = tdmf_vary_force_in_mode(at, &d_at);
+    const double d_rest_length = tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode);
+    d_at.leg = tdmf_vary_leg_with(model, &mode->ground, at->state, direction, leg->rest_length, leg,
+                                  &d->model, &d->mode.ground, d->state, d_rest_length);
+    d_at.torque =
+        tdmf_vary_torque_in(model, inputs, mode, at->state, leg, tdmf_is_upright(leg), tdmf_least_sine(leg),
+                            at->torque, &d->model, &d->inputs, &d->mode, d->state, &d_at.leg);
+    d_at.force = tdmf_vary_force_in(model, inputs, &mode->ground, leg, at->torque, mode->contact,
+                                    tdmf_sign_of_slip(mode), &d->model, &d->inputs, &d->mode.ground,
+                                    &d_at.leg, d_at.torque);
     return d_at;
 }

@@ -1,13 +1,38 @@
-/* Evaluation of an instant, once and in the one order in which each quantity follows from those before it. In
- * line: a right-hand side is hardly more than this. */
+/* A runner at one instant, for all that reads it: the leg, the hip's torque and the ground force, evaluated
+ * once and in the one order in which each follows from those before it. In line: a right-hand side is hardly
+ * more than this. */
 #ifndef TDMF_MODEL_EVALUATION_H
 #define TDMF_MODEL_EVALUATION_H
 
-#include "evaluated.h"
-#include "ground_force.h"
-#include "hip_torque.h"
+#include "contact_mode.h"
+#include "direction.h"
+#include "ground_force_laws.h"
+#include "hip_law.h"
+#include "leg.h"
+#include "margins.h"
 
-/* Where the leg is at hand. The other arguments are not copied. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    const tdmf_mode *mode;
+    const double *state;
+    tdmf_leg leg;
+    double torque;           /* tau, total */
+    tdmf_ground_force force; /* of the mode */
+} tdmf_evaluation;
+
+/* The foot is below the body: sin(theta'), which no torque's lever may be made of, is as good as zero. */
+static inline bool tdmf_is_upright(const tdmf_leg *leg) {
+    return fabs(leg->ground_sine) <= TDMF_SMALLEST_SINE;
+}
+
+/* What stands for the sine then. */
+static inline double tdmf_least_sine(const tdmf_leg *leg) {
+    return copysign(TDMF_SMALLEST_SINE, leg->ground_sine);
+}
+
+/* Where the leg is at hand. The other arguments are not copied. The torque is not a number in a mode that
+ * there is not, so that nothing that follows from it passes for a result. */
 static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const tdmf_inputs *inputs,
                                                 const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                                                 const tdmf_leg *leg) {
@@ -17,8 +42,11 @@ static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const t
     at.mode = mode;
     at.state = state;
     at.leg = *leg;
-    at.torque = tdmf_torque_in_mode(&at);
-    at.force = tdmf_force_in_mode(&at);
+    at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(model, inputs, mode, state, &at.leg, tdmf_is_upright(leg),
+                                                    tdmf_least_sine(leg))
+                                   : (double)NAN;
+    at.force = tdmf_force_in(model, inputs, &mode->ground, &at.leg, at.torque, mode->contact,
+                             tdmf_sign_of_slip(mode));
     return at;
 }
 

@@ -1,32 +1,13 @@
-/* Coulomb friction: everything that is made of its coefficient. It is linear in the inputs, so that the same
- * functions serve values, rates and variations. */
+/* Friction as modes have it; its law is in equations/friction.py. */
 #ifndef TDMF_MODEL_FRICTION_H
 #define TDMF_MODEL_FRICTION_H
 
 #include "contact_mode.h"
-#include "tdmf_slip/parameters.h"
+#include "friction_laws.h"
 
-/* rho mu, of a foot at rest: its cone is |f_x| <= rho mu f_y  (2), and an impact inside the same cone stops
- * it. */
-static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return model->parameters.ground.static_friction_ratio * inputs->ground.friction;
-}
-
-/* Its change. */
-static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               const tdmf_model *d_model, const tdmf_inputs *d_inputs) {
-    return tdmf_static_friction(d_model, inputs) + tdmf_static_friction(model, d_inputs);
-}
-
-/* mu of a foot that slips. */
-static inline double tdmf_sliding_friction(const tdmf_inputs *inputs) {
-    return inputs->ground.friction;
-}
-
-/* The same with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip.
- */
+/* mu with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip. */
 static inline double tdmf_signed_friction(const tdmf_inputs *inputs, const tdmf_mode *mode) {
-    return tdmf_sign_of_slip(mode) * tdmf_sliding_friction(inputs);
+    return tdmf_sliding_friction(inputs, tdmf_sign_of_slip(mode));
 }
 
 /* The edges of the friction cone as guards, normal f_y + tangential f_x and normal f_y - tangential f_x: they

@@ -1,20 +1,16 @@
 /* Graze: the foot rests on the ground without force, between the stance law that lifts it and the flight law
- * that holds it down. See graze.c. */
+ * that holds it down. See equations/graze.py. */
 #ifndef TDMF_MODEL_GRAZE_H
 #define TDMF_MODEL_GRAZE_H
 
 #include "evaluation.h"
 
-/* The force of the ground on a foot at rest on the ground that would stay there under either law, external
- * torque included; its f_y is negative where the law lifts the foot. And their changes, `d_at` being that of
- * `at`.
- */
-tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at);
-tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at);
-tdmf_ground_force tdmf_vary_force_in_stance(const tdmf_evaluation *at, const tdmf_direction *d,
-                                            const tdmf_evaluation *d_at);
-tdmf_ground_force tdmf_vary_force_in_flight(const tdmf_evaluation *at, const tdmf_direction *d,
-                                            const tdmf_evaluation *d_at);
+/* N, what the ground would press with against a foot at rest that would stay there under either law, external
+ * torque included: negative where the law lifts the foot. And their changes, `d` being that of `at`. */
+double tdmf_load_in_stance(const tdmf_evaluation *at);
+double tdmf_load_in_flight(const tdmf_evaluation *at);
+double tdmf_vary_load_in_stance(const tdmf_evaluation *at, const tdmf_evaluation *d);
+double tdmf_vary_load_in_flight(const tdmf_evaluation *at, const tdmf_evaluation *d);
 
 /* The contact mode of a foot at rest on the ground after an impact or at a start: flight, graze, or stick,
  * which stands for any loaded contact. The mode of `off_ground` has the phase and theta_LO of the flight law.

@@ -1,4 +1,4 @@
-/* The hip's torque as the world asks for it; hip_law.h has the laws. */
+/* The hip's torque as the world asks for it; equations/hip.py has the laws. */
 #include "tdmf_slip/hip.h"
 
 #include "evaluation.h"

@@ -1,7 +1,8 @@
-/* The impact map, varied. */
+/* The impact where the leg's direction is at hand, and varied; its law is in equations/impact.py. */
 #ifndef TDMF_MODEL_IMPACT_H
 #define TDMF_MODEL_IMPACT_H
 
+#include "direction.h"
 #include "leg.h"
 #include "tdmf_slip/impact.h"
 
@@ -12,7 +13,7 @@ double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, con
 /* What the impact map makes of a change. `d_state` is that of the state before on call, of the state after on
  * return. Returns the change of the energy lost. */
 double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                        const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
-                        const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
+                        const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                        double d_state[TDMF_STATE_COUNT]);
 
 #endif

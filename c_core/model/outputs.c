@@ -13,7 +13,7 @@ tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs,
     const tdmf_point body = tdmf_body_along(state, direction);
     const tdmf_point com = tdmf_center_of_mass_along(model, state, direction);
     const tdmf_energy energy = tdmf_mechanical_energy_along(model, inputs, mode, state, direction);
-    const tdmf_world_force force = tdmf_force_in_world(&mode->ground, at.force);
+    const tdmf_vector force = tdmf_vector_on(&mode->ground, at.force.tangential, at.force.normal);
     const tdmf_outputs outputs = {
         .body = {body.x, body.y, body.vx, body.vy},
         .com = {com.x, com.y, com.vx, com.vy},

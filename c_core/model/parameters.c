@@ -6,6 +6,7 @@
 #include "direction.h"
 #include "input_rates.h"
 #include "ranges.h"
+#include "runner_laws.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -65,6 +66,14 @@ static tdmf_scales scales_of(const tdmf_parameters *p) {
     return scales;
 }
 
+static void set_mass_constants(tdmf_model *model, const tdmf_mass_constants *constants) {
+    model->inverse_body_mass = constants->inverse_body_mass;
+    model->inverse_foot_mass = constants->inverse_foot_mass;
+    model->mobility = constants->mobility;
+    model->total_mass = constants->total_mass;
+    model->body_share = constants->body_share;
+}
+
 tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters) {
     if (model == NULL || parameters == NULL) {
         return tdmf_absent(model == NULL ? "model" : "parameters");
@@ -83,25 +92,17 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     }
     model->parameters = *parameters;
     model->scales = scales_of(parameters);
-    model->inverse_body_mass = 1.0 / parameters->body.mass;
-    model->inverse_foot_mass = 1.0 / parameters->foot.mass;
-    model->mobility = model->inverse_body_mass + model->inverse_foot_mass;
-    model->total_mass = parameters->body.mass + parameters->foot.mass;
-    model->body_share = parameters->body.mass / model->total_mass;
+    const tdmf_mass_constants constants = tdmf_mass_constants_of(model);
+    set_mass_constants(model, &constants);
     return accepted;
 }
 
 tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change) {
-    const double body = model->parameters.body.mass;
-    const double foot = model->parameters.foot.mass;
-    const double d_body = change->body.mass;
-    const double d_foot = change->foot.mass;
+    const tdmf_mass_constants constants = {model->inverse_body_mass, model->inverse_foot_mass,
+                                           model->mobility, model->total_mass, model->body_share};
     tdmf_model varied = {.parameters = *change};
-    varied.inverse_body_mass = -d_body * model->inverse_body_mass * model->inverse_body_mass;
-    varied.inverse_foot_mass = -d_foot * model->inverse_foot_mass * model->inverse_foot_mass;
-    varied.mobility = varied.inverse_body_mass + varied.inverse_foot_mass;
-    varied.total_mass = d_body + d_foot;
-    varied.body_share = (d_body * foot - body * d_foot) / (model->total_mass * model->total_mass);
+    const tdmf_mass_constants changes = tdmf_vary_mass_constants_of(model, &constants, &varied);
+    set_mass_constants(&varied, &changes);
     return varied;
 }
 

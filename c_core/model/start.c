@@ -6,7 +6,6 @@
 #include "ground_line.h"
 #include "impact.h"
 #include "kinematics.h"
-#include "leg_work.h"
 #include "margins.h"
 #include "ranges.h"
 #include "record.h"
@@ -172,8 +171,8 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
     return tdmf_vary_leg_work_of_jump(
         model, started[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before),
         tdmf_rest_length(model, inputs, mode), &d->model, d_length,
-        tdmf_vary_rest_length(false, &d->model, &d->inputs),
-        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, mode), &d->model, &d->inputs));
+        tdmf_vary_rest_length(model, inputs, &before, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode));
 }
 
 tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
@@ -188,12 +187,12 @@ tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs 
     const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     if (foot_is_at_ground(model, &ground, given) && rate_of_foot(model, &ground, given) < 0.0) {
-        varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, started, &d, d_state);
+        varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, &d, d_state);
     }
     d_state[TDMF_LEG_WORK] = vary_leg_work(model, inputs, started, mode, &d, d_state[TDMF_LEG_LENGTH]);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(started);
     const tdmf_point com = tdmf_center_of_mass_along(model, started, direction);
-    const tdmf_point d_com = tdmf_vary_center_of_mass(model, started, direction, &d.model, d_state);
+    const tdmf_point d_com = tdmf_vary_center_of_mass_along(model, started, direction, &d.model, d_state);
     varied.com_height = d_com.y - tdmf_vary_ground_height_at(&ground, com.x, &d.mode.ground, d_com.x);
     return varied;
 }

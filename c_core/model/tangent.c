@@ -3,6 +3,7 @@
 
 #include "dynamics.h"
 #include "energy.h"
+#include "ground_line.h"
 #include "kinematics.h"
 
 tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
@@ -12,16 +13,18 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
     const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
-    const tdmf_world_force force = tdmf_vary_force_in_world(&at, &d_at);
+    const tdmf_vector force = tdmf_vary_vector_on(&mode->ground, at.force.tangential, at.force.normal,
+                                                  &d.mode.ground, d_at.force.tangential, d_at.force.normal);
     tdmf_tangent tangent = {
-        .body = tdmf_vary_body(state, direction, d.state),
-        .com = tdmf_vary_center_of_mass(model, state, direction, &d.model, d.state),
+        .body = tdmf_vary_body_along(state, direction, d.state),
+        .com = tdmf_vary_center_of_mass_along(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
         .contact_fx = force.x,
         .contact_fy = force.y,
         .torque = d_at.torque,
         .leg_force = d_at.leg.axial_force,
-        .energy = tdmf_vary_energy(&at, &d, &d_at),
+        .energy = tdmf_vary_energy_with(model, state, direction, at.leg.rest_length, &d.model, d.state,
+                                        d_at.leg.rest_length),
     };
     if (!mode->fallen) {
         tdmf_vary_rates_of_state(&at, &d_at, tangent.derivatives);

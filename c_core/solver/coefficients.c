@@ -1,51 +1,25 @@
-/* The coefficients of the two motions, made of the model's constants and laws. */
+/* The coefficients of the two motions, made of the model's constants and laws by equations/constants.py. */
 #include "coefficients.h"
 
+#include "constant_laws.h"
 #include "friction.h"
-#include "ground_force.h"
-#include "input_rates.h"
 
 #include <math.h>
 
-/* The leg's and the hip's law by the mobility M: linear in either, so that the variation is made of the same
- * products. */
-static flight_coefficients times_mobility(double mobility, const tdmf_parameters *p, double rest_length,
-                                          const tdmf_hip_law *law) {
-    const flight_coefficients coefficients = {
-        .mobility = mobility,
-        .stiffness = mobility * p->leg.stiffness,
-        .damping = mobility * p->leg.damping,
-        .rest_length = rest_length,
-        .gain = mobility * law->gain,
-        .rate_gain = mobility * law->rate_gain,
-        .target = law->target,
-        .torque = mobility * law->torque,
-        .torque_rate = mobility * tdmf_law_drift(law),
-    };
-    return coefficients;
-}
-
 flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations) {
-    return times_mobility(equations->model->mobility, &equations->model->parameters, equations->rest_length,
-                          &equations->law);
+    return tdmf_flight_coefficients_of(equations->model, &equations->law, equations->rest_length);
 }
 
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d) {
     const tdmf_model *model = equations->model;
-    const tdmf_hip_law d_law = tdmf_vary_flight_law(model, mode, equations->place_time, d);
-    const flight_coefficients by_mobility =
-        times_mobility(d->model.mobility, &model->parameters, equations->rest_length, &equations->law);
-    flight_coefficients varied = times_mobility(model->mobility, &d->model.parameters,
-                                                tdmf_vary_rest_length(false, &d->model, &d->inputs), &d_law);
-    varied.mobility = d->model.mobility;
-    varied.stiffness += by_mobility.stiffness;
-    varied.damping += by_mobility.damping;
-    varied.gain += by_mobility.gain;
-    varied.rate_gain += by_mobility.rate_gain;
-    varied.torque += by_mobility.torque;
-    varied.torque_rate =
-        by_mobility.torque_rate + model->mobility * tdmf_vary_law_drift(&equations->law, &d_law);
+    const tdmf_inputs *inputs = &equations->inputs;
+    const tdmf_hip_law d_law =
+        tdmf_vary_flight_law(model, inputs, &tdmf_held_inputs, mode, equations->place_time, &d->model,
+                             &d->inputs, &tdmf_held_inputs, &d->mode, d->state[TDMF_HIP_PLACE_TIME]);
+    flight_coefficients varied = tdmf_vary_flight_coefficients_of(
+        model, &equations->law, equations->rest_length, &d->model, &d_law,
+        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode));
     if (tdmf_clamp_has_no_derivative(model, mode, d)) {
         varied.gain = NAN;
     }
@@ -62,59 +36,41 @@ flight_forcing tdmf_flight_forcing(const tdmf_mode_equations *equations) {
 }
 
 flight_forcing tdmf_vary_flight_forcing(const tdmf_mode_equations *equations, const tdmf_direction *d) {
-    const tdmf_fall d_push = tdmf_vary_push(equations, d);
+    const tdmf_vector d_push = tdmf_vary_push(equations, d);
     const flight_forcing varied = {.push_x = d_push.x, .push_y = d_push.y};
     return varied;
 }
 
 ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations) {
-    const tdmf_model *model = equations->model;
-    const tdmf_parameters *p = &model->parameters;
-    const tdmf_fall fall = tdmf_fall_of_body(model, equations->push);
-    const ground_coefficients coefficients = {
-        .stiffness = p->leg.stiffness,
-        .damping = p->leg.damping,
-        .rest_length = equations->rest_length,
-        .inverse_body_mass = model->inverse_body_mass,
-        .inverse_foot_mass = model->inverse_foot_mass,
-        .foot_weight_x = tdmf_foot_weight(model) * equations->ground.sine,
-        .foot_weight_y = tdmf_foot_weight(model) * equations->ground.cosine,
-        .gravity_x = -tdmf_along_line(&equations->ground, fall),
-        .gravity_y = -tdmf_off_line(&equations->ground, fall),
-        .torque = equations->law.torque,
-        .torque_rate = equations->law.torque_rate,
-        .friction = equations->friction,
-        .friction_rate = equations->friction_rate,
-        .gravity_x_rate = -tdmf_along_line(&equations->ground, equations->push_rate),
-        .gravity_y_rate = -tdmf_off_line(&equations->ground, equations->push_rate),
-        .rest_length_rate = equations->rest_length_rate,
-    };
+    const tdmf_ground_line *ground = &equations->ground;
+    ground_coefficients coefficients =
+        tdmf_ground_coefficients_of(equations->model, ground, &equations->law, equations->rest_length,
+                                    equations->push, equations->friction);
+    coefficients.friction_rate = equations->friction_rate;
+    coefficients.gravity_x_rate = -tdmf_along_line(ground, equations->push_rate);
+    coefficients.gravity_y_rate = -tdmf_off_line(ground, equations->push_rate);
+    coefficients.rest_length_rate = equations->rest_length_rate;
     return coefficients;
+}
+
+/* Of the law of stance, or in graze of the torque from outside. */
+static tdmf_hip_law vary_law_on_ground(const tdmf_mode_equations *equations, const tdmf_mode *mode,
+                                       const tdmf_direction *d) {
+    const tdmf_inputs *inputs = &equations->inputs, *held = &tdmf_held_inputs;
+    return tdmf_in_contact(mode) ? tdmf_vary_stance_law(equations->model, inputs, held, mode, &d->model,
+                                                        &d->inputs, held, &d->mode)
+                                 : tdmf_vary_external_law(inputs, held, &d->inputs, held);
 }
 
 ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d) {
-    const tdmf_parameters *d_p = &d->model.parameters;
-    const tdmf_hip_law d_law = tdmf_in_contact(mode) ? tdmf_vary_stance_law(mode, d)
-                                                     : tdmf_external_law(&d->inputs, &tdmf_held_inputs);
-    const tdmf_ground_line *ground = &equations->ground;
-    const double d_slope = d->mode.ground.slope;
-    const double weight = tdmf_foot_weight(equations->model);
-    const double d_weight = tdmf_vary_foot_weight(equations->model, &d->model);
-    const tdmf_fall fall = tdmf_fall_of_body(equations->model, equations->push);
-    const tdmf_fall d_fall = tdmf_fall_of_body(&d->model, tdmf_vary_push(equations, d));
-    const ground_coefficients varied = {
-        .stiffness = d_p->leg.stiffness,
-        .damping = d_p->leg.damping,
-        .rest_length = tdmf_vary_rest_length(equations->thrust_acts, &d->model, &d->inputs),
-        .inverse_body_mass = d->model.inverse_body_mass,
-        .inverse_foot_mass = d->model.inverse_foot_mass,
-        .foot_weight_x = d_weight * ground->sine + weight * ground->cosine * d_slope,
-        .foot_weight_y = d_weight * ground->cosine - weight * ground->sine * d_slope,
-        .gravity_x = -tdmf_along_line(ground, d_fall) - tdmf_off_line(ground, fall) * d_slope,
-        .gravity_y = -tdmf_off_line(ground, d_fall) + tdmf_along_line(ground, fall) * d_slope,
-        .torque = d_law.torque,
-        .friction = tdmf_signed_friction(&d->inputs, mode),
-    };
-    return varied;
+    const tdmf_model *model = equations->model;
+    const tdmf_inputs *inputs = &equations->inputs;
+    const tdmf_hip_law d_law = vary_law_on_ground(equations, mode, d);
+    return tdmf_vary_ground_coefficients_of(
+        model, &equations->ground, &equations->law, equations->rest_length, equations->push,
+        equations->friction, &d->model, &d->mode.ground, &d_law,
+        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_push(equations, d),
+        tdmf_vary_sliding_friction(inputs, tdmf_sign_of_slip(mode), &d->inputs));
 }

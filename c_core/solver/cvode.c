@@ -6,7 +6,7 @@
 #include "event_log.h"
 #include "hip_law.h"
 #include "input_rates.h"
-#include "leg_work.h"
+#include "leg.h"
 #include "record.h"
 #include "request.h"
 #include "tdmf_slip/automaton.h"
@@ -78,7 +78,8 @@ static int right_hand_side(realtype time, N_Vector integrated, N_Vector slope, v
     add_clock(problem, time, integrated, state);
     tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, state, derivatives);
     derivatives[TDMF_LEG_WORK] +=
-        tdmf_leg_power(problem->model, &inputs, problem->rates, &problem->motion->mode, state);
+        tdmf_leg_power(problem->model, tdmf_rest_length(problem->model, &inputs, &problem->motion->mode),
+                       state[TDMF_LEG_LENGTH], problem->rates->leg.extension);
     leave_out_clock(derivatives, slope);
     ++problem->options->evaluations;
     return 0;

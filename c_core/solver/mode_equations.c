@@ -24,30 +24,16 @@ static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *i
     }
 }
 
-tdmf_fall tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d) {
-    const double by_mass = d->model.inverse_body_mass * equations->model->parameters.body.mass;
-    tdmf_fall d_push = tdmf_push_on_body(equations->model, &d->inputs);
-    d_push.x += by_mass * equations->push.x;
-    d_push.y += by_mass * equations->push.y;
-    return d_push;
+tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d) {
+    return tdmf_vary_push_on_body(equations->model, &equations->inputs, &d->model, &d->inputs);
 }
 
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
-    const tdmf_fall fall = tdmf_fall_of_center(equations->model, equations->push);
+    const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
     const double share = equations->model->body_share;
-    const tdmf_fall rate = {share * equations->push_rate.x, share * equations->push_rate.y};
-    const tdmf_point com = {
-        .x = equations->com_x + t * (equations->com_vx + t * (0.5 * fall.x + t * rate.x / 6.0)),
-        .y = equations->com_y + t * (equations->com_vy + t * (0.5 * fall.y + t * rate.y / 6.0)),
-        .vx = equations->com_vx + t * (fall.x + 0.5 * t * rate.x),
-        .vy = equations->com_vy + t * (fall.y + 0.5 * t * rate.y),
-    };
-    return com;
-}
-
-/* theta of a body that stands over the foot at (x, y) in the ground's axes. */
-static double angle_seen(const tdmf_mode_equations *equations, double x, double y) {
-    return atan2(-x, y) + equations->ground.slope;
+    const tdmf_vector rate = {share * equations->push_rate.x, share * equations->push_rate.y};
+    const tdmf_point start = {equations->com_x, equations->com_y, equations->com_vx, equations->com_vy};
+    return tdmf_ballistic_after(start, fall, rate, t);
 }
 
 /* A leg that has wound past a half turn in flight stays wound. */
@@ -55,20 +41,20 @@ static double turns_of(const tdmf_mode_equations *equations, double angle) {
     static const double turn = 6.283185307179586;
     const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
     const tdmf_mode_coordinates *at = &equations->start;
-    return seen_as_it_is ? 0.0 : turn * round((angle - angle_seen(equations, at->x, at->y)) / turn);
+    const double seen = tdmf_angle_seen(at->x, at->y, equations->ground.slope);
+    return seen_as_it_is ? 0.0 : turn * round((angle - seen) / turn);
 }
 
 static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         tdmf_leg_direction direction) {
     tdmf_mode_coordinates *at = &equations->start;
-    const tdmf_ground_line *ground = &equations->ground;
-    const tdmf_point body = tdmf_body_from_foot(state, tdmf_direction_over(ground, direction));
-    at->x = body.x;
-    at->y = body.y;
-    at->foot_x = tdmf_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]);
-    at->foot_vx = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    at->vx = at->foot_vx + body.vx;
-    at->vy = body.vy;
+    const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, direction);
+    at->x = standing.x;
+    at->y = standing.y;
+    at->vx = standing.vx;
+    at->vy = standing.vy;
+    at->foot_x = standing.foot_x;
+    at->foot_vx = standing.foot_vx;
     equations->turn = turns_of(equations, state[TDMF_LEG_ANGLE]);
 }
 
@@ -116,7 +102,8 @@ static bool drifts(const tdmf_mode_equations *equations) {
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
                     const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
-    *equations = (tdmf_mode_equations){.model = model, .contact = mode->contact, .ground = mode->ground};
+    *equations = (tdmf_mode_equations){
+        .model = model, .inputs = *inputs, .contact = mode->contact, .ground = mode->ground};
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
@@ -130,7 +117,6 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->start.leg_work = state[TDMF_LEG_WORK];
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     equations->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
-    equations->thrust_acts = tdmf_thrust_acts(model, inputs, mode);
     equations->awaits_thrust =
         tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
     open_forcing(equations, inputs, rates, state, direction);
@@ -146,9 +132,9 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached) {
     const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
     equations->start = *reached;
-    tdmf_shift_law(&equations->law, elapsed);
-    tdmf_shift_law(&equations->stance_law, elapsed);
-    tdmf_shift_law(&equations->servo, elapsed);
+    equations->law = tdmf_law_after(&equations->law, elapsed);
+    equations->stance_law = tdmf_law_after(&equations->stance_law, elapsed);
+    equations->servo = tdmf_law_after(&equations->servo, elapsed);
     equations->place_time += elapsed * equations->place_rate;
     equations->friction += elapsed * equations->friction_rate;
     equations->static_friction += elapsed * equations->static_friction_rate;
@@ -170,34 +156,20 @@ void tdmf_end_friction(tdmf_mode_equations *equations) {
 static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, double elapsed,
                                        const tdmf_mode_coordinates *at, double state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
-    const double share = equations->model->body_share;
     state[TDMF_LEG_LENGTH] = at->length;
     state[TDMF_LEG_ANGLE] = at->angle;
     state[TDMF_LEG_LENGTH_RATE] = at->length_rate;
     state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
-    const tdmf_point body = tdmf_body_from_foot(state, direction);
-    state[TDMF_FOOT_X] = com.x - share * body.x;
-    state[TDMF_FOOT_Y] = com.y - share * body.y;
-    state[TDMF_FOOT_VX] = com.vx - share * body.vx;
-    state[TDMF_FOOT_VY] = com.vy - share * body.vy;
+    tdmf_set_foot(tdmf_foot_below(equations->model, com, state, direction), state);
     return direction;
 }
 
 static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equations,
                                              const tdmf_mode_coordinates *at,
                                              double state[TDMF_STATE_COUNT]) {
-    const double vx = at->vx - at->foot_vx;
-    const double length = sqrt(at->x * at->x + at->y * at->y);
-    const tdmf_point foot = tdmf_point_on(&equations->ground, at->foot_x, at->foot_vx);
-    state[TDMF_FOOT_X] = foot.x;
-    state[TDMF_FOOT_Y] = foot.y;
-    state[TDMF_FOOT_VX] = foot.vx;
-    state[TDMF_FOOT_VY] = foot.vy;
-    state[TDMF_LEG_LENGTH] = length;
-    state[TDMF_LEG_ANGLE] = angle_seen(equations, at->x, at->y) + equations->turn;
-    state[TDMF_LEG_LENGTH_RATE] = (at->x * vx + at->y * at->vy) / length;
-    state[TDMF_LEG_ANGLE_RATE] = (at->x * at->vy - at->y * vx) / (length * length);
+    const tdmf_standing standing = {at->x, at->y, at->vx, at->vy, at->foot_x, at->foot_vx};
+    tdmf_state_of_standing(&equations->ground, &standing, equations->turn, state);
     /* As whoever begins from the state has it, so that a run may stop at an event and go on alike. */
     return tdmf_leg_direction_of(state);
 }
@@ -206,7 +178,7 @@ static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equation
 static double external_work(const tdmf_mode_equations *equations, double elapsed,
                             const tdmf_mode_coordinates *at, const double state[TDMF_STATE_COUNT],
                             tdmf_leg_direction direction) {
-    const tdmf_fall push = equations->push, rate = equations->push_rate;
+    const tdmf_vector push = equations->push, rate = equations->push_rate;
     if (!equations->is_forced) {
         return equations->external_work;
     }

@@ -25,6 +25,7 @@ typedef struct {
 /* The equations of one mode from one instant on. */
 typedef struct {
     const tdmf_model *model;
+    tdmf_inputs inputs; /* when they were opened */
     tdmf_contact_mode contact;
     tdmf_ground_line ground; /* in force */
     bool ground_waits;       /* flight: one that has been set waits to be in force */
@@ -37,9 +38,8 @@ typedef struct {
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
     double rest_length, rest_length_rate; /* of the leg */
-    bool thrust_acts;                     /* see tdmf_thrust_acts */
     bool awaits_thrust;                   /* contact: its greatest compression is an event to come */
-    tdmf_fall push, push_rate;            /* of the body by the external force */
+    tdmf_vector push, push_rate;          /* of the body by the external force */
     bool is_forced;                       /* pushed, or inputs ramp that push or lengthen the leg */
     tdmf_point opened_body;               /* where forced: the body, when the equations were opened */
     double com_x, com_y, com_vx, com_vy;  /* flight, at the start */
@@ -55,7 +55,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
                     tdmf_leg_direction direction);
 
 /* The change of the push. */
-tdmf_fall tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d);
+tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d);
 
 /* The centre of mass in flight, after a time t. */
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);

@@ -9,14 +9,13 @@
 #include "series_sums.h"
 
 #include <math.h>
-#include <string.h>
 
 /* ---- flight ------------------------------------------------------------------------------------------- */
 
 static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                         const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
     const tdmf_point com =
-        tdmf_vary_center_of_mass(model, state, tdmf_leg_direction_of(state), &d->model, d->state);
+        tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state), &d->model, d->state);
     varied_mode->at.length = d->state[TDMF_LEG_LENGTH];
     varied_mode->at.angle = d->state[TDMF_LEG_ANGLE];
     varied_mode->at.length_rate = d->state[TDMF_LEG_LENGTH_RATE];
@@ -30,16 +29,20 @@ static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_C
 static void flight_variation_of_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                       const tdmf_direction *d, const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
+    const tdmf_point center = tdmf_center_of_mass_along(model, state, direction);
+    const tdmf_point d_center = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx,
+                                 varied_mode->com_vy};
     d_state[TDMF_LEG_LENGTH] = varied_mode->at.length;
     d_state[TDMF_LEG_ANGLE] = varied_mode->at.angle;
     d_state[TDMF_LEG_LENGTH_RATE] = varied_mode->at.length_rate;
     d_state[TDMF_LEG_ANGLE_RATE] = varied_mode->at.angle_rate;
-    const tdmf_point com = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx, varied_mode->com_vy};
-    tdmf_vary_foot_to(model, state, tdmf_leg_direction_of(state), &d->model, com, d_state);
+    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, direction, &d->model, d_center, d_state),
+                  d_state);
 }
 
 /* The change of the centre of mass's acceleration. */
-static tdmf_fall vary_fall(const tdmf_mode_equations *equations, const tdmf_change *change) {
+static tdmf_vector vary_fall(const tdmf_mode_equations *equations, const tdmf_change *change) {
     const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
     return tdmf_vary_fall_of_center(equations->model, equations->push, &d.model,
                                     tdmf_vary_push(equations, &d));
@@ -47,63 +50,52 @@ static tdmf_fall vary_fall(const tdmf_mode_equations *equations, const tdmf_chan
 
 static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
                            const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
-    const tdmf_fall d_fall = vary_fall(step->equations, change);
+    const tdmf_vector d_fall = vary_fall(step->equations, change);
     varied_mode->at.length = series_at(tangent->length, step->order, t);
     varied_mode->at.length_rate = series_at(tangent->length_rate, step->order, t);
     varied_mode->at.angle = series_at(tangent->angle, step->order, t);
     /* From the momentum r^2 w, which is known to one order more than w. */
-    const double r = series_at(step->series.flight.length, step->order, t);
-    const double momentum = series_at(step->series.flight.momentum, step->order, t);
     varied_mode->at.angle_rate =
-        (series_at(tangent->momentum, step->order, t) - 2.0 * momentum / r * varied_mode->at.length) /
-        (r * r);
+        tdmf_vary_angle_rate_of(series_at(step->series.flight.momentum, step->order, t),
+                                series_at(step->series.flight.length, step->order, t),
+                                series_at(tangent->momentum, step->order, t), varied_mode->at.length);
     varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
-    varied_mode->com_x += t * (varied_mode->com_vx + 0.5 * d_fall.x * t);
-    varied_mode->com_y += t * (varied_mode->com_vy + 0.5 * d_fall.y * t);
-    varied_mode->com_vx += t * d_fall.x;
-    varied_mode->com_vy += t * d_fall.y;
+    const tdmf_mode_equations *equations = step->equations;
+    const tdmf_vector none = {0.0, 0.0};
+    const tdmf_point start = {equations->com_x, equations->com_y, equations->com_vx, equations->com_vy};
+    const tdmf_point d_start = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx,
+                                varied_mode->com_vy};
+    const tdmf_point d_com = tdmf_vary_ballistic_after(
+        start, tdmf_fall_of_center(equations->model, equations->push), none, t, d_start, d_fall, none, 0.0);
+    varied_mode->com_x = d_com.x;
+    varied_mode->com_y = d_com.y;
+    varied_mode->com_vx = d_com.vx;
+    varied_mode->com_vy = d_com.vy;
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
-/* In the ground's axes the leg is seen from its normal. */
-static tdmf_leg_direction seen_from_normal(const tdmf_mode_equations *equations,
-                                           const double state[TDMF_STATE_COUNT]) {
-    return tdmf_direction_over(&equations->ground, tdmf_leg_direction_of(state));
-}
-
 static void open_ground(const tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
-    const tdmf_ground_line *ground = &equations->ground, *d_ground = &d->mode.ground;
-    double d_state[TDMF_STATE_COUNT];
-    memcpy(d_state, d->state, sizeof d_state);
-    d_state[TDMF_LEG_ANGLE] -= d_ground->slope;
-    const tdmf_point body = tdmf_vary_body_from_foot(state, seen_from_normal(equations, state), d_state);
-    varied_mode->at.x = body.x;
-    varied_mode->at.y = body.y;
-    varied_mode->at.foot_x = tdmf_vary_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y], d_ground,
-                                                   d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]);
-    varied_mode->at.foot_vx = tdmf_velocity_along(ground, d_state[TDMF_FOOT_VX], d_state[TDMF_FOOT_VY]);
-    varied_mode->at.vx = varied_mode->at.foot_vx + body.vx;
-    varied_mode->at.vy = body.vy;
+    const tdmf_standing d_standing = tdmf_vary_standing_of(
+        &equations->ground, state, tdmf_leg_direction_of(state), &d->mode.ground, d->state);
+    varied_mode->at.x = d_standing.x;
+    varied_mode->at.y = d_standing.y;
+    varied_mode->at.vx = d_standing.vx;
+    varied_mode->at.vy = d_standing.vy;
+    varied_mode->at.foot_x = d_standing.foot_x;
+    varied_mode->at.foot_vx = d_standing.foot_vx;
 }
 
 static void ground_variation_of_state(const tdmf_mode_equations *equations,
                                       const double state[TDMF_STATE_COUNT], const tdmf_direction *d,
                                       const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_ground_line *ground = &equations->ground, *d_ground = &d->mode.ground;
     const tdmf_mode_coordinates *at = &varied_mode->at;
-    const tdmf_point body = {at->x, at->y, at->vx - at->foot_vx, at->vy};
-    const double along = tdmf_place_along(ground, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]);
-    const double velocity = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const tdmf_point foot = tdmf_vary_point_on(ground, along, velocity, d_ground, at->foot_x, at->foot_vx);
-    d_state[TDMF_FOOT_X] = foot.x;
-    d_state[TDMF_FOOT_Y] = foot.y;
-    d_state[TDMF_FOOT_VX] = foot.vx;
-    d_state[TDMF_FOOT_VY] = foot.vy;
-    tdmf_vary_leg_to(state, seen_from_normal(equations, state), body, d_state);
-    d_state[TDMF_LEG_ANGLE] += d_ground->slope;
+    const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, tdmf_leg_direction_of(state));
+    const tdmf_standing d_standing = {at->x, at->y, at->vx, at->vy, at->foot_x, at->foot_vx};
+    tdmf_vary_state_of_standing(&equations->ground, &standing, equations->turn, state, &d->mode.ground,
+                                &d_standing, d_state);
 }
 
 static void advance_ground(const tdmf_step *step, double t, const ground_variation *tangent,

@@ -12,7 +12,7 @@
 
 #include "contact_change.h"
 #include "evaluation.h"
-#include "leg_work.h"
+#include "ground_line.h"
 
 #include <math.h>
 
@@ -64,8 +64,8 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, 
     return tdmf_vary_leg_work_of_jump(
         model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
         tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
-        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, &before->mode), &d->model, &d->inputs),
-        tdmf_vary_rest_length(tdmf_thrust_acts(model, inputs, &after->mode), &d->model, &d->inputs));
+        tdmf_vary_rest_length(model, inputs, &before->mode, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_rest_length(model, inputs, &after->mode, &d->model, &d->inputs, &d->mode));
 }
 
 /* The ground force just after the event, where it is met; `d` has the state's change there. */
@@ -75,11 +75,10 @@ static double vary_force(const tdmf_model *model, const tdmf_inputs *inputs, con
     return tdmf_vary_evaluation(&at, d).force.normal;
 }
 
-/* Of x/cos(slope), which is the path along the ground up to the foot's place. */
+/* Of the path along the ground up to the foot's place. */
 static double vary_path(const tdmf_side *at, const tdmf_direction *d) {
-    const tdmf_ground_line *ground = &at->mode.ground;
-    const double turned = at->state[TDMF_FOOT_X] * d->mode.ground.slope * ground->sine / ground->cosine;
-    return (d->state[TDMF_FOOT_X] + turned) / ground->cosine;
+    return tdmf_vary_path_to(&at->mode.ground, at->state[TDMF_FOOT_X], &d->mode.ground,
+                             d->state[TDMF_FOOT_X]);
 }
 
 /* What the event, which shifts by dt, makes of the record of a stance; `d` has the state's change where it is

@@ -194,7 +194,7 @@ typedef struct {
 static place_integral integrate_body_in_flight(const tdmf_step *step, double t) {
     const tdmf_mode_equations *equations = step->equations;
     const flight_series *f = &step->series.flight;
-    const tdmf_fall fall = tdmf_fall_of_center(equations->model, equations->push);
+    const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
     const double share = equations->model->body_share, rest = 1.0 - share;
     const int order = step->order - 1;
     double across[SERIES_TERMS], along[SERIES_TERMS];

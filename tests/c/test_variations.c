@@ -295,14 +295,16 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const line line = line_random(&source, &at);
             const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
-            const tdmf_leg d_leg =
-                tdmf_vary_leg(&at.model, &leg, &d.model, tdmf_rest_length(&d.model, &d.inputs, &at.mode),
-                              &d.mode.ground, d.state);
+            const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
+            const tdmf_leg d_leg = tdmf_vary_leg_with(
+                &at.model, &at.mode.ground, at.state, direction, leg.rest_length, &leg, &d.model,
+                &d.mode.ground, d.state,
+                tdmf_vary_rest_length(&at.model, &at.inputs, &at.mode, &d.model, &d.inputs, &d.mode));
             const row exact = leg_and_points(
                 &d_leg, tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), d.state),
-                tdmf_vary_body(at.state, tdmf_leg_direction_of(at.state), d.state),
-                tdmf_vary_center_of_mass(&at.model, at.state, tdmf_leg_direction_of(at.state), &d.model,
-                                         d.state));
+                tdmf_vary_body_along(at.state, tdmf_leg_direction_of(at.state), d.state),
+                tdmf_vary_center_of_mass_along(&at.model, at.state, tdmf_leg_direction_of(at.state), &d.model,
+                                               d.state));
             assert_row_varies(&line, leg_and_points_of, &exact);
         }
     }
@@ -314,13 +316,19 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
     for (int i = 0; i < 200; ++i) {
         const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
         const line line = line_random(&source, &at);
+        const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+        const tdmf_ground_line *ground = &at.mode.ground;
+        const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
+        const tdmf_standing standing = tdmf_standing_of(ground, at.state, direction);
+        const tdmf_standing d_standing =
+            tdmf_vary_standing_of(ground, at.state, direction, &d.mode.ground, d.state);
         double found[TDMF_STATE_COUNT] = {0.0};
-        tdmf_vary_leg_to(
-            at.state, tdmf_leg_direction_of(at.state),
-            tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), line.variation.state), found);
+        tdmf_vary_state_of_standing(ground, &standing, 0.0, at.state, &d.mode.ground, &d_standing, found);
         for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
-            const bool of_leg = k != TDMF_FOOT_VX && k != TDMF_FOOT_VY;
-            const double expected = of_leg ? line.variation.state[k] : 0.0;
+            if (k == TDMF_FOOT_VX || k == TDMF_FOOT_VY) {
+                continue; /* what is off the line is not kept */
+            }
+            const double expected = line.variation.state[k];
             assert_close(found[k], expected, 1e-12 * (fabs(expected) + fabs(at.state[k])));
         }
     }
@@ -372,7 +380,7 @@ static void an_impact_varies_as_it_changes(void **state) {
             double d_state[TDMF_STATE_COUNT];
             memcpy(d_state, line.variation.state, sizeof d_state);
             const double d_loss =
-                tdmf_vary_impact(&at.model, &at.inputs, &at.mode.ground, at.state, after.state, &d, d_state);
+                tdmf_vary_impact(&at.model, &at.inputs, &at.mode.ground, at.state, &d, d_state);
             const row exact = after_impact(d_state, d_loss);
             assert_row_varies(&line, impact_of, &exact);
             stuck += after.state[TDMF_FOOT_VX] == 0.0;

@@ -222,6 +222,8 @@ def change_of(node: Expression, changes: list[Expression]) -> Expression:
     a, d_a, operation = node.operands[0], changes[0], node.operation
     if operation in ("+", "-"):
         return d_a + changes[1] if operation == "+" else d_a - changes[1]
+    if operation == "*" and a is node.operands[1]:
+        return 2 * a * d_a
     if operation == "*":
         return d_a * node.operands[1] + a * changes[1]
     if operation == "larger":
@@ -233,9 +235,10 @@ def change_of(node: Expression, changes: list[Expression]) -> Expression:
         return -(node * node * changes[1])
     if operation == "/":
         return (d_a - node * changes[1]) / node.operands[1]
+    if operation == "sqrt":
+        return d_a / (2 * node)
     rates: dict[str, Callable[[], Expression]] = {
         "negative": lambda: number(-1),
-        "sqrt": lambda: number(1) / (2 * node),
         "sin": lambda: a.cos(),
         "cos": lambda: -a.sin(),
         "exp": lambda: node,

@@ -9,13 +9,14 @@ variation.
 import re
 import textwrap
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 from .expressions import LEAVES, UNARY, Expression, c_text, derivative, forget, lift, trace
 
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
-FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "wide", "sticks")
+FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "wide", "sticks", "upright")
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
 FUNCTIONS = (*UNARY, "larger", "atan2")
@@ -52,7 +53,9 @@ class Member(Expression):
         )
         text = f"{self.value}{arrow}{name}"
         if self.own_name in LINES and name in ("sine", "cosine"):
-            return note(text, self.slope.sin() if name == "sine" else self.slope.cos())
+            before = text.removesuffix(name)
+            sine, cosine = note(before + "sine", self.slope.sin()), note(before + "cosine", self.slope.cos())
+            return sine if name == "sine" else cosine
         return symbol(text)
 
     def __eq__(self, other: object) -> bool:
@@ -120,6 +123,7 @@ class Parameter:
         matched = re.fullmatch(r"(.*?)(\w+)(\[\w+\])?", declaration)
         assert matched, declaration
         self.type, self.name, self.array = matched[1].strip(), matched[2], matched[3] or ""
+        self.is_result = bool(self.array) and not self.type.startswith("const ")
         self.is_constant = self.type in ("bool", "tdmf_contact_mode", "tdmf_hip_phase")
 
     def symbol(self) -> Member:
@@ -158,7 +162,7 @@ class Function:
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
         known.clear()
-        handed = [p.symbol() for p in self.parameters if p.name != "derivatives"]
+        handed = [p.symbol() for p in self.parameters if not p.is_result]
         results = trace(self.law, *(self.arguments(*handed) if self.arguments else handed))
         if isinstance(results, SimpleNamespace):
             return {name: lift(value) for name, value in vars(results).items()}
@@ -168,13 +172,8 @@ class Function:
         """Give the changes of the results."""
         results = self.run()
         if self.result:
-            space = "->" if self.type != "double" else ""
             known.update(
-                {
-                    value: f"{self.result}{space}{name}"
-                    for name, value in results.items()
-                    if value.operation not in LEAVES
-                }
+                {v: self.member_of_value(name) for name, v in results.items() if v.operation not in LEAVES}
             )
         constant = {p.name for p in self.parameters if p.is_constant} | set(self.fixed)
         changes = {
@@ -191,24 +190,31 @@ class Function:
         )
         if not self.varied:
             return text
-        constant = {p.name for p in self.parameters if p.is_constant} | set(self.fixed)
-        parameters = [p.declaration for p in self.parameters if p.name != "derivatives"]
-        if self.result:
-            parameters.append(
-                f"const {self.type} *{self.result}" if self.type != "double" else f"double {self.result}"
-            )
-        parameters += [
-            p.changed() for p in self.parameters if p.name not in constant and p.name != "derivatives"
-        ]
-        parameters += [p.declaration for p in self.parameters if p.name == "derivatives"]
+        given = [p for p in self.parameters if not p.is_result]
+        changing = [p for p in given if not p.is_constant and p.name not in self.fixed]
+        value = [self.value_parameter()] if self.result else []
+        results = [p.declaration for p in self.parameters if p.is_result]
+        parameters = [p.declaration for p in given] + value + [p.changed() for p in changing] + results
         return text + "\n/* Its change. */\n" + self.function(f"vary_{self.name}", parameters, self.vary)
+
+    def value_parameter(self) -> str:
+        """Declare what a variation is given the value by."""
+        if self.type == "void":
+            return f"const double {self.result}[TDMF_STATE_COUNT]"
+        return f"double {self.result}" if self.type == "double" else f"const {self.type} *{self.result}"
+
+    def member_of_value(self, name: str) -> str:
+        """Write what has a result in it."""
+        if self.type == "void":
+            return f"{self.result}[TDMF_{name.upper()}]"
+        return self.result if self.type == "double" else f"{self.result}->{name}"
 
     def function(self, name: str, parameters: list[str], results: Callable[[], dict[str, Expression]]) -> str:
         """Write one C function."""
         forget()
         names = [Parameter(p).name for p in parameters]
         body = of_all_cases(lambda: self.statements(results(), names))
-        unused = [n for n in names if not re.search(rf"\b{n}\b", body)]
+        unused = [n for n in names if not re.search(rf"(?<![.>])\b{n}\b", body)]
         voids = "".join(f"(void){n};\n" for n in unused)
         return f"static inline {self.type} tdmf_{name}({', '.join(parameters)}) {{\n{voids}{body}}}\n"
 
@@ -219,10 +225,11 @@ class Function:
         if self.type == "double":
             lines.append(f"return {texts['']};")
         elif self.type == "void":
-            lines += [f"derivatives[TDMF_{name.upper()}] = {text};" for name, text in texts.items()]
-            lines.append("return;")
+            written = next(p.name for p in self.parameters if p.is_result)
+            lines += [f"{written}[TDMF_{name.upper()}] = {text};" for name, text in texts.items()]
         else:
-            members = "".join(f".{name} = {text},\n" for name, text in texts.items())
+            told = {name: text for name, text in texts.items() if text != "0.0"} or texts
+            members = "".join(f".{name} = {text},\n" for name, text in told.items())
             lines += [f"const {self.type} result = {{\n{members}}};", "return result;"]
         return "\n".join(lines) + "\n"
 
@@ -291,14 +298,16 @@ def comment(docstring: str | None) -> str:
     return "/* " + text.replace("\n", "\n * ").replace(" * \n", " *\n") + " */\n"
 
 
-def page(source: str, title: str, includes: list[str], functions: list[Function]) -> str:
-    """Write a header."""
+def header(topic: str, functions: list[Function], structs: str = "quantities.h") -> str:
+    """Write a header of C functions."""
+    title = f"{topic}_laws"
     guard = f"TDMF_DERIVED_{title.upper()}_H"
+    source = Path(functions[0].law.__code__.co_filename).name
     parts = [
-        f"/* Derived from c_core/equations/{source} by equations.derive: edit that, not this. */",
+        f"/* Derived from c_core/equations/{source} by equations/derive: edit that, not this. */",
         f"#ifndef {guard}\n#define {guard}\n",
-        "\n".join(f"#include {i}" for i in includes) + "\n",
-        "\n".join(f.c() for f in functions),
+        f'#include "{structs}"\n\n#include <math.h>\n',
+        "\n".join(function.c() for function in functions),
         "#endif\n",
     ]
     return "\n".join(parts)

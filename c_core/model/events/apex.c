@@ -18,7 +18,8 @@ static double vary_vertical_velocity(const tdmf_evaluation *at, const tdmf_direc
                                      const tdmf_evaluation *d_at) {
     const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
     (void)d_at;
-    const double rate = tdmf_vary_center_of_mass(at->model, at->state, direction, &d->model, d->state).vy;
+    const double rate =
+        tdmf_vary_center_of_mass_along(at->model, at->state, direction, &d->model, d->state).vy;
     return at->mode->rises ? rate : -rate;
 }
 

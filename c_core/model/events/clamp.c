@@ -1,6 +1,5 @@
 /* Clamp: the servo of retract changes its sign, and the clamp of (12) opens or closes. */
 #include "events.h"
-#include "hip_torque.h"
 
 static double servo_torque(const tdmf_evaluation *at) {
     return tdmf_armed_against_turning(tdmf_servo_torque(at->model, at->inputs, at->mode, at->state),
@@ -9,8 +8,9 @@ static double servo_torque(const tdmf_evaluation *at) {
 
 static double vary_servo_torque(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
-    (void)d_at;
-    return tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d);
+    (void)d;
+    return tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d_at->model, d_at->inputs,
+                                  d_at->mode, d_at->state);
 }
 
 /* Neither a contact nor a phase changes, so that it is not counted. */

@@ -4,9 +4,9 @@
 #include "dynamics.h"
 #include "friction.h"
 #include "graze.h"
+#include "graze_laws.h"
 #include "greatest_compression.h"
 #include "ground_line.h"
-#include "hip_torque.h"
 #include "kinematics.h"
 #include "record.h"
 
@@ -62,7 +62,7 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
     const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
-    const tdmf_ground_force force = tdmf_force_in_stance(&at);
+    const tdmf_ground_force force = tdmf_force_in_stance(at.model, at.inputs, at.mode, at.state, &at.leg);
     if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->model, run->inputs))) {
         return TDMF_CONTACT_STICK;
     }
@@ -107,7 +107,7 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     driven.phase = TDMF_PHASE_DRIVE;
     driven.contact = mode_of_loaded_foot(&trial);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
-    return tdmf_accelerate(&at).angle;
+    return tdmf_accelerate_leg(&at).angle;
 }
 
 /* A stance that begins with the foot ahead is driven until the leg is upright. One that begins upright is
@@ -132,7 +132,7 @@ void tdmf_come_to_ground(tdmf_run *run) {
 void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
-    const double force = tdmf_force_in_stance(&at).normal;
+    const double force = tdmf_load_in_stance(&at);
     const bool jumped = force < -TDMF_UNLOADED_FORCE * run->model->scales.force;
     enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }

@@ -4,21 +4,23 @@
 #include "record.h"
 
 static double stance_lifts(const tdmf_evaluation *at) {
-    return tdmf_armed(-tdmf_force_in_stance(at).normal, at->model->scales.force);
+    return tdmf_armed(-tdmf_load_in_stance(at), at->model->scales.force);
 }
 
 static double vary_stance_lifts(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
-    return -tdmf_vary_force_in_stance(at, d, d_at).normal;
+    (void)d;
+    return -tdmf_vary_load_in_stance(at, d_at);
 }
 
 static double flight_holds(const tdmf_evaluation *at) {
-    return tdmf_armed(tdmf_force_in_flight(at).normal, at->model->scales.force);
+    return tdmf_armed(tdmf_load_in_flight(at), at->model->scales.force);
 }
 
 static double vary_flight_holds(const tdmf_evaluation *at, const tdmf_direction *d,
                                 const tdmf_evaluation *d_at) {
-    return tdmf_vary_force_in_flight(at, d, d_at).normal;
+    (void)d;
+    return tdmf_vary_load_in_flight(at, d_at);
 }
 
 static void load(tdmf_run *run) {

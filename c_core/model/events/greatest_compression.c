@@ -2,7 +2,6 @@
  * then until flight begins, once in a stance. */
 #include "greatest_compression.h"
 
-#include "leg_work.h"
 #include "record.h"
 
 static double shortening(const tdmf_evaluation *at) {

@@ -5,15 +5,14 @@
 #include "record.h"
 
 static double distance_to_edge(const tdmf_evaluation *at, double sign) {
-    const tdmf_cone cone = tdmf_cone_of(tdmf_static_friction(at->model, at->inputs));
-    return tdmf_armed(cone.normal * at->force.normal + sign * cone.tangential * at->force.tangential,
-                      at->model->scales.force);
+    const double friction = tdmf_static_friction(at->model, at->inputs);
+    return tdmf_armed(tdmf_room_in_cone(friction, friction > 1.0, sign, &at->force), at->model->scales.force);
 }
 
 static double vary_distance_to_edge(const tdmf_evaluation *at, const tdmf_evaluation *d_at, double sign) {
     const double friction = tdmf_static_friction(at->model, at->inputs);
     const double d_friction = tdmf_vary_static_friction(at->model, at->inputs, d_at->model, d_at->inputs);
-    return d_friction * at->force.normal + friction * d_at->force.normal + sign * d_at->force.tangential;
+    return tdmf_vary_room_in_cone(friction, false, sign, &at->force, d_friction, &d_at->force);
 }
 
 static void slip(tdmf_run *run, tdmf_contact_mode entered) {

@@ -46,7 +46,8 @@ static void reset(tdmf_run *run) {
 static void vary_reset(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                        const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
                        const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]) {
-    tdmf_vary_impact(model, inputs, ground, before, after, d, d_state);
+    (void)after;
+    tdmf_vary_impact(model, inputs, ground, before, d, d_state);
 }
 
 const tdmf_event_kind tdmf_touchdown = {foot_height, vary_foot_height, reset, vary_reset};

@@ -1,0 +1,105 @@
+/* Derived from c_core/equations/constants.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_CONSTANT_LAWS_H
+#define TDMF_DERIVED_CONSTANT_LAWS_H
+
+#include "coefficients.h"
+
+#include <math.h>
+
+/* The leg's and the hip's law by the mobility 1/m + 1/m_f, of flight as seen from the centre of mass. */
+static inline flight_coefficients tdmf_flight_coefficients_of(const tdmf_model *model,
+                                                              const tdmf_hip_law *law, double rest_length) {
+    const flight_coefficients result = {
+        .mobility = model->mobility,
+        .stiffness = model->mobility * model->parameters.leg.stiffness,
+        .damping = model->mobility * model->parameters.leg.damping,
+        .rest_length = rest_length,
+        .gain = model->mobility * law->gain,
+        .rate_gain = model->mobility * law->rate_gain,
+        .target = law->target,
+        .torque = model->mobility * law->torque,
+        .torque_rate = model->mobility * (law->torque_rate + law->gain * law->target_rate),
+    };
+    return result;
+}
+
+/* Its change. */
+static inline flight_coefficients
+tdmf_vary_flight_coefficients_of(const tdmf_model *model, const tdmf_hip_law *law, double rest_length,
+                                 const tdmf_model *d_model, const tdmf_hip_law *d_law, double d_rest_length) {
+    (void)rest_length;
+    const flight_coefficients result = {
+        .mobility = d_model->mobility,
+        .stiffness = d_model->mobility * model->parameters.leg.stiffness +
+                     model->mobility * d_model->parameters.leg.stiffness,
+        .damping = d_model->mobility * model->parameters.leg.damping +
+                   model->mobility * d_model->parameters.leg.damping,
+        .rest_length = d_rest_length,
+        .gain = d_model->mobility * law->gain + model->mobility * d_law->gain,
+        .rate_gain = d_model->mobility * law->rate_gain + model->mobility * d_law->rate_gain,
+        .target = d_law->target,
+        .torque = d_model->mobility * law->torque + model->mobility * d_law->torque,
+        .torque_rate = d_model->mobility * (law->torque_rate + law->gain * law->target_rate) +
+                       model->mobility * (d_law->torque_rate +
+                                          (d_law->gain * law->target_rate + law->gain * d_law->target_rate)),
+    };
+    return result;
+}
+
+/* Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes. */
+static inline ground_coefficients tdmf_ground_coefficients_of(const tdmf_model *model,
+                                                              const tdmf_ground_line *line,
+                                                              const tdmf_hip_law *law, double rest_length,
+                                                              tdmf_vector push, double friction) {
+    const double weight = model->parameters.foot.mass * model->parameters.gravity;
+    const double y = push.y - model->parameters.gravity;
+    const ground_coefficients result = {
+        .stiffness = model->parameters.leg.stiffness,
+        .damping = model->parameters.leg.damping,
+        .rest_length = rest_length,
+        .inverse_body_mass = model->inverse_body_mass,
+        .inverse_foot_mass = model->inverse_foot_mass,
+        .foot_weight_x = weight * line->sine,
+        .foot_weight_y = weight * line->cosine,
+        .gravity_x = -(line->cosine * push.x + line->sine * y),
+        .gravity_y = -(line->cosine * y - line->sine * push.x),
+        .torque = law->torque,
+        .torque_rate = law->torque_rate,
+        .friction = friction,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline ground_coefficients tdmf_vary_ground_coefficients_of(
+    const tdmf_model *model, const tdmf_ground_line *line, const tdmf_hip_law *law, double rest_length,
+    tdmf_vector push, double friction, const tdmf_model *d_model, const tdmf_ground_line *d_line,
+    const tdmf_hip_law *d_law, double d_rest_length, tdmf_vector d_push, double d_friction) {
+    (void)law;
+    (void)rest_length;
+    (void)friction;
+    const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
+                            model->parameters.foot.mass * d_model->parameters.gravity;
+    const double weight = model->parameters.foot.mass * model->parameters.gravity;
+    const double y = push.y - model->parameters.gravity;
+    const double d_y = d_push.y - d_model->parameters.gravity;
+    const ground_coefficients result = {
+        .stiffness = d_model->parameters.leg.stiffness,
+        .damping = d_model->parameters.leg.damping,
+        .rest_length = d_rest_length,
+        .inverse_body_mass = d_model->inverse_body_mass,
+        .inverse_foot_mass = d_model->inverse_foot_mass,
+        .foot_weight_x = d_weight * line->sine + weight * (line->cosine * d_line->slope),
+        .foot_weight_y = d_weight * line->cosine - line->sine * d_line->slope * weight,
+        .gravity_x = -(line->cosine * d_push.x - line->sine * d_line->slope * push.x +
+                       (line->cosine * d_line->slope * y + line->sine * d_y)),
+        .gravity_y = -(line->cosine * d_y - line->sine * d_line->slope * y -
+                       (line->cosine * d_line->slope * push.x + line->sine * d_push.x)),
+        .torque = d_law->torque,
+        .torque_rate = d_law->torque_rate,
+        .friction = d_friction,
+    };
+    return result;
+}
+
+#endif

@@ -1,0 +1,308 @@
+/* Derived from c_core/equations/coordinates.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_COORDINATE_LAWS_H
+#define TDMF_DERIVED_COORDINATE_LAWS_H
+
+#include "quantities.h"
+
+#include <math.h>
+
+/* r u and rdot u + r thetadot t, what body has more than foot; u = (-sin, cos), t = (-cos, -sin). */
+static inline tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT],
+                                             tdmf_leg_direction direction) {
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const tdmf_point result = {
+        .x = -(state[TDMF_LEG_LENGTH] * direction.sine),
+        .y = state[TDMF_LEG_LENGTH] * direction.cosine,
+        .vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine,
+        .vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_COUNT],
+                                                  tdmf_leg_direction direction,
+                                                  const double d_state[TDMF_STATE_COUNT]) {
+    const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
+                            state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const tdmf_point result = {
+        .x = -(d_state[TDMF_LEG_LENGTH] * direction.sine +
+               state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
+        .y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
+             direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH],
+        .vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
+              (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across),
+        .vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
+              direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+              (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
+    };
+    return result;
+}
+
+/* The body (7). */
+static inline tdmf_point tdmf_body_along(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const tdmf_point result = {
+        .x = state[TDMF_FOOT_X] - state[TDMF_LEG_LENGTH] * direction.sine,
+        .y = state[TDMF_FOOT_Y] + y,
+        .vx = state[TDMF_FOOT_VX] + vx,
+        .vy = state[TDMF_FOOT_VY] + vy,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_body_along(const double state[TDMF_STATE_COUNT],
+                                              tdmf_leg_direction direction,
+                                              const double d_state[TDMF_STATE_COUNT]) {
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
+                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
+                            state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
+                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
+                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+                        (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
+    const tdmf_point result = {
+        .x = d_state[TDMF_FOOT_X] - (d_state[TDMF_LEG_LENGTH] * direction.sine +
+                                     state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
+        .y = d_state[TDMF_FOOT_Y] + d_y,
+        .vx = d_state[TDMF_FOOT_VX] + d_vx,
+        .vy = d_state[TDMF_FOOT_VY] + d_vy,
+    };
+    return result;
+}
+
+/* The centre of mass of body and foot: the body's share m/(m + m_f) of the way from the foot to it. */
+static inline tdmf_point tdmf_center_of_mass_along(const tdmf_model *model,
+                                                   const double state[TDMF_STATE_COUNT],
+                                                   tdmf_leg_direction direction) {
+    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const tdmf_point result = {
+        .x = state[TDMF_FOOT_X] - state[TDMF_LEG_LENGTH] * direction.sine * model->body_share,
+        .y = state[TDMF_FOOT_Y] + model->body_share * y,
+        .vx = state[TDMF_FOOT_VX] + model->body_share * vx,
+        .vy = state[TDMF_FOOT_VY] + model->body_share * vy,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_center_of_mass_along(const tdmf_model *model,
+                                                        const double state[TDMF_STATE_COUNT],
+                                                        tdmf_leg_direction direction,
+                                                        const tdmf_model *d_model,
+                                                        const double d_state[TDMF_STATE_COUNT]) {
+    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
+                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
+                            state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
+    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
+                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
+                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+                        (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
+    const tdmf_point result = {
+        .x = d_state[TDMF_FOOT_X] - ((d_state[TDMF_LEG_LENGTH] * direction.sine +
+                                      state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) *
+                                         model->body_share +
+                                     state[TDMF_LEG_LENGTH] * direction.sine * d_model->body_share),
+        .y = d_state[TDMF_FOOT_Y] + (d_model->body_share * y + model->body_share * d_y),
+        .vx = d_state[TDMF_FOOT_VX] + (d_model->body_share * vx + model->body_share * d_vx),
+        .vy = d_state[TDMF_FOOT_VY] + (d_model->body_share * vy + model->body_share * d_vy),
+    };
+    return result;
+}
+
+/* The foot of a leg whose centre of mass is there and moves so. */
+static inline tdmf_point tdmf_foot_below(const tdmf_model *model, tdmf_point center,
+                                         const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const tdmf_point result = {
+        .x = center.x + state[TDMF_LEG_LENGTH] * direction.sine * model->body_share,
+        .y = center.y - model->body_share * y,
+        .vx = center.vx - model->body_share * vx,
+        .vy = center.vy - model->body_share * vy,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_foot_below(const tdmf_model *model, tdmf_point center,
+                                              const double state[TDMF_STATE_COUNT],
+                                              tdmf_leg_direction direction, const tdmf_model *d_model,
+                                              tdmf_point d_center, const double d_state[TDMF_STATE_COUNT]) {
+    (void)center;
+    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
+                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
+                            state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
+    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
+                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
+                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+                        (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
+    const tdmf_point result = {
+        .x = d_center.x + ((d_state[TDMF_LEG_LENGTH] * direction.sine +
+                            state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) *
+                               model->body_share +
+                           state[TDMF_LEG_LENGTH] * direction.sine * d_model->body_share),
+        .y = d_center.y - (d_model->body_share * y + model->body_share * d_y),
+        .vx = d_center.vx - (d_model->body_share * vx + model->body_share * d_vx),
+        .vy = d_center.vy - (d_model->body_share * vy + model->body_share * d_vy),
+    };
+    return result;
+}
+
+/* The leg's rates where the foot has another velocity and the body keeps its own. */
+static inline tdmf_leg_rates tdmf_leg_rates_with_foot(const double state[TDMF_STATE_COUNT],
+                                                      tdmf_leg_direction direction, double vx, double vy) {
+    const double lost_y = state[TDMF_FOOT_VY] - vy;
+    const double lost_x = state[TDMF_FOOT_VX] - vx;
+    const tdmf_leg_rates result = {
+        .length = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x),
+        .angle = state[TDMF_LEG_ANGLE_RATE] -
+                 (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH],
+    };
+    return result;
+}
+
+/* The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes. */
+static inline tdmf_standing tdmf_standing_of(const tdmf_ground_line *line,
+                                             const double state[TDMF_STATE_COUNT],
+                                             tdmf_leg_direction direction) {
+    const double sine = direction.sine * line->cosine - direction.cosine * line->sine;
+    const double cosine = direction.cosine * line->cosine + direction.sine * line->sine;
+    const double foot_vx = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * sine) - across * cosine;
+    const tdmf_standing result = {
+        .x = -(state[TDMF_LEG_LENGTH] * sine),
+        .y = state[TDMF_LEG_LENGTH] * cosine,
+        .vx = foot_vx + vx,
+        .vy = state[TDMF_LEG_LENGTH_RATE] * cosine - across * sine,
+        .foot_x = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height),
+        .foot_vx = foot_vx,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
+                                                  const double state[TDMF_STATE_COUNT],
+                                                  tdmf_leg_direction direction,
+                                                  const tdmf_ground_line *d_line,
+                                                  const double d_state[TDMF_STATE_COUNT]) {
+    const double sine = direction.sine * line->cosine - direction.cosine * line->sine;
+    const double d_sine = direction.cosine * d_state[TDMF_LEG_ANGLE] * line->cosine -
+                          line->sine * d_line->slope * direction.sine -
+                          (direction.cosine * (line->cosine * d_line->slope) -
+                           direction.sine * d_state[TDMF_LEG_ANGLE] * line->sine);
+    const double cosine = direction.cosine * line->cosine + direction.sine * line->sine;
+    const double d_cosine = -(direction.sine * d_state[TDMF_LEG_ANGLE] * line->cosine) -
+                            line->sine * d_line->slope * direction.cosine +
+                            (direction.cosine * d_state[TDMF_LEG_ANGLE] * line->sine +
+                             direction.sine * (line->cosine * d_line->slope));
+    const double d_foot_vx =
+        line->cosine * d_state[TDMF_FOOT_VX] - line->sine * d_line->slope * state[TDMF_FOOT_VX] +
+        (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
+    const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
+                            state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
+    const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
+    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * sine + state[TDMF_LEG_LENGTH_RATE] * d_sine) -
+                        (d_across * cosine + across * d_cosine);
+    const tdmf_standing result = {
+        .x = -(d_state[TDMF_LEG_LENGTH] * sine + state[TDMF_LEG_LENGTH] * d_sine),
+        .y = d_state[TDMF_LEG_LENGTH] * cosine + state[TDMF_LEG_LENGTH] * d_cosine,
+        .vx = d_foot_vx + d_vx,
+        .vy = d_state[TDMF_LEG_LENGTH_RATE] * cosine + state[TDMF_LEG_LENGTH_RATE] * d_cosine -
+              (d_across * sine + across * d_sine),
+        .foot_x = line->cosine * d_state[TDMF_FOOT_X] - line->sine * d_line->slope * state[TDMF_FOOT_X] +
+                  (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                   line->sine * (d_state[TDMF_FOOT_Y] - d_line->height)),
+        .foot_vx = d_foot_vx,
+    };
+    return result;
+}
+
+/* The state that coordinates on the ground stand for; the leg has wound by `turns`, in radians. */
+static inline void tdmf_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *at, double turns,
+                                          double written[TDMF_STATE_COUNT]) {
+    const double length = sqrt(at->x * at->x + at->y * at->y);
+    const double angle = atan2(-at->x, at->y) + line->slope;
+    written[TDMF_FOOT_X] = line->cosine * at->foot_x;
+    written[TDMF_FOOT_Y] = line->height + line->sine * at->foot_x;
+    written[TDMF_LEG_LENGTH] = length;
+    written[TDMF_LEG_ANGLE] = angle + turns;
+    written[TDMF_FOOT_VX] = line->cosine * at->foot_vx;
+    written[TDMF_FOOT_VY] = line->sine * at->foot_vx;
+    written[TDMF_LEG_LENGTH_RATE] = (at->x * (at->vx - at->foot_vx) + at->y * at->vy) / length;
+    written[TDMF_LEG_ANGLE_RATE] = (at->x * at->vy - at->y * (at->vx - at->foot_vx)) / (length * length);
+}
+
+/* Its change. */
+static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *at,
+                                               double turns, const double state[TDMF_STATE_COUNT],
+                                               const tdmf_ground_line *d_line, const tdmf_standing *d_at,
+                                               double written[TDMF_STATE_COUNT]) {
+    (void)turns;
+    const double d_length = (2.0 * at->x * d_at->x + 2.0 * at->y * d_at->y) / (2.0 * state[TDMF_LEG_LENGTH]);
+    written[TDMF_FOOT_X] = line->cosine * d_at->foot_x - line->sine * d_line->slope * at->foot_x;
+    written[TDMF_FOOT_Y] =
+        d_line->height + (line->cosine * d_line->slope * at->foot_x + line->sine * d_at->foot_x);
+    written[TDMF_LEG_LENGTH] = d_length;
+    written[TDMF_LEG_ANGLE] =
+        (at->x * d_at->y - d_at->x * at->y) / (at->x * at->x + at->y * at->y) + d_line->slope;
+    written[TDMF_FOOT_VX] = line->cosine * d_at->foot_vx - line->sine * d_line->slope * at->foot_vx;
+    written[TDMF_FOOT_VY] = line->cosine * d_line->slope * at->foot_vx + line->sine * d_at->foot_vx;
+    written[TDMF_LEG_LENGTH_RATE] =
+        (d_at->x * (at->vx - at->foot_vx) + at->x * (d_at->vx - d_at->foot_vx) +
+         (d_at->y * at->vy + at->y * d_at->vy) - state[TDMF_LEG_LENGTH_RATE] * d_length) /
+        state[TDMF_LEG_LENGTH];
+    written[TDMF_LEG_ANGLE_RATE] = (d_at->x * at->vy + at->x * d_at->vy -
+                                    (d_at->y * (at->vx - at->foot_vx) + at->y * (d_at->vx - d_at->foot_vx)) -
+                                    state[TDMF_LEG_ANGLE_RATE] * (2.0 * state[TDMF_LEG_LENGTH] * d_length)) /
+                                   (state[TDMF_LEG_LENGTH] * state[TDMF_LEG_LENGTH]);
+}
+
+/* theta = atan2(-x, y) + sigma, of a body there as seen from the foot, in axes turned by a slope. */
+static inline double tdmf_angle_seen(double x, double y, double slope) {
+    return atan2(-x, y) + slope;
+}
+
+/* L/r^2, of the momentum r^2 thetadot. */
+static inline double tdmf_angle_rate_of(double momentum, double length) {
+    return momentum / (length * length);
+}
+
+/* Its change. */
+static inline double tdmf_vary_angle_rate_of(double momentum, double length, double d_momentum,
+                                             double d_length) {
+    return (d_momentum - momentum / (length * length) * (2.0 * length * d_length)) / (length * length);
+}
+
+#endif

@@ -1,0 +1,103 @@
+/* Derived from c_core/equations/free_fall.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_FREE_FALL_LAWS_H
+#define TDMF_DERIVED_FREE_FALL_LAWS_H
+
+#include "quantities.h"
+
+#include <math.h>
+
+/* The external force by the body's mass; of inputs' rates, its rate. */
+static inline tdmf_vector tdmf_push_on_body(const tdmf_model *model, const tdmf_inputs *inputs) {
+    const tdmf_vector result = {
+        .x = inputs->body.external_fx * model->inverse_body_mass,
+        .y = inputs->body.external_fy * model->inverse_body_mass,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_vector tdmf_vary_push_on_body(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                 const tdmf_model *d_model, const tdmf_inputs *d_inputs) {
+    const tdmf_vector result = {
+        .x = d_inputs->body.external_fx * model->inverse_body_mass +
+             inputs->body.external_fx * d_model->inverse_body_mass,
+        .y = d_inputs->body.external_fy * model->inverse_body_mass +
+             inputs->body.external_fy * d_model->inverse_body_mass,
+    };
+    return result;
+}
+
+/* a = (0, -g) + (external force)/m, of the body alone. */
+static inline tdmf_vector tdmf_fall_of_body(const tdmf_model *model, tdmf_vector push) {
+    const tdmf_vector result = {
+        .x = push.x,
+        .y = push.y - model->parameters.gravity,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_vector tdmf_vary_fall_of_body(const tdmf_model *model, tdmf_vector push,
+                                                 const tdmf_model *d_model, tdmf_vector d_push) {
+    (void)model;
+    (void)push;
+    const tdmf_vector result = {
+        .x = d_push.x,
+        .y = d_push.y - d_model->parameters.gravity,
+    };
+    return result;
+}
+
+/* (0, -g) + (external force)/(m + m_f), of the centre of mass. */
+static inline tdmf_vector tdmf_fall_of_center(const tdmf_model *model, tdmf_vector push) {
+    const tdmf_vector result = {
+        .x = model->body_share * push.x,
+        .y = model->body_share * push.y - model->parameters.gravity,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_vector tdmf_vary_fall_of_center(const tdmf_model *model, tdmf_vector push,
+                                                   const tdmf_model *d_model, tdmf_vector d_push) {
+    const tdmf_vector result = {
+        .x = d_model->body_share * push.x + model->body_share * d_push.x,
+        .y = d_model->body_share * push.y + model->body_share * d_push.y - d_model->parameters.gravity,
+    };
+    return result;
+}
+
+/* The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6. */
+static inline tdmf_point tdmf_ballistic_after(tdmf_point start, tdmf_vector fall, tdmf_vector jerk,
+                                              double time) {
+    const tdmf_point result = {
+        .x = start.x + time * (start.vx + time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x))),
+        .y = start.y + time * (start.vy + time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y))),
+        .vx = start.vx + time * (fall.x + 0.5 * (time * jerk.x)),
+        .vy = start.vy + time * (fall.y + 0.5 * (time * jerk.y)),
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_ballistic_after(tdmf_point start, tdmf_vector fall, tdmf_vector jerk,
+                                                   double time, tdmf_point d_start, tdmf_vector d_fall,
+                                                   tdmf_vector d_jerk, double d_time) {
+    const tdmf_point result = {
+        .x = d_start.x + (d_time * (start.vx + time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x))) +
+                          time * (d_start.vx + (d_time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x)) +
+                                                time * (0.5 * d_fall.x +
+                                                        1.0 / 6.0 * (d_time * jerk.x + time * d_jerk.x))))),
+        .y = d_start.y + (d_time * (start.vy + time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y))) +
+                          time * (d_start.vy + (d_time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y)) +
+                                                time * (0.5 * d_fall.y +
+                                                        1.0 / 6.0 * (d_time * jerk.y + time * d_jerk.y))))),
+        .vx = d_start.vx + (d_time * (fall.x + 0.5 * (time * jerk.x)) +
+                            time * (d_fall.x + 0.5 * (d_time * jerk.x + time * d_jerk.x))),
+        .vy = d_start.vy + (d_time * (fall.y + 0.5 * (time * jerk.y)) +
+                            time * (d_fall.y + 0.5 * (d_time * jerk.y + time * d_jerk.y))),
+    };
+    return result;
+}
+
+#endif

@@ -1,0 +1,128 @@
+/* Derived from c_core/equations/ground_line.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_GROUND_LINE_LAWS_H
+#define TDMF_DERIVED_GROUND_LINE_LAWS_H
+
+#include "quantities.h"
+
+#include <math.h>
+
+/* t.(x, y), what of a vector is along the line. */
+static inline double tdmf_velocity_along(const tdmf_ground_line *line, double vx, double vy) {
+    return line->cosine * vx + line->sine * vy;
+}
+
+/* Its change. */
+static inline double tdmf_vary_velocity_along(const tdmf_ground_line *line, double vx, double vy,
+                                              const tdmf_ground_line *d_line, double d_vx, double d_vy) {
+    return line->cosine * d_vx - line->sine * d_line->slope * vx +
+           (line->cosine * d_line->slope * vy + line->sine * d_vy);
+}
+
+/* n.(x, y), what of a vector is across the line. */
+static inline double tdmf_velocity_off(const tdmf_ground_line *line, double vx, double vy) {
+    return line->cosine * vy - line->sine * vx;
+}
+
+/* Its change. */
+static inline double tdmf_vary_velocity_off(const tdmf_ground_line *line, double vx, double vy,
+                                            const tdmf_ground_line *d_line, double d_vx, double d_vy) {
+    return line->cosine * d_vy - line->sine * d_line->slope * vy -
+           (line->cosine * d_line->slope * vx + line->sine * d_vx);
+}
+
+/* t.(p - (0, h)), from the pivot along the line. */
+static inline double tdmf_place_along(const tdmf_ground_line *line, double x, double y) {
+    return line->cosine * x + line->sine * (y - line->height);
+}
+
+/* Its change. */
+static inline double tdmf_vary_place_along(const tdmf_ground_line *line, double x, double y,
+                                           const tdmf_ground_line *d_line, double d_x, double d_y) {
+    return line->cosine * d_x - line->sine * d_line->slope * x +
+           (line->cosine * d_line->slope * (y - line->height) + line->sine * (d_y - d_line->height));
+}
+
+/* n.(p - (0, h)), the distance from the line, negative below. */
+static inline double tdmf_height_over(const tdmf_ground_line *line, double x, double y) {
+    return line->cosine * (y - line->height) - line->sine * x;
+}
+
+/* Its change. */
+static inline double tdmf_vary_height_over(const tdmf_ground_line *line, double x, double y,
+                                           const tdmf_ground_line *d_line, double d_x, double d_y) {
+    return line->cosine * (d_y - d_line->height) - line->sine * d_line->slope * (y - line->height) -
+           (line->cosine * d_line->slope * x + line->sine * d_x);
+}
+
+/* h + x tan sigma, the height of the line. */
+static inline double tdmf_ground_height_at(const tdmf_ground_line *line, double x) {
+    return line->height + x * (line->sine / line->cosine);
+}
+
+/* Its change. */
+static inline double tdmf_vary_ground_height_at(const tdmf_ground_line *line, double x,
+                                                const tdmf_ground_line *d_line, double d_x) {
+    return d_line->height +
+           (d_x * (line->sine / line->cosine) +
+            x * ((line->cosine * d_line->slope + line->sine * d_line->slope * (line->sine / line->cosine)) /
+                 line->cosine));
+}
+
+/* x/cos sigma, the way along the line to what is above x. */
+static inline double tdmf_path_to(const tdmf_ground_line *line, double x) {
+    return x / line->cosine;
+}
+
+/* Its change. */
+static inline double tdmf_vary_path_to(const tdmf_ground_line *line, double x, const tdmf_ground_line *d_line,
+                                       double d_x) {
+    return (d_x + line->sine * d_line->slope * (x / line->cosine)) / line->cosine;
+}
+
+/* The point at a distance from the pivot that moves along the line. */
+static inline tdmf_point tdmf_point_on(const tdmf_ground_line *line, double along, double velocity) {
+    const tdmf_point result = {
+        .x = line->cosine * along,
+        .y = line->height + line->sine * along,
+        .vx = line->cosine * velocity,
+        .vy = line->sine * velocity,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_point tdmf_vary_point_on(const tdmf_ground_line *line, double along, double velocity,
+                                            const tdmf_ground_line *d_line, double d_along,
+                                            double d_velocity) {
+    const tdmf_point result = {
+        .x = line->cosine * d_along - line->sine * d_line->slope * along,
+        .y = d_line->height + (line->cosine * d_line->slope * along + line->sine * d_along),
+        .vx = line->cosine * d_velocity - line->sine * d_line->slope * velocity,
+        .vy = line->cosine * d_line->slope * velocity + line->sine * d_velocity,
+    };
+    return result;
+}
+
+/* f_t t + f_n n, in horizontal and vertical components. */
+static inline tdmf_vector tdmf_vector_on(const tdmf_ground_line *line, double tangential, double normal) {
+    const tdmf_vector result = {
+        .x = tangential * line->cosine - normal * line->sine,
+        .y = tangential * line->sine + normal * line->cosine,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_vector tdmf_vary_vector_on(const tdmf_ground_line *line, double tangential, double normal,
+                                              const tdmf_ground_line *d_line, double d_tangential,
+                                              double d_normal) {
+    const tdmf_vector result = {
+        .x = d_tangential * line->cosine - line->sine * d_line->slope * tangential -
+             (d_normal * line->sine + normal * (line->cosine * d_line->slope)),
+        .y = d_tangential * line->sine + tangential * (line->cosine * d_line->slope) +
+             (d_normal * line->cosine - line->sine * d_line->slope * normal),
+    };
+    return result;
+}
+
+#endif

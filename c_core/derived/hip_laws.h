@@ -1,0 +1,380 @@
+/* Derived from c_core/equations/hip.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_HIP_LAWS_H
+#define TDMF_DERIVED_HIP_LAWS_H
+
+#include "quantities.h"
+
+#include <math.h>
+
+/* The torque from outside alone; `rates` are those of the inputs. */
+static inline tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates) {
+    const tdmf_hip_law result = {
+        .torque = inputs->hip.external_torque,
+        .torque_rate = rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_hip_law tdmf_vary_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                                                  const tdmf_inputs *d_inputs, const tdmf_inputs *d_rates) {
+    (void)inputs;
+    (void)rates;
+    const tdmf_hip_law result = {
+        .torque = d_inputs->hip.external_torque,
+        .torque_rate = d_rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* -tau0 while the stance drives, then 0 (11), and the torque from outside. */
+static inline tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_inputs *rates, const tdmf_mode *mode) {
+    if (mode->mid_stance_pending) {
+        const double drive = model->parameters.hip.stance_torque + inputs->control.stance_torque;
+        const tdmf_hip_law result = {
+            .torque = inputs->hip.external_torque - drive,
+            .torque_rate = rates->hip.external_torque,
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .torque = inputs->hip.external_torque,
+        .torque_rate = rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_hip_law tdmf_vary_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                const tdmf_inputs *rates, const tdmf_mode *mode,
+                                                const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                                                const tdmf_inputs *d_rates, const tdmf_mode *d_mode) {
+    (void)model;
+    (void)inputs;
+    (void)rates;
+    (void)d_mode;
+    if (mode->mid_stance_pending) {
+        const double d_drive = d_model->parameters.hip.stance_torque + d_inputs->control.stance_torque;
+        const tdmf_hip_law result = {
+            .torque = d_inputs->hip.external_torque - d_drive,
+            .torque_rate = d_rates->hip.external_torque,
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .torque = d_inputs->hip.external_torque,
+        .torque_rate = d_rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* Of the flight's law the servo alone: the sign of its torque decides the clamp. */
+static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, double place_time) {
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const tdmf_hip_law result = {
+            .gain = model->parameters.hip.kp,
+            .rate_gain = model->parameters.hip.kd,
+            .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                      model->parameters.hip.retraction_rate * place_time,
+            .target_rate = -model->parameters.hip.retraction_rate,
+            .torque = -(model->parameters.hip.kd * model->parameters.hip.retraction_rate),
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .gain = model->parameters.hip.kp,
+        .rate_gain = model->parameters.hip.kd,
+        .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_mode *mode, double place_time,
+                                           const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                                           const tdmf_mode *d_mode, double d_place_time) {
+    (void)inputs;
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const tdmf_hip_law result = {
+            .gain = d_model->parameters.hip.kp,
+            .rate_gain = d_model->parameters.hip.kd,
+            .target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
+                      (d_model->parameters.hip.retraction_rate * place_time +
+                       model->parameters.hip.retraction_rate * d_place_time),
+            .target_rate = -d_model->parameters.hip.retraction_rate,
+            .torque = -(d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                        model->parameters.hip.kd * d_model->parameters.hip.retraction_rate),
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .gain = d_model->parameters.hip.kp,
+        .rate_gain = d_model->parameters.hip.kd,
+        .target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                  model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle,
+    };
+    return result;
+}
+
+/* Off the ground: the servo, unless the clamp of (12) holds it at 0, and the torque from outside. */
+static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_inputs *rates, const tdmf_mode *mode,
+                                           double place_time) {
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const tdmf_hip_law result = {
+            .gain = model->parameters.hip.kp,
+            .rate_gain = model->parameters.hip.kd,
+            .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                      model->parameters.hip.retraction_rate * place_time,
+            .target_rate = -model->parameters.hip.retraction_rate,
+            .torque = inputs->hip.external_torque -
+                      model->parameters.hip.kd * model->parameters.hip.retraction_rate,
+            .torque_rate = rates->hip.external_torque,
+        };
+        return result;
+    }
+    if (mode->clamp_closed) {
+        const tdmf_hip_law result = {
+            .torque = inputs->hip.external_torque,
+            .torque_rate = rates->hip.external_torque,
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .gain = model->parameters.hip.kp,
+        .rate_gain = model->parameters.hip.kd,
+        .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
+        .torque = inputs->hip.external_torque,
+        .torque_rate = rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                const tdmf_inputs *rates, const tdmf_mode *mode,
+                                                double place_time, const tdmf_model *d_model,
+                                                const tdmf_inputs *d_inputs, const tdmf_inputs *d_rates,
+                                                const tdmf_mode *d_mode, double d_place_time) {
+    (void)inputs;
+    (void)rates;
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const tdmf_hip_law result = {
+            .gain = d_model->parameters.hip.kp,
+            .rate_gain = d_model->parameters.hip.kd,
+            .target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
+                      (d_model->parameters.hip.retraction_rate * place_time +
+                       model->parameters.hip.retraction_rate * d_place_time),
+            .target_rate = -d_model->parameters.hip.retraction_rate,
+            .torque = d_inputs->hip.external_torque -
+                      (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                       model->parameters.hip.kd * d_model->parameters.hip.retraction_rate),
+            .torque_rate = d_rates->hip.external_torque,
+        };
+        return result;
+    }
+    if (mode->clamp_closed) {
+        const tdmf_hip_law result = {
+            .torque = d_inputs->hip.external_torque,
+            .torque_rate = d_rates->hip.external_torque,
+        };
+        return result;
+    }
+    const tdmf_hip_law result = {
+        .gain = d_model->parameters.hip.kp,
+        .rate_gain = d_model->parameters.hip.kd,
+        .target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                  model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle,
+        .torque = d_inputs->hip.external_torque,
+        .torque_rate = d_rates->hip.external_torque,
+    };
+    return result;
+}
+
+/* gain (target - theta) - rate_gain thetadot + torque, now. */
+static inline double tdmf_law_torque(const tdmf_hip_law *law, const double state[TDMF_STATE_COUNT]) {
+    return law->gain * (law->target - state[TDMF_LEG_ANGLE]) - law->rate_gain * state[TDMF_LEG_ANGLE_RATE] +
+           law->torque;
+}
+
+/* Its change. */
+static inline double tdmf_vary_law_torque(const tdmf_hip_law *law, const double state[TDMF_STATE_COUNT],
+                                          const tdmf_hip_law *d_law, const double d_state[TDMF_STATE_COUNT]) {
+    return d_law->gain * (law->target - state[TDMF_LEG_ANGLE]) +
+           law->gain * (d_law->target - d_state[TDMF_LEG_ANGLE]) -
+           (d_law->rate_gain * state[TDMF_LEG_ANGLE_RATE] + law->rate_gain * d_state[TDMF_LEG_ANGLE_RATE]) +
+           d_law->torque;
+}
+
+/* Of the servo alone, by which the clamp of (12) is decided. */
+static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                              model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+        return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
+               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] -
+               model->parameters.hip.kd * model->parameters.hip.retraction_rate;
+    }
+    return model->parameters.hip.kp *
+               (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
+           model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
+}
+
+/* Its change. */
+static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
+                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                            const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                                            const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT]) {
+    if (mode->phase == TDMF_PHASE_PLACE) {
+        const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                              model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+        const double d_target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
+                                (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
+                                 model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
+        return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
+               model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
+               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) -
+               (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                model->parameters.hip.kd * d_model->parameters.hip.retraction_rate);
+    }
+    return d_model->parameters.hip.kp *
+               (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) +
+           model->parameters.hip.kp * (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                                       model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
+                                       d_state[TDMF_LEG_ANGLE]) -
+           (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+            model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]);
+}
+
+/* The total torque: of flight or stance, and in graze what keeps the foot at the ground. */
+static inline double tdmf_torque_in(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                    const double state[TDMF_STATE_COUNT], const tdmf_leg *leg, bool upright,
+                                    double sine) {
+    if (mode->contact == TDMF_CONTACT_GRAZE) {
+        if (upright) {
+            const double load = leg->axial_force * leg->ground_cosine +
+                                model->parameters.foot.mass * model->parameters.gravity * mode->ground.cosine;
+            return load / (sine * leg->inverse_length);
+        }
+        const double load = leg->axial_force * leg->ground_cosine +
+                            model->parameters.foot.mass * model->parameters.gravity * mode->ground.cosine;
+        return load / (leg->ground_sine * leg->inverse_length);
+    }
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        if (mode->phase == TDMF_PHASE_PLACE) {
+            const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                                  model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+            return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
+                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                   (inputs->hip.external_torque -
+                    model->parameters.hip.kd * model->parameters.hip.retraction_rate);
+        }
+        if (mode->clamp_closed) {
+            return inputs->hip.external_torque;
+        }
+        return model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                                           state[TDMF_LEG_ANGLE]) -
+               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque;
+    }
+    if (mode->mid_stance_pending) {
+        const double drive = model->parameters.hip.stance_torque + inputs->control.stance_torque;
+        return inputs->hip.external_torque - drive;
+    }
+    return inputs->hip.external_torque;
+}
+
+/* Its change. */
+static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inputs *inputs,
+                                         const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                         const tdmf_leg *leg, bool upright, double sine, double torque,
+                                         const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                                         const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT],
+                                         const tdmf_leg *d_leg) {
+    if (mode->contact == TDMF_CONTACT_GRAZE) {
+        if (upright) {
+            const double d_load = d_leg->axial_force * leg->ground_cosine +
+                                  leg->axial_force * d_leg->ground_cosine +
+                                  ((d_model->parameters.foot.mass * model->parameters.gravity +
+                                    model->parameters.foot.mass * d_model->parameters.gravity) *
+                                       mode->ground.cosine -
+                                   mode->ground.sine * d_mode->ground.slope *
+                                       (model->parameters.foot.mass * model->parameters.gravity));
+            return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
+        }
+        const double d_load = d_leg->axial_force * leg->ground_cosine +
+                              leg->axial_force * d_leg->ground_cosine +
+                              ((d_model->parameters.foot.mass * model->parameters.gravity +
+                                model->parameters.foot.mass * d_model->parameters.gravity) *
+                                   mode->ground.cosine -
+                               mode->ground.sine * d_mode->ground.slope *
+                                   (model->parameters.foot.mass * model->parameters.gravity));
+        return (d_load - torque * (d_leg->ground_sine * leg->inverse_length +
+                                   leg->ground_sine * d_leg->inverse_length)) /
+               (leg->ground_sine * leg->inverse_length);
+    }
+    if (mode->contact == TDMF_CONTACT_FLIGHT) {
+        if (mode->phase == TDMF_PHASE_PLACE) {
+            const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
+                                  model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+            const double d_target = d_model->parameters.hip.touchdown_angle +
+                                    d_inputs->control.touchdown_angle -
+                                    (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
+                                     model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
+            return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
+                   model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
+                   (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                    model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
+                   (d_inputs->hip.external_torque -
+                    (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                     model->parameters.hip.kd * d_model->parameters.hip.retraction_rate));
+        }
+        if (mode->clamp_closed) {
+            return d_inputs->hip.external_torque;
+        }
+        return d_model->parameters.hip.kp *
+                   (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                    state[TDMF_LEG_ANGLE]) +
+               model->parameters.hip.kp *
+                   (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                    model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
+                    d_state[TDMF_LEG_ANGLE]) -
+               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
+               d_inputs->hip.external_torque;
+    }
+    if (mode->mid_stance_pending) {
+        const double d_drive = d_model->parameters.hip.stance_torque + d_inputs->control.stance_torque;
+        return d_inputs->hip.external_torque - d_drive;
+    }
+    return d_inputs->hip.external_torque;
+}
+
+/* The rate of the torque while the leg stands still. */
+static inline double tdmf_law_drift(const tdmf_hip_law *law) {
+    return law->torque_rate + law->gain * law->target_rate;
+}
+
+/* Its change. */
+static inline double tdmf_vary_law_drift(const tdmf_hip_law *law, const tdmf_hip_law *d_law) {
+    return d_law->torque_rate + (d_law->gain * law->target_rate + law->gain * d_law->target_rate);
+}
+
+/* The law as it is some time later. */
+static inline tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapsed) {
+    const tdmf_hip_law result = {
+        .gain = law->gain,
+        .rate_gain = law->rate_gain,
+        .target = law->target + elapsed * law->target_rate,
+        .target_rate = law->target_rate,
+        .torque = law->torque + elapsed * law->torque_rate,
+        .torque_rate = law->torque_rate,
+    };
+    return result;
+}
+
+#endif

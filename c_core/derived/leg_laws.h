@@ -1,0 +1,132 @@
+/* Derived from c_core/equations/leg.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_LEG_LAWS_H
+#define TDMF_DERIVED_LEG_LAWS_H
+
+#include "quantities.h"
+
+#include <math.h>
+
+/* Of theta' = theta - sigma, seen from the normal of the ground. */
+static inline tdmf_leg_direction tdmf_direction_over(const tdmf_ground_line *line,
+                                                     tdmf_leg_direction direction) {
+    const tdmf_leg_direction result = {
+        .sine = direction.sine * line->cosine - direction.cosine * line->sine,
+        .cosine = direction.cosine * line->cosine + direction.sine * line->sine,
+    };
+    return result;
+}
+
+/* epsilon, with what the control adds to it, but no less than 0.
+ *
+ * A leg that grew shorter would leave a ground that it comes down to at once, for ever. */
+static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
+                ? (model->parameters.leg.thrust + inputs->control.thrust)
+                : 0.0);
+}
+
+/* l0 + u and, from the greatest compression to the end of the stance, epsilon. */
+static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode) {
+    if (mode->thrusts) {
+        const double length = model->parameters.leg.free_length + inputs->leg.extension;
+        return length + ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
+                             ? (model->parameters.leg.thrust + inputs->control.thrust)
+                             : 0.0);
+    }
+    return model->parameters.leg.free_length + inputs->leg.extension;
+}
+
+/* Its change. */
+static inline double tdmf_vary_rest_length(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_mode *mode, const tdmf_model *d_model,
+                                           const tdmf_inputs *d_inputs, const tdmf_mode *d_mode) {
+    (void)d_mode;
+    if (mode->thrusts) {
+        const double d_length = d_model->parameters.leg.free_length + d_inputs->leg.extension;
+        return d_length + ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
+                               ? (d_model->parameters.leg.thrust + d_inputs->control.thrust)
+                               : 0.0);
+    }
+    return d_model->parameters.leg.free_length + d_inputs->leg.extension;
+}
+
+/* What every force and acceleration is made of.
+ *
+ * A solver may try lengths at or below zero on its way past a fall; 1/r stays finite there. */
+static inline tdmf_leg tdmf_leg_with(const tdmf_model *model, const tdmf_ground_line *line,
+                                     const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                     double rest_length) {
+    const tdmf_leg result = {
+        .length = state[TDMF_LEG_LENGTH],
+        .inverse_length = 1.0 / (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                                     ? state[TDMF_LEG_LENGTH]
+                                     : 0.5 * model->parameters.leg.min_length),
+        .length_rate = state[TDMF_LEG_LENGTH_RATE],
+        .angle_rate = state[TDMF_LEG_ANGLE_RATE],
+        .sine = direction.sine,
+        .cosine = direction.cosine,
+        .ground_sine = direction.sine * line->cosine - direction.cosine * line->sine,
+        .ground_cosine = direction.cosine * line->cosine + direction.sine * line->sine,
+        .rest_length = rest_length,
+        .axial_force = model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) -
+                       model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE],
+    };
+    return result;
+}
+
+/* Its change. */
+static inline tdmf_leg tdmf_vary_leg_with(const tdmf_model *model, const tdmf_ground_line *line,
+                                          const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                          double rest_length, const tdmf_leg *leg, const tdmf_model *d_model,
+                                          const tdmf_ground_line *d_line,
+                                          const double d_state[TDMF_STATE_COUNT], double d_rest_length) {
+    (void)direction;
+    const tdmf_leg result = {
+        .length = d_state[TDMF_LEG_LENGTH],
+        .inverse_length = -(leg->inverse_length * leg->inverse_length *
+                            (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                                 ? d_state[TDMF_LEG_LENGTH]
+                                 : 0.5 * d_model->parameters.leg.min_length)),
+        .length_rate = d_state[TDMF_LEG_LENGTH_RATE],
+        .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
+        .sine = leg->cosine * d_state[TDMF_LEG_ANGLE],
+        .cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]),
+        .ground_sine =
+            leg->cosine * d_state[TDMF_LEG_ANGLE] * line->cosine - line->sine * d_line->slope * leg->sine -
+            (leg->cosine * (line->cosine * d_line->slope) - leg->sine * d_state[TDMF_LEG_ANGLE] * line->sine),
+        .ground_cosine =
+            -(leg->sine * d_state[TDMF_LEG_ANGLE] * line->cosine) - line->sine * d_line->slope * leg->cosine +
+            (leg->cosine * d_state[TDMF_LEG_ANGLE] * line->sine + leg->sine * (line->cosine * d_line->slope)),
+        .rest_length = d_rest_length,
+        .axial_force = d_model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) +
+                       model->parameters.leg.stiffness * (d_rest_length - d_state[TDMF_LEG_LENGTH]) -
+                       (d_model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE] +
+                        model->parameters.leg.damping * d_state[TDMF_LEG_LENGTH_RATE]),
+    };
+    return result;
+}
+
+/* k (l - r) ldot, what the spring is given along a ramp of its rest length. */
+static inline double tdmf_leg_power(const tdmf_model *model, double rest_length, double length,
+                                    double rest_length_rate) {
+    return model->parameters.leg.stiffness * (rest_length - length) * rest_length_rate;
+}
+
+/* k/2 ((l+ - r)^2 - (l- - r)^2), what the spring is given where its rest length jumps. */
+static inline double tdmf_leg_work_of_jump(const tdmf_model *model, double length, double before,
+                                           double after) {
+    return 0.5 * (model->parameters.leg.stiffness * (after - before) * (after + before - 2.0 * length));
+}
+
+/* Its change. */
+static inline double tdmf_vary_leg_work_of_jump(const tdmf_model *model, double length, double before,
+                                                double after, const tdmf_model *d_model, double d_length,
+                                                double d_before, double d_after) {
+    return 0.5 * ((d_model->parameters.leg.stiffness * (after - before) +
+                   model->parameters.leg.stiffness * (d_after - d_before)) *
+                      (after + before - 2.0 * length) +
+                  model->parameters.leg.stiffness * (after - before) * (d_after + d_before - 2.0 * d_length));
+}
+
+#endif

@@ -1,0 +1,40 @@
+"""What is constant while a mode lasts, in its motion's own coordinates."""
+
+from . import free_fall, ground_force, ground_line
+from .functions import Record
+
+
+def of_flight(model, law, rest_length):
+    """The leg's and the hip's law by the mobility 1/m + 1/m_f, of flight as seen from the centre of mass."""
+    leg = model.parameters.leg
+    return Record(
+        mobility=model.mobility,
+        stiffness=model.mobility * leg.stiffness,
+        damping=model.mobility * leg.damping,
+        rest_length=rest_length,
+        gain=model.mobility * law.gain,
+        rate_gain=model.mobility * law.rate_gain,
+        target=law.target,
+        torque=model.mobility * law.torque,
+        torque_rate=model.mobility * (law.torque_rate + law.gain * law.target_rate),
+    )
+
+
+def on_ground(model, line, law, rest_length, push, friction):
+    """Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes."""
+    fall = free_fall.of_body(model, push)
+    weight = ground_force.foot_weight(model)
+    return Record(
+        stiffness=model.parameters.leg.stiffness,
+        damping=model.parameters.leg.damping,
+        rest_length=rest_length,
+        inverse_body_mass=model.inverse_body_mass,
+        inverse_foot_mass=model.inverse_foot_mass,
+        foot_weight_x=weight * line.sine,
+        foot_weight_y=weight * line.cosine,
+        gravity_x=-ground_line.along(line, fall.x, fall.y),
+        gravity_y=-ground_line.off(line, fall.x, fall.y),
+        torque=law.torque,
+        torque_rate=law.torque_rate,
+        friction=friction,
+    )

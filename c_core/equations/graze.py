@@ -1,0 +1,25 @@
+"""Graze, or lift-off done exactly.
+
+When the contact force vanishes, the stance law would let the foot rise, while the flight law that takes over
+often holds it down: stance says leave, flight says stay. Filippov's solution has no penetration and no
+chatter: while the laws disagree the foot stays on the ground without force, and the torque has the value in
+between that keeps it there, `ground_force.graze_torque`.
+
+Let N(tau) be f_n of (10). A resting foot is held on the ground by a law if N > 0, and rises under it with the
+acceleration -N/m_f if N < 0; tau_eq is the zero of N. So the exits of graze are watched by N of either law,
+never by tau_eq, which is 0/0 at theta' = 0.
+"""
+
+from . import ground_force, hip
+
+
+def force_in_stance(model, inputs, mode, state, leg):
+    """N of the stance law, of a foot at rest on the ground that would stay there; with f_t of (10)."""
+    torque = hip.stance_torque(model, inputs, state, mode.mid_stance_pending)
+    return ground_force.under(model, mode.ground, leg, torque)
+
+
+def force_in_flight(model, inputs, mode, state, leg):
+    """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10)."""
+    torque = hip.flight_torque(model, inputs, state, mode.phase, mode.clamp_closed, mode.liftoff_angle)
+    return ground_force.under(model, mode.ground, leg, torque)

@@ -1,0 +1,66 @@
+/* What laws take and give, beside the public structs. */
+#ifndef TDMF_MODEL_QUANTITIES_H
+#define TDMF_MODEL_QUANTITIES_H
+
+#include "tdmf_slip/contact.h"
+#include "tdmf_slip/energy.h"
+#include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/state.h"
+
+/* A force, N, an acceleration, m/s2, or its rate. */
+typedef struct {
+    double x, y;
+} tdmf_vector;
+
+/* Sine and cosine of the leg's angle, which no event changes. */
+typedef struct {
+    double sine, cosine;
+} tdmf_leg_direction;
+
+/* The leg at one instant: what every force and acceleration is made of, computed once. */
+typedef struct {
+    double length;         /* r */
+    double inverse_length; /* 1/r */
+    double length_rate;
+    double angle_rate;
+    double sine, cosine;               /* of theta */
+    double ground_sine, ground_cosine; /* of theta' = theta - sigma, from the ground's normal */
+    double rest_length;                /* of the spring */
+    double axial_force;                /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
+} tdmf_leg;
+
+/* A law of the hip, affine in the leg's angle, its rate and time, which is counted from now:
+ *
+ *     tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t */
+typedef struct {
+    double gain, rate_gain; /* N.m/rad, N.m.s/rad */
+    double target;          /* rad */
+    double target_rate;     /* rad/s */
+    double torque;          /* N.m */
+    double torque_rate;     /* N.m/s */
+} tdmf_hip_law;
+
+/* Rates of r and theta, or their rates. */
+typedef struct {
+    double length, angle;
+} tdmf_leg_rates;
+
+/* On the ground, in its own axes: the body as seen from the foot, its velocity, and the foot, which is where
+ * the line is. */
+typedef struct {
+    double x, y, vx, vy, foot_x, foot_vx;
+} tdmf_standing;
+
+/* What an impact leaves, and what it costs. */
+typedef struct {
+    double foot_x, foot_y, foot_vx, foot_vy, leg_length_rate, leg_angle_rate;
+    double loss; /* J */
+} tdmf_after_impact;
+
+/* The constants of a model that are made of its masses. */
+typedef struct {
+    double inverse_body_mass, inverse_foot_mass, mobility, total_mass, body_share;
+} tdmf_mass_constants;
+
+#endif
