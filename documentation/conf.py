@@ -23,6 +23,7 @@ extensions = [
     "sphinx.ext.viewcode",
     "c_reference",
     "command_reference",
+    "content_security_policy",
     "mathml",
     "python_reference",
     "variable_reference",

@@ -204,3 +204,11 @@ def test_a_public_host_runs_the_same_script():
     workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text(encoding="utf-8")
     assert "run: ./scripts/test\n" in workflow
     assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
+
+
+def test_no_workflow_may_write_to_the_repository_unless_a_job_asks_for_it():
+    yaml = pytest.importorskip("yaml")
+    workflows = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+    assert len(workflows) >= 1
+    for path in workflows:
+        assert yaml.safe_load(path.read_text(encoding="utf-8"))["permissions"] == {"contents": "read"}, path

@@ -1,0 +1,194 @@
+"""The policy in the site's pages, in Chromium: theirs keeps it, and nothing foreign gets past it."""
+
+import pathlib
+import shutil
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SITE = ROOT / "dist" / "site"
+sys.path.insert(0, str(ROOT / "documentation" / "live"))
+sys.path.insert(0, str(ROOT / "documentation" / "extensions"))
+pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")
+pytest.importorskip("furo")
+
+KINDS = {
+    "the first page": "index.html",
+    "a guide with pictures and equations": "guides/paper.html",
+    "a guide with a table of variables": "reference/variables.html",
+    "a page with a graph": "development/architecture.html",
+    "a reference of Python": "reference/python/index.html",
+    "a reference of C": "reference/c/physics.html",
+    "the command's help": "reference/command_line.html",
+    "sources": "_modules/index.html",
+    "the index": "genindex.html",
+    "the index of modules": "py-modindex.html",
+    "a search": "search.html?q=friction",
+}
+"""A page of each kind."""
+WATCH = """
+globalThis.violations = [];
+document.addEventListener("securitypolicyviolation", (event) =>
+  violations.push(`${event.violatedDirective}: ${event.blockedURI}`));
+"""
+"""Runs before any script of a page, on the browser's own account."""
+INJECT = """
+const script = document.createElement("script");
+script.textContent = "globalThis.injected = 'script'";
+document.body.append(script);
+const picture = document.createElement("div");
+picture.innerHTML = `<img src="data:," onerror="globalThis.injected = 'attribute'">`;
+document.body.append(picture);
+const elsewhere = document.createElement("script");
+elsewhere.src = "data:text/javascript,globalThis.injected = 'address'";
+document.body.append(elsewhere);
+setTimeout(() => {  // what the driver itself evaluates is exempt
+  try {
+    globalThis.injected = eval("'text'");
+  } catch {
+    globalThis.refused = true;
+  }
+});
+"""
+
+
+@pytest.fixture(scope="module")
+def driver():
+    pytest.importorskip("selenium")
+    if not (shutil.which("chromium") and shutil.which("chromedriver")):
+        pytest.skip("needs Debian's chromium and chromium-driver")
+    if not (SITE / "index.html").is_file():
+        pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
+    from browser import chromium
+
+    with chromium(1280, 900) as driver:
+        driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": WATCH})
+        yield driver
+
+
+@pytest.fixture(scope="module", params=["by a server", "by file://"])
+def address(request):
+    from browser import served
+
+    if request.param == "by file://":
+        yield SITE.as_uri()
+        return
+    with served(SITE) as address:
+        yield address
+
+
+def problems(driver):
+    """What broke the policy, and what else the page complained of; a search in files has no summaries."""
+    said = [entry["message"] for entry in driver.get_log("browser")]
+    if driver.current_url.startswith("file:"):
+        said = [text for text in said if "Content Security Policy" in text]
+    return [*driver.execute_script("return violations"), *said]
+
+
+def opened(driver, address, page):
+    """The driver with the page loaded whole, and nothing of it refused."""
+    from browser import wait
+
+    driver.get("about:blank")
+    driver.get_log("browser")
+    driver.get(f"{address}/{page}")
+    wait(driver, "document.readyState === 'complete'")
+    return driver
+
+
+def test_there_are_pages_of_each_kind(driver):
+    assert [page for page in KINDS.values() if not (SITE / page.split("?")[0]).is_file()] == []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_page_does_nothing_that_its_policy_forbids(driver, address, kind):
+    opened(driver, address, KINDS[kind])
+    assert problems(driver) == []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_page_has_its_styles_its_pictures_and_the_theme_s_script(driver, address, kind):
+    from browser import wait
+
+    opened(driver, address, KINDS[kind])
+    assert driver.execute_script("return document.body.dataset.theme") == "auto"
+    links = "[...document.querySelectorAll('link[rel=stylesheet]')]"
+    assert driver.execute_script(f"return {links}.length") >= 4
+    assert driver.execute_script(f"return {links}.every((link) => link.sheet !== null)")
+    assert driver.execute_script(
+        "return getComputedStyle(document.querySelector('.sidebar-drawer')).display"
+    ) != ("inline")
+    driver.execute_script("for (const picture of document.images) picture.loading = 'eager'")
+    wait(driver, "[...document.images].every((picture) => picture.complete)", "the pictures")
+    assert driver.execute_script("return [...document.images].every((picture) => picture.naturalWidth > 0)")
+    if "?" in KINDS[kind]:
+        wait(driver, "document.querySelectorAll('#search-results li').length > 3", "what is found")
+
+
+@pytest.mark.parametrize("page", [*KINDS.values(), "live.html"])
+def test_an_injected_script_does_not_run(driver, address, page):
+    opened(driver, address, page)
+    if page == "live.html" and address.startswith("file"):
+        driver.execute_script("violations.length = 0")  # its modules need a server, with a policy or without
+    driver.execute_script(INJECT)
+    from browser import wait
+
+    wait(driver, "violations.length >= 4 && globalThis.refused", "four refusals")
+    assert driver.execute_script("return globalThis.injected") is None
+    assert driver.execute_script("return violations.map((text) => text.split(':')[0]).sort()") == [
+        "script-src",
+        "script-src-attr",
+        "script-src-elem",
+        "script-src-elem",
+    ]
+
+
+def test_the_live_page_runs_within_its_policy(driver):
+    from browser import open_page, served
+
+    with served(SITE) as address:
+        driver.get_log("browser")
+        open_page(driver, address)
+        assert problems(driver) == []
+
+
+# ---- the build ----
+
+
+def test_every_page_has_the_policy_before_anything_that_it_rules():
+    from content_security_policy import Scripts, policy
+
+    pages = sorted(SITE.rglob("*.html"))
+    if not pages:
+        pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
+    for path in pages:
+        text = path.read_text(encoding="utf-8")
+        head, rest = text.split("Content-Security-Policy", 1)
+        assert "<script" not in head and "<link" not in head and "<style" not in head, path.name
+        if path.name != "live.html":
+            assert rest.startswith('" content="' + policy().replace("'", "&#39;") + '"'), path.name
+        else:
+            assert "'wasm-unsafe-eval'" in rest.split(">")[0] and Scripts(text).inline == []
+    assert len(pages) > 150
+
+
+@pytest.mark.parametrize(
+    ("content", "named"),
+    [
+        ("<script>alert(1)</script>", "alert(1)"),
+        ('<p onclick="alert(2)">', 'onclick="alert(2)"'),
+        ('<a href="javascript:alert(3)">', "javascript:alert(3)"),
+    ],
+)
+def test_a_page_whose_script_would_not_run_fails_the_build(tmp_path, content, named):
+    from content_security_policy import check, theme_scripts
+    from sphinx.errors import ExtensionError
+
+    allowed = "".join(f"<script>{script}</script>" for script in theme_scripts())
+    (tmp_path / "page.html").write_text(f'<script src="a.js"></script>{allowed}<p style="color: red">')
+    check(tmp_path)
+    (tmp_path / "page.html").write_text(allowed + content)
+    with pytest.raises(ExtensionError, match=r"page\.html") as refused:
+        check(tmp_path)
+    assert named in str(refused.value)
