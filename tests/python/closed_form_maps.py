@@ -93,6 +93,12 @@ def ring(x, p):
     return x + 0.3 * (x**2 + p**2 - 1), np.array([1 + 0.6 * x]), np.array([0.6 * p]), "x"
 
 
+def swapping_ring(x, p):
+    """Gaits of two strides on the same circle, whose halves are x and -x."""
+    off = x**2 + p**2 - 1
+    return -x * (1 + 0.3 * off), np.array([-(1 + 0.3 * off) - 0.6 * x**2]), -0.6 * x * p, "x"
+
+
 def saddle(place, p):
     """Eigenvalues p and 1/2: their product passes 1 at 2."""
     x, y = place
@@ -123,6 +129,16 @@ def collision(left, right):
 def torn(x, p):
     """Beyond x = 1 the map jumps."""
     return p + 0.5 * x + (3.0 if x[0] > 1.0 else 0.0), np.array([[0.5]]), np.ones(1), "+" if x[0] > 1 else "-"
+
+
+def two_sheets(gap):
+    """Fixed points at 2 p up to x = 1, and beyond it at 2 p and a gap: side by side where p is just below."""
+
+    def step(x, p):
+        lifted = x[0] > 1.0
+        return p + 0.5 * x + lifted * gap / 2, np.array([[0.5]]), np.ones(1), "+" if lifted else "-"
+
+    return step
 
 
 def falling(x, p):

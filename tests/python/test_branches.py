@@ -1,6 +1,7 @@
 """Branches of this runner's gaits: as a command, doubled, drawn, and against plain strides."""
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +32,12 @@ def over_torque(runner, unit):
 def over_angle(runner, unit):
     """From 40 degrees upwards, around two folds."""
     return continue_branch(runner, ANGLE, np.radians(40.0), np.radians(53.0), largest_step=1.0, unit=unit)
+
+
+@pytest.fixture(scope="module")
+def over_rate(unit):
+    """On friction 0.2, over the rate of retraction."""
+    return continue_branch({FRICTION: 0.2}, "hip.retraction_rate", 0.0, 0.03, unit=unit)
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -96,18 +103,16 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
     assert compared >= 3
 
 
-def test_gaits_of_four_strides_are_those_of_plain_strides(unit):
-    """On friction 0.2, over the rate of retraction; an earlier branch ends as it began."""
-    runner = Runner.of({FRICTION: 0.2}, unit)
-    branch = continue_branch(runner, "hip.retraction_rate", 0.0, 0.03, unit=unit)
-    doublings = [special.value for special in branch.specials if special.kind == "period doubling"]
-    bubble, two = branch.branches
+def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
+    """An earlier branch ends as it began."""
+    doublings = [special.value for special in over_rate.specials if special.kind == "period doubling"]
+    bubble, two = over_rate.branches
     assert doublings == pytest.approx([0.0087861, 0.0149840, 0.0265709], abs=1e-6)
     ends = [f"period doubling at hip.retraction_rate = {value:.10g}" for value in doublings]
     assert [bubble.began, bubble.ended, two.began] == ends and bubble.specials == bubble.branches == ()
     assert all(orbit.stable for orbit in bubble.orbits) and max(bubble.values) < doublings[1]
+    *_, again = (special for special in two.specials if special.kind == "period doubling")
     (four,) = two.branches
-    again = one(two, "period doubling")
     assert four.strides == 4 and four.began.endswith(f"{again.value:.10g}") and min(four.values) > again.value
     orbit = four.orbits[-1]
     assert orbit.stable and orbit.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
@@ -120,6 +125,32 @@ def test_gaits_of_four_strides_are_those_of_plain_strides(unit):
         assert sorted(distances)[1] > 1e-4
         apex, _ = settled(orbit.runner, apex, 1)
     assert ran == STRIDES
+
+
+def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate):
+    """Beyond the graze its gaits touch, the map has a square root, and eigenvalues come from infinity."""
+    _, two = over_rate.branches
+    touches = [len(orbit.events) for orbit in two.orbits]
+    first = touches.index(15)
+    assert set(touches[:first]) == {14} and two.orbits[first].lambda_max > 100.0 * two.orbits[0].lambda_max
+    turn = two.values[first]
+    assert max(abs(two.values[first - 1] - turn), abs(two.values[first + 1] - turn)) < 1e-5
+    assert two.values[first - 10] > turn < two.values[first + 10]
+
+
+def test_a_branch_does_not_jump_to_another_sheet(unit):
+    """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
+    runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8}
+    branch = continue_branch(runner, ANGLE, 0.76, 0.72, switch=False, unit=unit)
+    assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
+    met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
+    assert len(met) == len(set(met)) >= 2
+    places = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.orbits])
+    ways = np.linalg.norm(np.diff(places, axis=0), axis=1)
+    apart = np.linalg.norm(places[:, None] - places, axis=2)
+    for number, (before, after) in enumerate(pairwise(ways), 1):
+        nearest = np.delete(apart[number], [number - 1, number, number + 1]).min()
+        assert nearest > 0.5 * min(before, after), number
 
 
 def test_a_doubled_gait_is_told_like_any_other(over_torque):

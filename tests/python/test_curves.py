@@ -64,6 +64,30 @@ def test_a_curve_of_neimark_sacker_points_ends_where_the_pair_becomes_real():
     assert all(end.startswith(("the eigenvalues become real", "lost")) for end in ends), ends
 
 
+class RingPlane(HenonPlane):
+    """x' = x + x^2 + a^2 + b^2 - 1, whose folds are at x = 0 on the unit circle."""
+
+    def __init__(self):
+        self.names, self.kind, self.scales = ("a", "b"), "fold", np.ones(3)
+
+    def strides_at(self, at, along):
+        x, a, b = at
+        return MapFamily(lambda x, _: self.step(x, a, b, along), 1).strides_at(a, [x])
+
+    def step(self, x, a, b, along):
+        change = np.array([2 * (a if along == "a" else b)])
+        return x + x**2 + a**2 + b**2 - 1, np.array([1 + 2 * x]), change, "x"
+
+
+def test_a_curve_that_closes_is_followed_once():
+    box = Box(np.array([-2.0, -2.0]), np.array([2.0, 2.0]))
+    curve = curve_through(RingPlane(), box, np.array([0.0, 1.0, 0.0]), 200)
+    assert curve.began == curve.ended == "closed: back where it has been"
+    np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1.0, atol=1e-9)
+    angles = np.unwrap(np.arctan2(*curve.points.T))
+    assert abs(angles[-1] - angles[0]) == pytest.approx(2.0 * np.pi) and np.ptp(np.sign(np.diff(angles))) == 0
+
+
 def test_the_bialternate_product_has_the_products_of_pairs():
     matrix = np.random.default_rng(0).normal(size=(5, 5))
     values = np.linalg.eigvals(matrix)

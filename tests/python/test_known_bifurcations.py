@@ -11,12 +11,17 @@ from closed_form_maps import (
     logistic,
     ring,
     saddle,
+    swapping_ring,
     tent,
     torn,
+    two_sheets,
 )
-from tdmf_slip import Runner, find_orbit
+from tdmf_slip import RunError, Runner, find_orbit
 from tdmf_slip.analysis import switching
-from tdmf_slip.analysis.steps import Limits
+from tdmf_slip.analysis.continuation import walk
+from tdmf_slip.analysis.meeting import Track
+from tdmf_slip.analysis.next_point import reverse
+from tdmf_slip.analysis.steps import Limits, follow
 from tdmf_slip.analysis.switching import with_doubled_branches
 from tdmf_slip.analysis.tracing import trace, whole_branch
 from tdmf_slip.library import classic_slip
@@ -258,3 +263,41 @@ def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():
     branch = whole_branch(family, first, Limits(-1.0, 0.6, 0.6, 0.1, 400))
     assert (branch.values[0], branch.began) == (0.6, "beginning of the range")
     assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
+
+
+@pytest.mark.parametrize("gap", [0.02, 0.05])
+def test_a_branch_that_ends_does_not_go_on_from_another(gap):
+    family = MapFamily(two_sheets(gap), 1)
+    branch, _ = followed(family, family.beginning(0.3, 0.6), 0.3, 0.7)
+    assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
+    assert {orbit.word for orbit in branch.orbits} == {"-"} and branch.values[-1] == pytest.approx(0.5)
+
+
+def test_a_walk_along_a_parameter_does_not_change_the_sheet():
+    family = MapFamily(two_sheets(0.3), 1)
+    first = family.orbit(0.45, np.array([0.9]))
+    with pytest.raises(RunError, match="the branch ends near p"):
+        list(walk(family, first, 0.45, 0.55))
+    *_, last = walk(family, family.orbit(0.6, np.array([1.5])), 0.6, 0.4)
+    assert last.apex[0] == pytest.approx(1.1) and last.word == "+"
+
+
+def test_gaits_of_two_strides_are_met_again_by_their_other_half():
+    family = MapFamily(swapping_ring, 1, 2)
+    first = family.beginning(0.1, np.sqrt(0.99))
+    points, ended = follow(family, first, Limits(-2.0, 2.0, first.value, 0.1, 400))
+    assert ended.startswith("retraced: back") and ended.endswith("begun by another of its strides")
+    assert any(points[-1] is point for point in points[:-1])
+    assert 0.99 < points[-2].value <= 1.0 and points[-2].orbit.apex[0] < 0.1
+
+
+def test_a_branch_that_comes_back_over_itself_says_so():
+    family = MapFamily(ring, 1)
+    points, _ = follow(family, family.beginning(0.0, 0.9), Limits(-2.0, 2.0, 0.0, 0.1, 12))
+    track = Track(family, points)
+    back = reverse(family.between(points[7], points[8], 0.5))
+    met, told = track.met(points[-1], back)
+    assert met in points[8:11] and told.endswith("from the other side") and told.startswith("retraced")
+    assert not track.is_new([points[-1], back])
+    further, _ = follow(family, points[-1], Limits(-2.0, 2.0, 0.0, 0.1, 5))
+    assert track.is_new(further)

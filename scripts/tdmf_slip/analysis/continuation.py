@@ -11,6 +11,7 @@ from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
 from ..unit.variable import Given, Values
 from .family import Family
+from .walking_back import reaches
 
 SHORTEST = 1e-9
 """Of steps, over the larger of the values at both ends of the way."""
@@ -104,6 +105,7 @@ def walk(family: Family, orbit: Orbit, at: float, to: float, shortest: float = S
             nearby = _predicted(family, orbit, value - at)
             following = family.orbit(value, nearby)
             _check_near(family, orbit, nearby, following)
+            _check_leads_back(family, orbit, following)
         except RunError:
             step *= 0.5
             if abs(step) < smallest:
@@ -135,3 +137,25 @@ def _check_near(family: Family, before: Orbit, nearby: NDArray[np.float64], afte
     off, moved = (float(np.linalg.norm((after.apex - apex) / scales)) for apex in (nearby, before.apex))
     if off > max(FARTHEST * moved, SAME):
         raise RunError(f"the branch ends near {family.name} = {family.value_of(before):g}")
+
+
+def _check_leads_back(family: Family, before: Orbit, after: Orbit) -> None:
+    """Refuse a gait from which the branch does not lead back to the one before: it is of another branch.
+
+    Raises
+    ------
+    RunError
+        It does not.
+    """
+    at, to = family.value_of(before), family.value_of(after)
+    known, begin, goal = (
+        np.append(apex, value) / family.scales
+        for apex, value in (
+            (before.apex, at),
+            (after.apex, to),
+            (_predicted(family, after, at - to), at),
+        )
+    )
+    across = np.eye(len(known))[-1]
+    if not reaches(family, goal, across, known, float(np.linalg.norm(begin - known))):
+        raise RunError(f"the branch ends near {family.name} = {at:g}: none leads back to it from {to:g}")

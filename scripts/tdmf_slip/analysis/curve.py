@@ -9,6 +9,8 @@ LONGEST = 1 / 15
 """Of the ranges: a step along a curve."""
 SHORTEST = 1e-4
 """Likewise: where no step of this length finds the next point, the curve ends."""
+CLOSED = "closed: back where it has been"
+"""Why a curve ends that meets itself."""
 
 
 @dataclass(frozen=True)

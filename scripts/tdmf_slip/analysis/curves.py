@@ -12,8 +12,9 @@ from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
-from .curve import LONGEST, SHORTEST, Box, Curve
+from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve
+from .meeting import Places
 from .plane import Place, Plane
 from .tracing import continue_branch
 
@@ -23,6 +24,8 @@ ON_CURVE = 0.02
 """Of the ranges: a special point as near to a curve of its kind is on it."""
 MOST_POINTS = 10_000
 """Of a curve, in each direction."""
+SAME = 1e-6
+"""Two places of a curve that are as near, over the scales, are one."""
 
 
 def continue_curves(
@@ -147,8 +150,11 @@ def curve_through(
         In its order.
     """
     here = plane.place(at)
-    ways = [_followed(plane, box, here, sign * here.tangent, most_points, tell) for sign in (-1.0, 1.0)]
-    (back, began), (forth, ended) = ways
+    back, began = _followed(plane, box, [here], -here.tangent, most_points, tell)
+    forth: list[Place] = []
+    ended = began
+    if began != CLOSED:
+        forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, most_points, tell)
     places = [*back[::-1], here, *forth]
     points = np.array([(place.at * plane.scales)[-2:] for place in places])
     return Curve(plane.kind, plane.names, points, began, ended)
@@ -157,14 +163,15 @@ def curve_through(
 def _followed(
     plane: Plane,
     box: Box,
-    first: Place,
+    known: Sequence[Place],
     direction: NDArray[np.float64],
     most_points: int,
     tell: Callable[[], None],
 ) -> tuple[list[Place], str]:
-    """The curve from a place on, without it, and why it stops."""
+    """The curve from the last of the places on that are known, without it, and why it stops."""
     found: list[Place] = []
-    last, step = first, 1.0
+    places = list(known)
+    last, step = known[-1], 1.0
     while len(found) < most_points:
         longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
         try:
@@ -172,6 +179,8 @@ def _followed(
             following = plane.corrected(goal, direction)
             if np.linalg.norm(following.at - goal) > FARTHEST * step * longest:
                 raise RunError("the curve turns sharply")
+            if not plane.leads_back(following, last):
+                raise RunError("no place is found that leads back")
         except (InputError, RunError) as problem:
             step *= 0.5
             if step * LONGEST < SHORTEST:
@@ -181,13 +190,33 @@ def _followed(
         if box.outside(following.at[-2:]):
             share = box.share(last.at[-2:], following.at[-2:])
             return [*found, _at_edge(plane, box, last, following, share)], "edge of the ranges"
+        again = _met(plane, places, last, following)
+        if again is not None:
+            return [*found, again], CLOSED
         found.append(following)
+        places.append(following)
         if plane.kind == NEIMARK_SACKER and not _is_complex(following):
             return found, "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
         tangent = following.tangent
         last, direction = following, tangent if tangent @ direction > 0.0 else -tangent
         step = min(1.0, 1.5 * step)
     return found, f"number of points: {most_points}"
+
+
+def _met(plane: Plane, places: Sequence[Place], last: Place, following: Place) -> Place | None:
+    """The place at which the curve has been that it goes through in its next step, or None."""
+    track = Places(len(plane.scales))
+    for place in places:
+        track.add(place.at)
+    way = (following.at - last.at) / np.linalg.norm(following.at - last.at)
+    for number, beside in track.beside(last.at, following.at):
+        try:
+            found = plane.corrected(beside, way)
+        except (InputError, RunError):
+            continue
+        if np.linalg.norm(found.at - places[number].at) < SAME:
+            return places[number]
+    return None
 
 
 def _at_edge(plane: Plane, box: Box, last: Place, following: Place, share: float) -> Place:

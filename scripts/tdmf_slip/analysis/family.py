@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
+from ..errors import RunError
 from ..library.members import check_varied
 from ..library.orbit import Orbit
 from ..library.return_map import Along
@@ -17,11 +17,7 @@ from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.strides import repeated_orbit_near, strides_from
 from ..unit.variable import Given
-
-NEWTON_ITERATIONS = 24
-SHORTENINGS = 12
-CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
-"""Largest difference of the apex and the next, over the scales."""
+from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 
 
 @dataclass(frozen=True)
@@ -142,7 +138,7 @@ class Family:
         """
         if orbit.by_parameter is None or orbit.along != self.along:
             orbit = self.orbit(self.value_of(orbit), orbit.apex)
-        tangent = np.linalg.svd(self._rows(orbit))[2][-1]
+        tangent = np.linalg.svd(self.rows(orbit))[2][-1]
         return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
 
     def points(self, *orbits: Orbit) -> list[Point]:
@@ -150,8 +146,18 @@ class Family:
         ends = [np.append(orbit.apex, self.value_of(orbit)) / self.scales for orbit in orbits]
         return [self.point(orbit, ends[-1] - ends[0]) for orbit in orbits]
 
-    def _rows(self, orbit: Orbit) -> NDArray[np.float64]:
-        """How what is left over of the strides changes, all over the scales.
+    def rows(self, orbit: Orbit) -> NDArray[np.float64]:
+        """How what is left over of the strides changes by the apex and by the parameter.
+
+        Parameters
+        ----------
+        orbit : Orbit
+            The strides, differentiated by the parameter.
+
+        Returns
+        -------
+        ndarray of float, shape (n, n + 1)
+            All over the scales.
 
         Raises
         ------
@@ -222,55 +228,20 @@ class Family:
             return self._by_newton(goal, normal, 0)
 
     def _by_newton(self, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int) -> Point:
-        """Steps that make the error larger are shortened so many times, or taken all the same.
+        """The point that Newton's method comes to, see `corrector.iterates`.
 
-        Where an event is just touched the map has a square root, and only whole steps lead across. A step to
-        what is not allowed tells of Newton's method; only of the goal it tells that the branch leads there.
+        A step to what is not allowed tells of Newton's method; only of the goal it tells that the branch
+        leads there.
         """
         where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
-        place = goal
         try:
-            orbit = self.look(place)
-            for _ in range(NEWTON_ITERATIONS):
-                if orbit.error <= CONVERGED:
-                    break
-                off = np.append(orbit.left_over / self.scales[:-1], (place - goal) @ normal)
-                change = np.linalg.solve(np.vstack([self._rows(orbit), normal]), -off)
-                improved = self._improved(place, change, orbit, shortenings)
-                if improved is None:
-                    break
-                place, orbit = improved
+            for orbit, _ in iterates(self, goal, normal, shortenings):
+                last = orbit
         except (RunError, np.linalg.LinAlgError) as problem:
             raise RunError(f"{where}: {problem}") from None
-        if orbit.error > GOOD_ENOUGH:
+        if last.error > GOOD_ENOUGH:
             raise RunError(f"{where}: Newton's method does not converge")
-        return self.point(orbit, normal)
-
-    def _improved(
-        self, place: NDArray[np.float64], change: NDArray[np.float64], orbit: Orbit, shortenings: int
-    ) -> tuple[NDArray[np.float64], Orbit] | None:
-        """Goes a step, or the part of it that makes the error smaller; None where none does."""
-        if shortenings == 0:
-            there = self._tried(place + change)
-            return None if orbit.error <= GOOD_ENOUGH <= there.error else (place + change, there)
-        for shortening in range(shortenings):
-            tried = place + 0.5**shortening * change
-            try:
-                there = self._tried(tried)
-            except RunError:
-                if shortening == shortenings - 1:
-                    raise
-                continue
-            if there.error < orbit.error:
-                return tried, there
-        return None
-
-    def _tried(self, place: NDArray[np.float64]) -> Orbit:
-        """The strides where a step leads; a place that is not allowed is one without strides."""
-        try:
-            return self.look(place)
-        except InputError as problem:
-            raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None
+        return self.point(last, normal)
 
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next.

@@ -1,6 +1,7 @@
 """Borders between words over two parameters: located on lines across their curve."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +13,10 @@ from .bifurcations import WORD_BORDER, Special
 from .borders import Crossing, crossings
 from .branch import Branch
 from .continuation import walk
-from .curve import LONGEST, SHORTEST, Box, Curve
+from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .family import Family
+from .meeting import Places
+from .walking_back import RETURNED
 
 Pair = NDArray[np.float64]
 """Two parameters over their scales."""
@@ -21,6 +24,8 @@ SHORTEST_PART = 0.02
 """Of the way from one line to the next: a shorter step shows that the gait does not go on."""
 WIDTHS = (0.25, 0.5, 1.0)
 """Of the lines to both sides of where a border is expected, over the step to there."""
+SAME = 1e-6
+"""Two places of a curve that are as near, over the scales, are one."""
 
 
 class Line(Family):
@@ -158,44 +163,121 @@ def border_curve(
     family = Family(branch.orbits[0].runner, names[0])
     around = family.points(*branch.orbits[special.index : special.index + 2])
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
-    here = np.array([special.value, runner.values[names[1]]]) / sizes
-    ways = []
-    for sign in (-1.0, 1.0):
-        found, why = _border_followed(runner, names, sizes, box, known, (here, sign), most_points, tell)
-        ways.append((found, why))
-    (back, began), (forth, ended) = ways
-    points = np.array([*back[::-1], here, *forth]) * sizes
+    here = Place(np.array([special.value, runner.values[names[1]]]) / sizes, known)
+    track = BorderTrack(runner, names, sizes, [here])
+    back, began = _border_followed(track, box, here, -1.0, most_points, tell)
+    forth: list[Place] = []
+    ended = began
+    if began != CLOSED:
+        forth, ended = _border_followed(track, box, here, 1.0, most_points, tell)
+    points = np.array([place.pair for place in (*back[::-1], here, *forth)]) * sizes
     return Curve(WORD_BORDER, names, points, began, ended, special.words)
 
 
+@dataclass(frozen=True)
+class Place:
+    """A point of a curve of borders."""
+
+    pair: Pair
+    """Where it is."""
+    crossing: Crossing
+    """The gaits on both sides."""
+
+
+class BorderTrack:
+    """A curve of borders as far as it has been followed."""
+
+    def __init__(self, runner: Runner, names: tuple[str, str], sizes: Pair, places: Sequence[Place]) -> None:
+        """Whose gaits, over which parameters with which scales, and where it has been already."""
+        self.runner, self.names, self.sizes = runner, names, sizes
+        self._places: list[Place] = []
+        self._rows = Places(len(runner.scales) + len(names))
+        for place in places:
+            self.add(place)
+
+    def add(self, place: Place) -> None:
+        """One more place.
+
+        Parameters
+        ----------
+        place : Place
+            Of the curve.
+        """
+        self._places.append(place)
+        self._rows.add(self._row(place))
+
+    def _row(self, place: Place) -> NDArray[np.float64]:
+        return np.append(place.crossing.short.orbit.apex / self.runner.scales, place.pair)
+
+    def near(self, known: Place, step: Pair) -> Place:
+        """The place of the curve a step away from one that is known.
+
+        Raises
+        ------
+        RunError
+            There is none.
+        """
+        return Place(*border_near(self.runner, self.names, self.sizes, known.crossing, step))
+
+    def stepped(self, last: Place, step: Pair) -> Place:
+        """The place a step away, if the same step back leads to where it came from.
+
+        Raises
+        ------
+        RunError
+            There is none, or it is of another curve.
+        """
+        found = self.near(last, step)
+        way = self._row(found) - self._row(last)
+        back = self.near(found, last.pair - found.pair)
+        if np.linalg.norm(self._row(back) - self._row(last)) > RETURNED * np.linalg.norm(way):
+            raise RunError("no border is found that leads back")
+        return found
+
+    def met(self, last: Place, following: Place) -> Place | None:
+        """The place of the track that the curve goes through in its next step, or None."""
+        for number, beside in self._rows.beside(self._row(last), self._row(following)):
+            place = self._places[number]
+            try:
+                found = self.near(last, beside[-2:] - last.pair)
+            except (InputError, RunError):
+                continue
+            if np.linalg.norm(self._row(found) - self._row(place)) < SAME:
+                return place
+        return None
+
+
 def _border_followed(
-    runner: Runner,
-    names: tuple[str, str],
-    sizes: NDArray[np.float64],
+    track: BorderTrack,
     box: Box,
-    known: Crossing,
-    begin: tuple[NDArray[np.float64], float],
+    last: Place,
+    sign: float,
     most_points: int,
     tell: Callable[[], None],
-) -> tuple[list[NDArray[np.float64]], str]:
-    """The curve of a border from a point on, without it, and why it stops."""
-    last, sign = begin
+) -> tuple[list[Place], str]:
+    """The curve of a border from a place on, without it, and why it stops."""
     way = np.array([0.0, sign])
-    found: list[NDArray[np.float64]] = []
+    found: list[Place] = []
     step = 0.1
     while len(found) < most_points:
         longest = LONGEST / np.max(np.abs(way) / box.size)
         try:
-            pair, crossing = border_near(runner, names, sizes, known, step * longest * way)
+            following = track.stepped(last, step * longest * way)
         except (InputError, RunError) as problem:
             step *= 0.5
             if step * LONGEST < SHORTEST:
                 return found, f"lost: {problem}"
             continue
         tell()
-        if box.outside(pair):
-            return [*found, last + box.share(last, pair) * (pair - last)], "edge of the ranges"
-        way = (pair - last) / np.linalg.norm(pair - last)
-        found.append(pair)
-        last, known, step = pair, crossing, min(1.0, 2.0 * step)
+        if box.outside(following.pair):
+            share = box.share(last.pair, following.pair)
+            edge = last.pair + share * (following.pair - last.pair)
+            return [*found, Place(edge, following.crossing)], "edge of the ranges"
+        again = track.met(last, following)
+        if again is not None:
+            return [*found, again], CLOSED
+        way = (following.pair - last.pair) / np.linalg.norm(following.pair - last.pair)
+        found.append(following)
+        track.add(following)
+        last, step = following, min(1.0, 2.0 * step)
     return found, f"number of points: {most_points}"

@@ -12,12 +12,13 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..library.members import check_varied
 from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
+from .walking_back import RETURNED
 
 DIFFERENCE = 1e-6
 """Over the scales: by how much places differ by which g is differentiated."""
@@ -140,11 +141,8 @@ class Plane:
         for number in range(ITERATIONS):
             if place is None or number % REFRESHED == 0:
                 place = self.place(at)
-            orbit = self.strides_at(at, self.names[0])
-            off = np.append(orbit.left_over / self.scales[:-2], self.zero(orbit))
-            rows = np.vstack([place.matrix, normal])
             try:
-                change = np.linalg.solve(rows, -np.append(off, (at - goal) @ normal))
+                change = self._change(at, place, goal, normal)
             except np.linalg.LinAlgError:
                 break
             at = at + change
@@ -153,3 +151,46 @@ class Plane:
                 if found.orbit.error <= GOOD_ENOUGH:
                     return found
         raise RunError("no convergence")
+
+    def _change(
+        self, at: NDArray[np.float64], near: Place, goal: NDArray[np.float64], normal: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """A step of Newton's method from a place, with the derivatives of one near it.
+
+        Raises
+        ------
+        LinAlgError
+            There is none.
+        """
+        orbit = self.strides_at(at, self.names[0])
+        off = [*(orbit.left_over / self.scales[:-2]), self.zero(orbit), (at - goal) @ normal]
+        change: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
+        return change
+
+    def leads_back(self, found: Place, known: Place) -> bool:
+        """The corrector that starts from one place's tangent finds another, from which the first was found.
+
+        Where it does not, they are of two curves, or the way from one to the other is too long.
+
+        Parameters
+        ----------
+        found : Place
+            The new place.
+        known : Place
+            That from which it was found.
+
+        Returns
+        -------
+        bool
+            Whether it does.
+        """
+        tangent, way = found.tangent, found.at - known.at
+        goal = at = found.at - (way @ tangent) * tangent
+        try:
+            for _ in range(ITERATIONS):
+                at = at + self._change(at, found, goal, tangent)
+                if np.linalg.norm(at - known.at) <= RETURNED * np.linalg.norm(way):
+                    return True
+        except (InputError, RunError, np.linalg.LinAlgError):
+            pass
+        return False

@@ -22,8 +22,9 @@ MOST_STRIDES = 4
 """Of the gaits that are followed: a period doubling of theirs is told, and no farther branch."""
 DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Over the scales: how far from a period doubling the first gait of twice the period is sought."""
-DIFFERENT = 1e-3
-"""Of the departure: how far the two apexes of a gait of twice the period have to be from each other."""
+UNEVEN = 0.5
+"""The two halves of the first gait lie on both sides of the doubling, so that they are two departures apart,
+up to this: else it is of another branch."""
 OPPOSITE = -0.5
 """Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
 
@@ -160,7 +161,8 @@ def departure(family: Family, doubling: Special) -> Point | None:
             found = family.on_plane(begin + distance * way, way)
         except (InputError, RunError):
             continue
-        apart = np.linalg.norm((found.orbit.following[0] - found.orbit.apex) / scales[:-1])
-        if apart > DIFFERENT * distance:
+        halfway = found.orbit.following[family.strides // 2 - 1]
+        apart = float(np.linalg.norm((halfway - found.orbit.apex) / scales[:-1])) / distance
+        if abs(apart - 2.0) < UNEVEN:
             return found
     return None

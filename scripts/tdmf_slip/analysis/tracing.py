@@ -1,7 +1,6 @@
 """Branches of gaits along a parameter: followed from a gait both ways, with all that happens on them."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 import numpy as np
 
@@ -15,8 +14,9 @@ from ..unit.variable import Given
 from .branch import Branch
 from .continuation import gaits_over
 from .family import Family, Point
+from .next_point import SHORTEST_STEP, reverse
 from .search import find_orbit
-from .steps import SHORTEST_STEP, Limits, follow
+from .steps import Limits, follow
 from .switching import told_branch, with_doubled_branches
 
 LARGEST_STEP = 1e9
@@ -252,13 +252,9 @@ def whole_branch(
         With all that happens on it.
     """
     points, ended = follow(family, first, limits, step_finished)
-    began = ended if ended.startswith("closed") else BEGINNING
+    began = ended if ended.startswith("closed") and points[-1] is first else BEGINNING
     if began == BEGINNING and first.value != limits.begins_at:
-        back, began = follow(family, _reversed(first), limits, step_finished)
+        back, began = follow(family, reverse(first), limits, step_finished, known=points[1:])
         began = BEGINNING if began.startswith("back at") else began
-        points = [*map(_reversed, back[:0:-1]), *points]
+        points = [*map(reverse, back[:0:-1]), *points]
     return told_branch(family, points, began, ended)
-
-
-def _reversed(point: Point) -> Point:
-    return replace(point, direction=-point.direction)

@@ -8,7 +8,7 @@ import click
 from ..analysis.bifurcations import Special
 from ..analysis.branch import Branch
 from ..analysis.curves import continue_curves
-from ..analysis.steps import SHORTEST_STEP
+from ..analysis.next_point import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MOST_POINTS, continue_branch
 from ..errors import InputError
 from ..files.whole import check_place

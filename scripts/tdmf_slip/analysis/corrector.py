@@ -1,0 +1,103 @@
+"""Newton's method to a branch of gaits, on a plane across a direction."""
+
+from collections.abc import Iterator
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit
+
+NEWTON_ITERATIONS = 24
+SHORTENINGS = 12
+CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
+"""Largest difference of the apex and the next, over the scales."""
+
+
+class Strides(Protocol):
+    """Strides of one runner by apex and parameter."""
+
+    scales: NDArray[np.float64]
+    """Of the coordinates and the parameter."""
+
+    def look(self, place: NDArray[np.float64]) -> Orbit:
+        """The strides from a place over the scales."""
+
+    def rows(self, orbit: Orbit) -> NDArray[np.float64]:
+        """How what is left over of the strides changes, all over the scales."""
+
+
+def iterates(
+    family: Strides, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int
+) -> Iterator[tuple[Orbit, NDArray[np.float64]]]:
+    """The strides at each place of Newton's method, and where its whole step leads from there.
+
+    Steps that make the error larger are shortened so many times, or taken all the same: where an event is
+    just touched the map has a square root, and only whole steps lead across.
+
+    Parameters
+    ----------
+    family : Strides
+        Whose branch is sought.
+    goal : ndarray of float
+        Where it begins, and a place on the plane: coordinates and parameter over the scales.
+    normal : ndarray of float
+        A unit vector across the plane.
+    shortenings : int
+        Of a step; 0 to take each as it is.
+
+    Yields
+    ------
+    tuple of Orbit and ndarray of float
+        The last is the best, whether its strides lead back to their apex or not.
+
+    Raises
+    ------
+    InputError
+        The goal is not allowed.
+    RunError
+        A stride does not close, or has no derivatives.
+    LinAlgError
+        There is no step.
+    """
+    place, orbit = goal, family.look(goal)
+    for _ in range(NEWTON_ITERATIONS):
+        if orbit.error <= CONVERGED:
+            break
+        off = np.append(orbit.left_over / family.scales[:-1], (place - goal) @ normal)
+        change: NDArray[Any] = np.linalg.solve(np.vstack([family.rows(orbit), normal]), -off)
+        yield orbit, place + change
+        improved = _improved(family, place, change, orbit, shortenings)
+        if improved is None:
+            return
+        place, orbit = improved
+    yield orbit, place
+
+
+def _improved(
+    family: Strides, place: NDArray[np.float64], change: NDArray[Any], orbit: Orbit, shortenings: int
+) -> tuple[NDArray[np.float64], Orbit] | None:
+    """Goes a step, or the part of it that makes the error smaller; None where none does."""
+    if shortenings == 0:
+        there = _tried(family, place + change)
+        return None if orbit.error <= GOOD_ENOUGH <= there.error else (place + change, there)
+    for shortening in range(shortenings):
+        tried = place + 0.5**shortening * change
+        try:
+            there = _tried(family, tried)
+        except RunError:
+            if shortening == shortenings - 1:
+                raise
+            continue
+        if there.error < orbit.error:
+            return tried, there
+    return None
+
+
+def _tried(family: Strides, place: NDArray[np.float64]) -> Orbit:
+    """The strides where a step leads; a place that is not allowed is one without strides."""
+    try:
+        return family.look(place)
+    except InputError as problem:
+        raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None

@@ -1,0 +1,160 @@
+"""The next point of a branch: a step of pseudo-arclength, or beyond a corner.
+
+A step is taken only if it can be walked back: the corrector that starts from the new gait's tangent has to
+find the old one. Else it may have led to another branch that comes near.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import dropwhile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from .family import Family, Point
+from .walking_back import leads_back
+
+SHORTEST_STEP = 1e-7
+"""Along the branch: where no step of this length finds a gait it ends, unless it has a corner there."""
+SHARP = 1e-4
+"""Steps from this length down may turn by any angle."""
+STRAIGHT = 0.9
+"""Cosine of the largest angle by which the tangent turns in a longer one."""
+FARTHEST, NEAR = 0.5, 10.0
+"""How far a gait may be from where it was predicted, over the step: in longer ones, and at a corner."""
+BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
+"""How far beyond a corner the map of the other side is looked at."""
+MOST_BACK = 100
+"""Steps from beyond a corner back to it."""
+
+
+def next_point(family: Family, last: Point, step: float, largest: float) -> tuple[Point, float]:
+    """The next point by a step along the tangent, and how long the next step may be.
+
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    last : Point
+        On it.
+    step : float
+        To be tried first; it is halved where it does not succeed.
+    largest : float
+        It may become.
+
+    Returns
+    -------
+    tuple of Point and float
+        The point, and the length of the next step.
+
+    Raises
+    ------
+    InputError
+        However short the step, a value of the parameter is not allowed.
+    RunError
+        However short the step, there is no gait.
+    """
+    step = min(step, largest)
+    while True:
+        goal = family.place(last) + step * last.direction
+        try:
+            following = family.on_plane(goal, last.direction)
+            off = float(np.linalg.norm(family.place(following) - goal))
+            turns = following.direction @ last.direction < STRAIGHT
+            if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
+                raise RunError(f"the branch turns sharply at {family.name} = {last.value:g}")
+            if not leads_back(family, following, last):
+                raise RunError(f"from {family.name} = {last.value:g} no gait is found that leads back to it")
+            return following, min(largest, (1.5 if off < 0.1 * step else 1.0) * step)
+        except (InputError, RunError):
+            if step < SHORTEST_STEP:
+                raise
+            step *= 0.5
+
+
+def past_corner(
+    family: Family, last: Point, is_new: Callable[[Sequence[Point]], bool] = lambda _points: True
+) -> list[Point]:
+    """Points of the branch beyond a change of the events at which it turns.
+
+    Parameters
+    ----------
+    family : Family
+        Whose branch it is.
+    last : Point
+        On it, beside the corner.
+    is_new : callable, optional
+        Whether the branch has not been yet where it leads along some points, the first of which is `last`.
+
+    Returns
+    -------
+    list of Point
+        In their order: one, or several where the branch had to be walked back to the corner; or none.
+    """
+    for distance in BEYOND:
+        try:
+            other = family.look(family.place(last) + distance * last.direction)
+            if other.sequence == last.orbit.sequence:
+                continue
+            tangent = family.point(other, last.direction).direction
+            for way in (last.direction, tangent, -tangent):
+                found = _on_other_side(family, last, distance * way)
+                if found and is_new([last, *found]):
+                    return found
+        except (InputError, RunError):
+            continue
+    return []
+
+
+def _on_other_side(family: Family, last: Point, step: NDArray[np.float64]) -> list[Point]:
+    """A gait with other events a step away, if its branch leads back; and those on the way there."""
+    length = np.linalg.norm(step)
+    try:
+        found = family.on_plane(family.place(last) + step, step / length)
+    except (InputError, RunError):
+        return []
+    way = family.place(found) - family.place(last)
+    if np.linalg.norm(way) > NEAR * length or found.orbit.sequence == last.orbit.sequence:
+        return []
+    found = found if found.direction @ way > 0.0 else reverse(found)
+    return [found] if leads_back(family, found, last) else _way_to(family, last, found)
+
+
+def _way_to(family: Family, corner: Point, found: Point) -> list[Point]:
+    """Points of the branch from a corner to a gait beyond it, by walking back from there; none if it fails.
+
+    Where an event is just touched the map has a square root: close to it the tangent turns without end.
+    """
+    back = [reverse(found)]
+    longest = family.distance(corner, found)
+    step = longest / 4.0
+    for _ in range(MOST_BACK):
+        left = family.distance(corner, back[-1])
+        if left <= SHARP:
+            there = dropwhile(lambda point: point.orbit.sequence == corner.orbit.sequence, reversed(back))
+            return [reverse(point) for point in there]
+        if left > 2.0 * longest:
+            break
+        try:
+            following, step = next_point(family, back[-1], step, 0.5 * left)
+        except (InputError, RunError):
+            break
+        back.append(following)
+    return []
+
+
+def reverse(point: Point) -> Point:
+    """The same point of the branch in the other direction.
+
+    Parameters
+    ----------
+    point : Point
+        Of a branch.
+
+    Returns
+    -------
+    Point
+        Whose tangent leads the other way.
+    """
+    return replace(point, direction=-point.direction)
