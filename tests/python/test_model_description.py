@@ -6,9 +6,11 @@ import pathlib
 import re
 import shutil
 import subprocess
+import zipfile
 from xml.etree import ElementTree
 
 import pytest
+import tdmf_slip
 from fmpy.validation import validate_fmu
 
 
@@ -211,3 +213,54 @@ def test_library_exports_fmi_functions_only(unpacked):
     )
     names = [line.split()[-1] for line in symbols.stdout.splitlines()]
     assert len(names) > 25 and all(name.startswith("fmi2") for name in names)
+
+
+# ---- what importers take for granted -------------------------------------------------------------------
+
+
+class Raw:
+    """A unit's description as its file has it, a variable's own attributes and those of its type together."""
+
+    def __init__(self, fmi):
+        with zipfile.ZipFile(tdmf_slip.fmu_path(fmi=fmi)) as unit:
+            root = ElementTree.fromstring(unit.read("modelDescription.xml"))
+
+        def told(element):
+            return element.attrib | (element[0].attrib if fmi == 2 else {})
+
+        self.units = {
+            unit.get("name"): {name: int(power) for name, power in unit.find("BaseUnit").attrib.items()}
+            for unit in root.find("UnitDefinitions")
+        }
+        self.display_units = {
+            (unit.get("name"), shown.get("name"))
+            for unit in root.find("UnitDefinitions")
+            for shown in unit.iter("DisplayUnit")
+        }
+        self.types = {element.get("name"): told(element) for element in root.find("TypeDefinitions")}
+        variables = [told(element) for element in root.find("ModelVariables")]
+        self.variables = [self.types.get(v.get("declaredType"), {}) | v for v in variables]
+        self.first = 1 if fmi == 2 else 0
+
+
+@pytest.fixture(scope="module", params=[2, 3], ids=["FMI 2.0", "FMI 3.0"])
+def raw(request):
+    return Raw(request.param)
+
+
+def test_types_and_units_are_defined_and_used(raw):
+    assert {v["declaredType"] for v in raw.variables if "declaredType" in v} == set(raw.types)
+    assert {v["unit"] for v in raw.variables if "unit" in v} == set(raw.units)
+    shown = {(v["unit"], v["displayUnit"]) for v in raw.variables if "displayUnit" in v}
+    assert shown == raw.display_units and len(shown) == 3
+
+
+def test_a_derivative_has_its_state_s_unit_per_second(raw):
+    derivatives = [v for v in raw.variables if "derivative" in v]
+    assert len(derivatives) == 15
+    for derivative in derivatives:
+        state = raw.variables[int(derivative["derivative"]) - raw.first]
+        expected = dict(raw.units[state["unit"]])
+        expected["s"] = expected.get("s", 0) - 1
+        found = raw.units[derivative["unit"]]
+        assert found == {name: power for name, power in expected.items() if power}, derivative["name"]
