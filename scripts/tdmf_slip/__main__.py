@@ -1,6 +1,5 @@
 """The command `tdmf-slip`, also `python -m tdmf_slip`."""
 
-import signal
 import sys
 
 from .terminal import interrupts
@@ -8,6 +7,7 @@ from .terminal import interrupts
 
 def main() -> int:
     """Run the command line; the exit status. An interrupt waits until modules are loaded, half a second."""
+    interrupts.end_in_order()
     try:
         with interrupts.held():
             from .cli import main as command
@@ -15,7 +15,7 @@ def main() -> int:
         print("tdmf-slip: interrupted", file=sys.stderr)
         return 130
     status = command.main()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is done, but for Python's own end
+    interrupts.ignored()  # all is done, but for Python's own end
     return status
 
 

@@ -2,11 +2,50 @@
 
 import difflib
 import reprlib
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from numbers import Real
 from typing import TypeGuard
 
 from .errors import InputError
+
+LONGEST_NAME = 100
+"""Of what is searched for among names: none is as long, and the search takes the square of it."""
+_REPR = reprlib.Repr()
+_REPR.maxstring = _REPR.maxother = _REPR.maxlong = 100
+
+
+def shown(given: object) -> str:
+    """What was given, for a message: on one line, and with its middle left out where it is long.
+
+    Parameters
+    ----------
+    given : object
+        Of whatever kind.
+
+    Returns
+    -------
+    str
+        As Python writes it.
+    """
+    return " ".join(_REPR.repr(given).split())
+
+
+def is_one_of(given: object, names: Container[str]) -> TypeGuard[str]:
+    """Whether something is one of some names; an array, which compares item by item, is none.
+
+    Parameters
+    ----------
+    given : object
+        Of whatever kind.
+    names : container of str
+        What there is.
+
+    Returns
+    -------
+    bool
+        False for what is no text.
+    """
+    return isinstance(given, str) and given in names
 
 
 def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed: str) -> None:
@@ -29,7 +68,7 @@ def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed
         It is of none of them.
     """
     if not isinstance(given, kinds):
-        raise InputError(f"{what} = {reprlib.repr(given)} is not allowed; allowed: {allowed}")
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
 
 
 def is_number(given: object) -> TypeGuard[float]:
@@ -71,7 +110,7 @@ def checked(name: str, value: object, low: float, high: float) -> float:
         It is no number, or beyond.
     """
     if not is_number(value) or not low <= value <= high:
-        raise InputError(f"{name} = {value!r} is not allowed; allowed: {low:g} to {high:g}")
+        raise InputError(f"{name} = {shown(value)} is not allowed; allowed: {low:g} to {high:g}")
     return float(value)
 
 
@@ -98,8 +137,37 @@ def checked_whole(name: str, value: object, low: int, high: int) -> int:
         It is no number, beyond, or not whole.
     """
     if not is_number(value) or not low <= value <= high or value % 1:
-        raise InputError(f"{name} = {value!r} is not allowed; allowed: a whole number from {low} to {high}")
+        raise InputError(
+            f"{name} = {shown(value)} is not allowed; allowed: a whole number from {low} to {high}"
+        )
     return int(value)
+
+
+MOST_NUMBERS = 100_000_000
+"""In what is given at once; they take 800 MB."""
+
+
+def check_size(what: str, count: int, of: str, most: int = MOST_NUMBERS) -> None:
+    """Refuse, before any memory is asked for, what is too large to be done at once.
+
+    Parameters
+    ----------
+    what : str
+        What is, for the message.
+    count : int
+        How large it is.
+    of : str
+        What is counted, in the plural.
+    most : int, default 100000000
+        How large it may be.
+
+    Raises
+    ------
+    InputError
+        It is larger.
+    """
+    if count > most:
+        raise InputError(f"{what}: {count:,} {of}; allowed: up to {most:,} at once")
 
 
 def near_matches(name: object, names: Iterable[str]) -> str:
@@ -117,5 +185,8 @@ def near_matches(name: object, names: Iterable[str]) -> str:
     str
         Beginning with a semicolon.
     """
-    near = difflib.get_close_matches(str(name), names, n=3, cutoff=0.5)
+    text = str(name)
+    if len(text) > LONGEST_NAME:
+        return ""
+    near = difflib.get_close_matches(text, names, n=3, cutoff=0.5)
     return f"; near matches: {', '.join(near)}" if near else ""

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import signal
+import stat
 import subprocess
 import sys
 
@@ -60,7 +61,8 @@ def test_a_full_disk_is_told_and_nothing_is_left(writer, tmp_path):
     done = with_full_disk(tmp_path, arguments(writer, "result"))
     assert done.returncode == 2, done.stderr
     said = [line for line in done.stderr.splitlines() if line.startswith("tdmf-slip: ")]
-    assert len(said) == 1 and "cannot be written: File too large" in said[0], done.stderr
+    name = f"{file_of(writer, 'result')}: cannot be written: File too large"  # the user's, no temporary one
+    assert len(said) == 1 and f"tdmf-slip: {name}" in said[0], done.stderr
     assert "Traceback" not in done.stderr
     assert list(tmp_path.iterdir()) == []
 
@@ -217,3 +219,81 @@ def test_a_dataset_comes_back_as_it_was(command, tmp_path):
     xarray.testing.assert_identical(
         netcdf.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")
     )
+
+
+@POSIX_ONLY
+def test_a_file_is_on_the_disk_before_it_has_its_name(monkeypatch, tmp_path):
+    """And the name before it counts as written."""
+    happened = []
+    flushed, replaced = os.fsync, os.replace
+
+    def fsync(handle):
+        is_folder = stat.S_ISDIR(os.fstat(handle).st_mode)
+        happened.append("folder" if is_folder else f"file of {os.fstat(handle).st_size}")
+        flushed(handle)
+
+    def replace(here, there):
+        happened.append("renamed")
+        replaced(here, there)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    monkeypatch.setattr(os, "replace", replace)
+    with whole.whole(tmp_path / "new.csv") as beside:
+        beside.write_text("twelve bytes")
+    assert happened == ["file of 12", "renamed", "folder"]
+
+
+@POSIX_ONLY
+def test_the_mask_of_the_process_is_left_alone(monkeypatch, tmp_path):
+    """It is that of all threads, which may be making files, too."""
+    monkeypatch.setattr(os, "umask", lambda mask: pytest.fail("the mask was changed"))
+    with whole.whole(tmp_path / "new.csv") as beside:
+        beside.write_text("new")
+    with whole.whole(tmp_path / "new.csv") as beside:
+        assert stat.S_IMODE(beside.stat().st_mode) == 0o600  # until it hands on the other's
+        beside.write_text("newer")
+    assert (tmp_path / "new.csv").read_text() == "newer"
+
+
+TERMINATED = """
+import os, signal, sys, tempfile
+import tdmf_slip
+from tdmf_slip import __main__
+from tdmf_slip.files import whole
+from tdmf_slip.unit import tables
+from tdmf_slip.cli import simulate
+
+real = simulate.simulate
+
+
+def ending(*given, **named):
+    run = real(*given, **named)  # the unit is unpacked
+    assert any(os.scandir(tempfile.gettempdir()))
+    if sys.argv.pop() == "in a file":
+        tables.WRITERS[".csv"] = lambda *_: os.kill(os.getpid(), signal.SIGTERM)
+        return run
+    os.kill(os.getpid(), signal.SIGTERM)
+    raise AssertionError("goes on")
+
+
+simulate.simulate = ending
+sys.exit(__main__.main())
+"""
+
+
+@POSIX_ONLY
+@pytest.mark.parametrize("when", ["after a run", "in a file"])
+def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, tmp_path):
+    (tmp_path / "temporary").mkdir()
+    done = subprocess.run(
+        [sys.executable, "-c", TERMINATED, "simulate", "--strides", "1", "--output", "run.csv", when],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "TMPDIR": str(tmp_path / "temporary")},
+        timeout=120,
+    )
+    assert done.returncode == 143 and "Traceback" not in done.stderr, done.stderr
+    assert list((tmp_path / "temporary").iterdir()) == []
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {"temporary"} | ({"run.csv"} if when == "in a file" else set())

@@ -233,6 +233,14 @@ def test_a_table_has_comments_and_empty_cells(tmp_path):
     assert second == {"speed": Measured(1.1, 0.01), "frequency": Measured(0.04, 0.001)}
 
 
+@pytest.mark.parametrize("row", ["1.0;0.01;0.04;0.001", "1,0;0,01;0,04;1,0e-3", '1,0;"0,01"; 0.04 ;0.001'])
+def test_semicolons_may_be_between_cells(tmp_path, row):
+    """As spreadsheets write where the decimal sign is a comma."""
+    table = written(tmp_path, f"# made\n{TABLE.replace(',', ';')}{row}\n")
+    (found,) = read_measurements(table).rows
+    assert found == {"speed": Measured(1.0, 0.01), "frequency": Measured(0.04, 0.001)}
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -255,6 +263,18 @@ def test_a_table_has_comments_and_empty_cells(tmp_path):
         (f"{TABLE}fast,0.1,0.04,0.001\n", "speed = fast is not allowed"),
         (f"{TABLE}1.0,0.1\n", "2 cells under 4 columns"),
         ("duty_factor [1],duty_factor_error [1]\n1.2,0.1\n", "a number 0 to 1"),
+        (
+            f"{TABLE}1e300,0.1,0.04,0.001\n",
+            "speed = 1e300 is not allowed; allowed: a number 0 to 1e+09",
+        ),
+        (f"{TABLE}1.0,1e300,0.04,0.001\n", "row 1: speed_error = 1e300 is not allowed"),
+        (f"{TABLE}1.0,1e-300,0.04,0.001\n", "row 1: speed_error = 1e-300 is not allowed"),
+        (f"{TABLE}1.0,5e-324,0.04,0.001\n", "row 1: speed_error = 5e-324 is not allowed"),
+        (f"{TABLE}1.0,0.1,0.04,0.001\n100,0.9e-10,0.04,0.001\n", "row 2: speed_error = 0.9e-10 is not"),
+        (f"{TABLE}1.0,0.1,{'4' * 140000},0.001\n", "line 2, column 3: a cell of 140,000 characters"),
+        (f"{'x' * 140000}\n1\n", "line 1, column 1: a cell of 140,000 characters; allowed: 100"),
+        (f'{TABLE}1.0,0.1,"0.04,0.001\n', "line 2"),
+        (f"{TABLE}1.0;0.1;0.04;0.001\n", "1 cells under 4 columns"),
     ],
 )
 def test_a_bad_table_gets_one_sentence(tmp_path, command, text, words):

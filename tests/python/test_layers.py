@@ -6,7 +6,7 @@ import pathlib
 import pytest
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
-GROUND = {"checks", "drawable", "errors", "version"}
+GROUND = {"checks", "contents", "drawable", "errors", "given", "version"}
 KNOWS = {
     "terminal": GROUND,
     "files": {"terminal"},

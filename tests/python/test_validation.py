@@ -5,11 +5,16 @@ from dataclasses import replace
 
 import pytest
 from tdmf_slip.paper.claims import WORDS, Claim
+from tdmf_slip.paper.guinea_fowl import SOURCE
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.paper.settling import SettledRun
 from tdmf_slip.paper.validation import Validation
 
-CLAIMS = [Claim("speed", "rises", "falls", False), Claim("cost", "least", "least", True)]
+CLAIMS = [
+    Claim("speed", "rises", "falls", False),
+    Claim("cost", "least", "least", True),
+    Claim("patch", "safe", "slippery", False, SOURCE),
+]
 MET = [
     Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6),
     Drift(0.6, "speed", 1.0, 1.0, 5e-9, 1e-6),
@@ -44,7 +49,8 @@ def test_a_validation_passes_if_nothing_is_missed(gaits):
     assert not Validation(gaits, CLAIMS, [MISSED, *MET]).passed
     told = Validation(gaits, CLAIMS, [*MET, MISSED]).as_json()
     assert [gait["published_word"] for gait in told["gaits"]] == ["+0-0+", "+-"]
-    assert [claim["verdict"] for claim in told["claims"]] == ["differs", "agrees"]
+    assert [claim["verdict"] for claim in told["claims"]] == ["differs", "agrees", "differs"]
+    assert told["differing"] == 2
     assert [drift["passed"] for drift in told["drifts"]] == [True] * 5 + [False] and not told["passed"]
 
 
@@ -53,10 +59,16 @@ def test_the_tables_of_a_validation(gaits):
     first, second = by_word.splitlines()[2:4]
     assert first.split() == ["0.6", "+0-0+", "+0-0+", "24.76445", "1.061742", "0.371705", "same", "word"]
     assert second.startswith("0.2") and second.endswith("OTHER WORD")
-    assert [line.split() for line in claims.splitlines()[2:]] == [
+    *rows, counted = claims.splitlines()[2:]
+    assert [line.split() for line in rows] == [
         ["speed", "rises", "falls", "differs"],
         ["cost", "least", "least", "agrees"],
+        ["patch", "safe", "slippery", "differs"],
     ]
+    assert counted == (
+        "2 of 3 statements differ: 1 of the 2 of Or and Moravia 2016, 1 of the 1 of Clark and Higham 2011."
+    )
+    assert counted.startswith(f"{claims.count(' differs')} of ")
     assert "all 5 recorded values are met" in drifts
     assert "of a gait 5.0e-09 (allowed 1e-06), of an apex 7.0e-08 (allowed 1e-05)" in drifts
 

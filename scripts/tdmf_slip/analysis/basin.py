@@ -13,6 +13,8 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
+from ..checks import check_size
+from ..contents import ByContents
 from ..errors import InputError
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed
@@ -25,10 +27,12 @@ from ..library.section import COORDINATES, check_axes
 from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
-from .fates import MOST_STRIDES, STARTS_AT_ONCE, fates
+from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE, fates
 from .held_gait import stable_gait as stable_gait
 from .search import model_of
 
+MOST_STARTS = MOST_ALONG**2
+"""A map of as many is 2 GB."""
 NOT_YET = -1
 LEG_LENGTH = COORDINATES.index("leg_length")
 """It and the coordinates before are positive, and measured by what they are."""
@@ -41,8 +45,8 @@ STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
 """The least and the most that a fate may come after."""
 
 
-@dataclass(frozen=True)
-class Slice:
+@dataclass(frozen=True, eq=False)
+class Slice(ByContents):
     """Starts that differ from a gait's apex in two coordinates: a block of work."""
 
     runner: Runner
@@ -227,6 +231,7 @@ def _checked_slice(
         unit.variables[f"apex.{axis}"].values_of(values, f"range of {axis}")
         for axis, values in zip(axes, ranges, strict=True)
     )
+    check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MOST_STARTS)
     return (first, second), (rows, columns)
 
 

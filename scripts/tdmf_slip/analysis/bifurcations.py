@@ -15,6 +15,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit
 from .borders import Border, Crossing, crossings
@@ -32,8 +33,8 @@ ON_CIRCLE = 1e-6
 MOST_LOOKS = 100
 
 
-@dataclass(frozen=True)
-class Special:
+@dataclass(frozen=True, eq=False)
+class Special(ByContents):
     """A point of a branch where its stability, its direction or its word changes."""
 
     kind: str

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
@@ -76,8 +77,8 @@ def borders_between(
     return [crossing.border for crossing in crossings(family, *family.points(first, last))]
 
 
-@dataclass(frozen=True)
-class Crossing:
+@dataclass(frozen=True, eq=False)
+class Crossing(ByContents):
     """A border, and the points of the branch on both sides of it."""
 
     border: Border

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.orbit import Orbit
 from ..unit.unit import Unit, load
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, repr=False)
-class Branch(Drawable):
+@dataclass(frozen=True, eq=False, repr=False)
+class Branch(ByContents, Drawable):
     """Gaits in the order in which they were met along a parameter."""
 
     name: str

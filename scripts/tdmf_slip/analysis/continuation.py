@@ -1,12 +1,12 @@
 """Gaits at values of a parameter in turn, each from the one before, predicted along the branch's tangent."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind
 from ..errors import RunError
+from ..given import row_of
 from ..library.orbit import Orbit, check_orbit
 from ..library.runner import Runner
 from ..unit.variable import Given, Values
@@ -56,11 +56,11 @@ def gaits_over(
         The branch cannot be followed so far.
     """
     check_orbit(first, "first")
-    check_kind(values, (Sequence, np.ndarray), "values", f"a row of values of {name}")
+    row = row_of(values, "values", f"a row of values of {name}")
     family = Family(runner, name, first.strides)
     at = family.value_of(first)
     orbit = first if first.along == name else family.orbit(at, first.apex)
-    for value in values:
+    for value in row:
         for part in walk(family, orbit, at, family.runner.but(name, value).values[name]):
             orbit, at = part, family.value_of(part)
         yield orbit

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
+
 LONGEST = 1 / 15
 """Of the ranges: a step along a curve."""
 SHORTEST = 1e-4
@@ -13,8 +15,8 @@ CLOSED = "closed: back where it has been"
 """Why a curve ends that meets itself."""
 
 
-@dataclass(frozen=True)
-class Curve:
+@dataclass(frozen=True, eq=False)
+class Curve(ByContents):
     """Special points of one kind over two parameters."""
 
     kind: str
@@ -37,8 +39,8 @@ class Curve:
         return {"kind": self.kind, **words, "points": self.points.tolist(), **ends}
 
 
-@dataclass(frozen=True)
-class Box:
+@dataclass(frozen=True, eq=False)
+class Box(ByContents):
     """The ranges of two parameters, over their scales."""
 
     low: NDArray[np.float64]

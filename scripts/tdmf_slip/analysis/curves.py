@@ -5,8 +5,10 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked_whole
+from ..checks import checked_whole, shown
 from ..errors import InputError, RunError
+from ..given import mapping_of, row_of
+from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import Unit, load
@@ -69,11 +71,8 @@ def continue_curves(
     unit = load(unit)
     runner = Runner.of(runner, unit)
     checked_whole("most_points", most_points, 1, MOST_POINTS)
-    if len(over) != 2:
-        raise InputError(f"over {', '.join(over)}: allowed: two parameters or inputs")
-    first, second = over
-    names = (first, second)
-    spans = np.array([[unit.find(n, "over").value_of(v, f"over {n}") for v in over[n]] for n in names])
+    names, spans = _checked_ranges(over, unit)
+    first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
         raise InputError(f"over {first} and {second}: allowed: ranges whose ends differ")
     home = runner.values[second]
@@ -101,6 +100,23 @@ def continue_curves(
                 continue  # on a word border, whose curve has it
             found.append(curve)
     return tuple(found)
+
+
+def _checked_ranges(over: object, unit: Unit) -> tuple[tuple[str, str], NDArray[np.float64]]:
+    """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
+    allowed = "two parameters or inputs, each with the two ends of its range"
+    given = mapping_of(over, "over", allowed)
+    if len(given) != 2:
+        raise InputError(f"over {', '.join(map(shown, given))}: allowed: {allowed}")
+    spans = []
+    for name, ends in given.items():
+        check_varied(name, "over")
+        pair = row_of(ends, f"over {name}", allowed)
+        if len(pair) != 2:
+            raise InputError(f"over {name} = {shown(ends)} is not allowed; allowed: {allowed}")
+        spans.append([float(unit.find(name, "over").value_of(value, f"over {name}")) for value in pair])
+    first, second = given
+    return (first, second), np.array(spans)
 
 
 def _is_on(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from ..library.members import check_varied
 from ..library.orbit import Orbit
@@ -20,8 +21,8 @@ from ..unit.variable import Given
 from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 
 
-@dataclass(frozen=True)
-class Point:
+@dataclass(frozen=True, eq=False)
+class Point(ByContents):
     """A gait on a branch."""
 
     orbit: Orbit

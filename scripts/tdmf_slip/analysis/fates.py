@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..checks import check_size
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
@@ -17,6 +18,8 @@ ACCURACY = 5e-4
 """By which the apex after a stride then errs at the most, over the scales, from anywhere in `volume.BOX`;
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
 MOST_STRIDES = 400
+MOST_ALONG = 16384
+"""Starts along each axis of a map."""
 STARTS_AT_ONCE = 4096
 """In a block."""
 STARTS_IN_A_CALL = 512
@@ -60,6 +63,7 @@ def fates(
         Something given is not allowed.
     """
     starts = np.asarray(starts)
+    check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MOST_RUNNERS)
     case = ensemble.Case(Runner.of(runner), (apex,), law=law)
     calls = range(0, max(1, len(starts)), STARTS_IN_A_CALL)
     return np.concatenate(

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import checked_whole
+from ..contents import ByContents
 from ..errors import InputError
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
-from ..library.orbit import Orbit
+from ..library.orbit import Orbit, check_orbit
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..terminal import progress
@@ -116,8 +117,8 @@ class FirstPassage:
         }
 
 
-@dataclass(frozen=True)
-class Share:
+@dataclass(frozen=True, eq=False)
+class Share(ByContents):
     """Some of the runners: a block of work."""
 
     runner: Runner
@@ -240,6 +241,8 @@ def strides_to_fall(
     ground = RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
     most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
+    if gait is not None:
+        check_orbit(gait, "gait")
     start = find_orbit(runner, unit=unit) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
     size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // most_strides))

@@ -4,14 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..blocks.running import run_blocks
+from ..contents import ByContents
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..terminal import progress
 from .first_passage import FirstPassage, strides_to_fall
 
 
-@dataclass(frozen=True)
-class Place:
+@dataclass(frozen=True, eq=False)
+class Place(ByContents):
     """Who runs on what: a block of work."""
 
     runner: Runner

@@ -6,8 +6,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind
 from ..errors import InputError
+from ..given import mapping_of
 from ..library.crowd import numbers
 from ..library.noted_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
@@ -42,8 +42,8 @@ class FunctionLaw:
     ) -> dict[str, NDArray[np.float64]]:
         """What is set at the apices of a stride, as `noted_strides` asks for it."""
         self.stride_begins()
-        given = self.law(apices)
-        check_kind(given, Mapping, f"law: stride {stride}: what it gives", "numbers or arrays by name")
+        what = f"law: stride {stride}: what it gives"
+        given = mapping_of(self.law(apices), what, "numbers or arrays by name")
         if self.names is None:
             self._check_names(tuple(given))
         names = self.names or ()

@@ -20,9 +20,9 @@ from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
-from ..unit.variable import Given, Values
+from ..unit.variable import MOST_VALUES, Given, Values
 from .search import model_of
-from .sweep import MOST_VALUES, check_values, sweep_row
+from .sweep import check_values, sweep_row
 
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""

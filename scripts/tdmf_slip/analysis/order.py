@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
 from ..library.quantities import VariedStride, scales_of, varied_stride
@@ -31,8 +32,8 @@ SHORTEST_SHARE = 5e-3
 """Of the way from the first gait's quantities to those ordered."""
 
 
-@dataclass(frozen=True)
-class Place:
+@dataclass(frozen=True, eq=False)
+class Place(ByContents):
     """An apex and parameters, with the stride from there."""
 
     at: NDArray[np.float64]

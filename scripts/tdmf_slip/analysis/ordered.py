@@ -1,12 +1,12 @@
 """Gaits to order: the gait of a given speed, step frequency or the like, by freeing as many parameters."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
-from ..checks import check_kind, checked, near_matches
+from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError, RunError
+from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.orbit import Orbit
 from ..library.quantities import QUANTITIES, quantities_of
@@ -138,14 +138,13 @@ def _met(order: Order, place: Place) -> Orbit:
 
 def _checked_order(order: object) -> dict[str, float]:
     """What is ordered, by its names."""
-    check_kind(order, Mapping, "order", f"numbers by name: {', '.join(QUANTITIES)}")
-    given: Mapping[Any, Any] = order  # type: ignore[assignment] # it is one
+    given = mapping_of(order, "order", f"numbers by name: {', '.join(QUANTITIES)}")
     if not given:
         raise InputError(f"order: nothing is ordered; allowed: {', '.join(QUANTITIES)}")
     for name in given:
-        if name not in QUANTITIES:
+        if not is_one_of(name, QUANTITIES):
             raise InputError(
-                f"order {name!r} is not allowed; allowed: {', '.join(QUANTITIES)}"
+                f"order {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
                 f"{near_matches(name, QUANTITIES)}"
             )
     if all(name in given for name in TRAVEL):
@@ -156,8 +155,7 @@ def _checked_order(order: object) -> dict[str, float]:
 
 def _checked_free(free: object, order: Mapping[str, float]) -> tuple[str, ...]:
     """The freed parameters' names."""
-    check_kind(free, (list, tuple), "free", "a list of names of parameters and inputs")
-    names: tuple[Any, ...] = tuple(free)  # type: ignore[arg-type] # it is one
+    names = tuple(row_of(free, "free", "a list of names of parameters and inputs"))
     for name in names:
         check_varied(name, "free")
         if names.count(name) > 1:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.ensemble import FATES, Case, run_ensemble
 from ..library.orbit import Orbit
@@ -28,8 +29,8 @@ STEEPEST = math.pi / 2.0
 """Of the angle at which a leg may be placed, rad from the vertical."""
 
 
-@dataclass(frozen=True)
-class Meetings:
+@dataclass(frozen=True, eq=False)
+class Meetings(ByContents):
     """What came of gaits on a patch, by contact angle."""
 
     fell: NDArray[np.float64]

@@ -12,6 +12,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.members import check_varied
 from ..library.orbit import Orbit
@@ -29,8 +30,8 @@ CONVERGED, GOOD_ENOUGH = 1e-10, 1e-11
 """Of the last change of the place, and of the apex and the next."""
 
 
-@dataclass(frozen=True)
-class Place:
+@dataclass(frozen=True, eq=False)
+class Place(ByContents):
     """A gait over two parameters, with the derivatives of its equations."""
 
     at: NDArray[np.float64]

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+from ..checks import is_one_of, shown
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near, settled_orbit
 from ..library.return_map import Along
@@ -33,8 +34,8 @@ def runner_by(runner: Runner, model: str | None) -> Runner:
     InputError
         There is no such model.
     """
-    if model not in (None, *MODELS):
-        raise InputError(f"model {model!r} is not allowed; allowed: {', '.join(MODELS)}")
+    if model is not None and not is_one_of(model, MODELS):
+        raise InputError(f"model {shown(model)} is not allowed; allowed: {', '.join(MODELS)}")
     return runner if model is None else replace(runner, reduced=model == "reduced")
 
 

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
+from ..given import mapping_of
 from ..library.members import check_varied
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
@@ -18,8 +20,8 @@ from .search import find_orbit
 from .sweep import MOST_GAITS
 
 
-@dataclass(frozen=True)
-class StabilityMap:
+@dataclass(frozen=True, eq=False)
+class StabilityMap(ByContents):
     """The largest eigenvalue of gaits over a plane of two parameters."""
 
     names: tuple[str, str]
@@ -93,12 +95,13 @@ def stability(
 def _checked(
     over: Mapping[str, Values], unit: Unit
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    if not isinstance(over, Mapping) or len(over) != 2:
+    given = mapping_of(over, "over", "two parameters or inputs with their values")
+    if len(given) != 2:
         raise InputError("over: allowed: two parameters or inputs with their values")
-    for name in over:
+    for name in given:
         check_varied(name, "over")
-    first, second = over
-    rows, columns = (unit.find(name, "over").values_of(over[name], f"values of {name}") for name in over)
+    first, second = given
+    rows, columns = (unit.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items())
     if len(rows) * len(columns) > MOST_GAITS:
         raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MOST_GAITS:,} at the most")
     return (first, second), (rows, columns)

@@ -1,6 +1,7 @@
 """The stride map of many runners: from apex to apex, with settings that may change from stride to stride."""
 
 import json
+import math
 import reprlib
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,8 +11,9 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
-from ..checks import check_kind, checked_whole
+from ..checks import check_size, checked_whole
 from ..errors import InputError
+from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
 from ..library.crowd import Crowd, numbers
 from ..library.ensemble import TOLERANCE
@@ -28,6 +30,8 @@ from .function_law import FunctionLaw, Law, check_set
 from .search import model_of
 
 MOST_STRIDES = 1_000_000
+MOST_IN_ALL = 10_000_000
+"""Strides of all runners: each is kept, in 700 bytes."""
 STRIDES_IN_A_BLOCK = 100_000
 """At the most, unless runners are few: the library hears of no interrupt until it returns."""
 LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
@@ -132,7 +136,7 @@ def stride_map(
     unit = load(unit)
     crowd = Crowd.of(parameters, unit)  # type: ignore[arg-type] # which refuses what is none of it
     strides = checked_whole("strides", strides, 1, MOST_STRIDES)
-    starts, given = _broadcast(apices, crowd, settings or {}, strides)
+    starts, given = _broadcast(apices, crowd, settings, strides)
     ground = RoughGround(roughness, seed)
     _check_all(crowd, given, law, ground)
     affine = law if isinstance(law, AffineLaw) else None
@@ -161,16 +165,17 @@ def stride_map(
 
 
 def _broadcast(
-    apices: ArrayLike, crowd: Crowd, settings: Mapping[str, ArrayLike], strides: int
+    apices: ArrayLike, crowd: Crowd, settings: Mapping[str, ArrayLike] | None, strides: int
 ) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
-    check_kind(settings, Mapping, "settings", "numbers or arrays by name")
     coordinates = crowd.runner.coordinates
+    apices = in_order(apices, coordinates)
+    check_size("apices", math.prod(np.shape(apices)[:-1]) * strides, "strides in all", MOST_IN_ALL)
     starts = np.atleast_2d(numbers("apices", apices, 2))
     if starts.shape[1] != len(coordinates):
         raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
     given: dict[str, NDArray[np.float64]] = {}
-    for name, values in settings.items():
+    for name, values in mapping_of(settings, "settings", "numbers or arrays by name").items():
         setting_number(name, "settings")
         given[name] = np.atleast_2d(numbers(f"settings: {name}", values, 2))
         if given[name].shape[1] not in (1, strides):
@@ -181,6 +186,7 @@ def _broadcast(
     counts = {"apices": len(starts), "parameters": crowd.size or 1}
     counts |= {f"settings: {name}": len(values) for name, values in given.items()}
     runners = max(counts.values())
+    check_size("runners", runners * strides, "strides in all", MOST_IN_ALL)
     for what, count in counts.items():
         if count not in (1, runners):
             most = max(counts, key=lambda name: counts[name])

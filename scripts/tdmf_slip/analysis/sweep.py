@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..library.members import check_has_gaits, check_varied
@@ -23,14 +24,12 @@ from .stretch import Stretch, followed
 if TYPE_CHECKING:
     import xarray
 
-MOST_VALUES = 1_000_000
-"""Of a range, and of a grid."""
 MOST_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
 
 
-@dataclass(frozen=True, repr=False)
-class Sweep(Drawable):
+@dataclass(frozen=True, eq=False, repr=False)
+class Sweep(ByContents, Drawable):
     """Gaits at the values of a range, where they were found."""
 
     name: str

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import checked_whole
+from ..contents import ByContents
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.orbit import Orbit
@@ -82,8 +83,8 @@ class Volume:
         }
 
 
-@dataclass(frozen=True)
-class Drawing:
+@dataclass(frozen=True, eq=False)
+class Drawing(ByContents):
     """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
 
     runner: Runner

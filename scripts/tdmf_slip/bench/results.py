@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
+from ..contents import ByContents
 from ..terminal.text import table
 
 ACCURACIES = (1e-8, 1e-5)
@@ -34,8 +35,8 @@ class Measurement:
     """A stride, the fastest of the repeats."""
 
 
-@dataclass(frozen=True)
-class Bench:
+@dataclass(frozen=True, eq=False)
+class Bench(ByContents):
     """What was measured, and on what."""
 
     measurements: tuple[Measurement, ...]

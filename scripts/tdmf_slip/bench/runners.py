@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..library import ensemble
 from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
@@ -22,8 +23,8 @@ TIGHT = 1e-13
 """Tolerance of the native solver that the others are held against."""
 
 
-@dataclass(frozen=True)
-class Runners:
+@dataclass(frozen=True, eq=False)
+class Runners(ByContents):
     """Runners that start about a gait's apex."""
 
     gait: Orbit

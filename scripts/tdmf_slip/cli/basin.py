@@ -7,6 +7,7 @@ from typing import Any
 import click
 import numpy as np
 
+from ..analysis.fates import MOST_ALONG
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..files.whole import check_place
@@ -50,7 +51,7 @@ from .runner import runner_of
 @click.option(
     "--n",
     "count",
-    type=click.IntRange(2, 16384),
+    type=click.IntRange(2, MOST_ALONG),
     default=128,
     show_default=True,
     help="Starts along each axis.",

@@ -7,13 +7,12 @@ status 0: done; 1: a run failed, or a gait drifted from its reference; 2: someth
 import contextlib
 import importlib
 import os
-import signal
 import sys
 
 import click
 
 from ..errors import TdmfSlipError
-from ..terminal import interrupts
+from ..terminal import encoding, interrupts
 
 COMMANDS = (
     "animate",
@@ -64,14 +63,13 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command line; the exit status, after one message on stderr where something is wrong."""
     if sys.stdout is None:
         return _complain("stdout is closed, the results cannot be printed", 1)
-    if hasattr(sys.stdout, "reconfigure"):  # names of files need not be UTF-8
-        sys.stdout.reconfigure(errors="surrogateescape")
+    encoding.prints_anything()
     try:
         status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
         sys.stdout.flush()
         return status
     except click.exceptions.Abort:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # what Python does at its end is not interrupted again
+        interrupts.ignored()  # what Python does at its end is not interrupted again
         return _complain("interrupted", 130)
     except click.exceptions.NoArgsIsHelpError as problem:
         print(problem.format_message(), file=sys.stderr)

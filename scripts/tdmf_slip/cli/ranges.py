@@ -5,9 +5,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.sweep import MOST_VALUES
 from ..errors import InputError
-from ..unit.variable import Variable
+from ..unit.variable import MOST_VALUES, Variable
 
 SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
     "linear": np.linspace,

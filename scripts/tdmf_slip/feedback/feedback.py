@@ -7,8 +7,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, is_number, near_matches
+from ..checks import is_number, is_one_of, near_matches, shown
 from ..errors import InputError
+from ..given import mapping_of, row_of
 from ..library.affine_law import AffineLaw
 from ..unit.unit import FRICTION, Unit, load
 from .linearization import Linearization
@@ -104,21 +105,21 @@ def feedback_of(
 def _checked_limits(
     model: Linearization, limits: Limits | None, unit: Unit
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    check_kind(limits or {}, Mapping, "limits", "pairs of numbers by setting")
-    given = dict(limits or {})
-    unknown = next((name for name in given if name not in model.settings), None)
+    given = mapping_of(limits, "limits", "pairs of numbers by setting")
+    unknown = next((name for name in given if not is_one_of(name, model.settings)), None)
     if unknown is not None:
         raise InputError(
-            f"limits: {unknown!r} is not allowed; allowed: {', '.join(model.settings)}"
+            f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.settings)}"
             f"{near_matches(unknown, model.settings)}"
         )
     found = []
     for name, nominal in zip(model.settings, model.nominal, strict=True):
         variable = unit.variables[name]
-        pair = given.get(name, (variable.minimum, variable.maximum))
+        asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
-        if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2 or not all(map(is_number, pair)):
-            raise InputError(f"limits: {name}: {pair!r} is not allowed; allowed: {allowed}")
+        pair = row_of(asked, f"limits: {name}", allowed)
+        if len(pair) != 2 or not all(map(is_number, pair)):
+            raise InputError(f"limits: {name}: {shown(asked)} is not allowed; allowed: {allowed}")
         if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum or pair[0] == pair[1]:
             raise InputError(f"limits: {name}: {pair[0]:g} to {pair[1]:g} is not allowed; allowed: {allowed}")
         found.append((float(pair[0]), float(pair[1])))

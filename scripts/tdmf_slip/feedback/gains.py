@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind
+from ..checks import is_number
 from ..errors import InputError
+from ..given import row_of
 from ..library.orbit import Orbit
 from ..unit.unit import Unit
 from .controllability import Controllability, controllability_of
@@ -266,7 +267,8 @@ def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np
         f"a number, {count} of them, or a symmetric matrix of {count} by {count}, "
         f"{'none negative' if least == 0.0 else 'positive'}"
     )
-    check_kind(given, (int, float, Sequence, np.ndarray, np.number), name, allowed)
+    if not is_number(given):
+        row_of(given, name, allowed)
     try:
         weight = np.asarray(given, float)
     except (TypeError, ValueError):

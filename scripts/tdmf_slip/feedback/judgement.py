@@ -6,13 +6,13 @@ The largest eigenvalue says nothing of these: settings have limits, sensors are 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..analysis.robustness import Robustness, robustness
 from ..analysis.volume import Volume, volume
 from ..blocks.running import run_blocks
 from ..checks import check_kind
+from ..contents import ByContents
+from ..given import row_of
 from ..library.affine_law import AffineLaw
 from ..library.orbit import Orbit, check_orbit
 from ..terminal import progress
@@ -23,8 +23,8 @@ RUNNERS, MOST_STRIDES = 256, 400
 """On rough ground."""
 
 
-@dataclass(frozen=True)
-class Trial:
+@dataclass(frozen=True, eq=False)
+class Trial(ByContents):
     """A gait, with a feedback or without: a block of work."""
 
     orbit: Orbit
@@ -37,8 +37,8 @@ class Trial:
     """Of starts and ground."""
 
 
-@dataclass(frozen=True)
-class Judgement:
+@dataclass(frozen=True, eq=False)
+class Judgement(ByContents):
     """How well a gait is held, by many runs."""
 
     trial: Trial
@@ -79,8 +79,8 @@ def judge(
     """
     check_orbit(orbit, "orbit")
     check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
-    check_kind(roughness, (Sequence, np.ndarray), "roughness", "numbers in a list, m")
-    return _judged(Trial(orbit, law, tuple(roughness), seed))
+    steps = row_of(roughness, "roughness", "numbers in a list, m")
+    return _judged(Trial(orbit, law, tuple(steps), seed))
 
 
 def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[Judgement]:

@@ -15,8 +15,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import near_matches
+from ..checks import is_one_of, near_matches, shown
+from ..contents import ByContents
 from ..errors import InputError
+from ..given import row_of
 from ..library.orbit import Orbit, check_orbit
 from ..library.return_map import stride_from
 from ..library.runner import Runner
@@ -34,7 +36,7 @@ IDLE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Linearization:
+class Linearization(ByContents):
     """The return map of a gait and its settings, to first order."""
 
     orbit: Orbit
@@ -153,15 +155,16 @@ def _check_gait(orbit: Orbit) -> None:
 
 def _checked_names(given: object) -> tuple[str, ...]:
     allowed = f"allowed: {', '.join(CHOSEN)}"
-    if isinstance(given, str) or not isinstance(given, Sequence) or not len(given):
-        raise InputError(f"settings = {given!r} is not allowed; one or more in a list; {allowed}")
-    for name in given:
-        if name not in CHOSEN:
-            raise InputError(f"settings: {name!r} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
-    twice = next((name for name in given if list(given).count(name) > 1), None)
+    names = tuple(row_of(given, "settings", f"one or more in a list: {', '.join(CHOSEN)}"))
+    if not names:
+        raise InputError(f"settings = {shown(given)} is not allowed; one or more in a list; {allowed}")
+    for name in names:
+        if not is_one_of(name, CHOSEN):
+            raise InputError(f"settings: {shown(name)} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
+    twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(f"settings: {twice} is named twice; allowed: each once")
-    return tuple(given)
+    return names
 
 
 def _check_inside(runner: Runner, name: str, unit: Unit) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_number
+from ..contents import ByContents
 from ..errors import InputError
 from .linearization import Linearization
 
@@ -20,7 +21,7 @@ FORGOTTEN = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
-class Modes:
+class Modes(ByContents):
     """The modes that last, as a map of their own; everything over the scales."""
 
     directions: NDArray[np.float64]

@@ -23,6 +23,24 @@ def new_netcdf() -> Dataset:
     return Dataset(IN_MEMORY, "w", memory=FIRST_SIZE)
 
 
+def netcdf_of(data: xarray.Dataset) -> bytes:
+    """A dataset as the content of a NetCDF file.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        All of it.
+
+    Returns
+    -------
+    bytes
+        Of the file.
+    """
+    dataset = new_netcdf()
+    data.dump_to_store(NetCDF4DataStore(dataset))
+    return bytes(dataset.close())
+
+
 def write_dataset(path: Path, data: xarray.Dataset) -> None:
     """A dataset as NetCDF.
 
@@ -39,9 +57,7 @@ def write_dataset(path: Path, data: xarray.Dataset) -> None:
         Nothing can be written there.
     """
     with whole(path) as beside:
-        dataset = new_netcdf()
-        data.dump_to_store(NetCDF4DataStore(dataset))
-        beside.write_bytes(dataset.close())
+        beside.write_bytes(netcdf_of(data))
 
 
 def read_dataset(path: Path) -> xarray.Dataset:

@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import os
+import secrets
 import stat
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -10,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..checks import check_kind
-from ..errors import InputError
+from ..errors import InputError, reason
 from ..terminal import interrupts
 
 
@@ -43,38 +44,55 @@ def whole(path: Path) -> Iterator[Path]:
 def _whole(path: Path) -> Iterator[Path]:
     place = destination(path, str(path))
     try:
-        handle, name = tempfile.mkstemp(prefix=".tdmf-slip-", suffix=path.suffix, dir=place.parent)
-        os.close(handle)
+        beside = _created(place, path.suffix)
     except OSError as problem:
         raise InputError(f"{path}: cannot be written: {problem.strerror}") from problem
     try:
-        yield Path(name)
-        _hand_on_mode(place, name)
-        os.replace(name, place)
+        yield beside
+        _flush(beside, os.O_RDWR)
+        _hand_on_mode(place, beside)
+        os.replace(beside, place)
+        if os.name == "posix":  # elsewhere a folder cannot be opened
+            _flush(place.parent, os.O_RDONLY)
     except OSError as problem:
         raise InputError(f"{path}: cannot be written: {problem.strerror or problem}") from problem
     finally:
-        Path(name).unlink(missing_ok=True)
+        beside.unlink(missing_ok=True)
 
 
-def _hand_on_mode(place: Path, name: str) -> None:
-    """Give a file of mkstemp, which is private, owner and mode of what it replaces, or of a new file."""
+def _created(place: Path, suffix: str) -> Path:
+    """An empty file beside a place, with the mode of any new file, or private where it is to hand on one."""
+    mode = 0o600 if place.exists() else 0o666  # less what the process's mask takes away
+    while True:
+        beside = place.with_name(f".tdmf-slip-{secrets.token_hex(8)}{suffix}")
+        with contextlib.suppress(FileExistsError):
+            os.close(os.open(beside, os.O_CREAT | os.O_EXCL | os.O_WRONLY, mode))
+            return beside
+
+
+def _hand_on_mode(place: Path, beside: Path) -> None:
+    """Give a file owner and mode of what it replaces, if there is such a file."""
     try:
         old = place.stat()
     except FileNotFoundError:
-        os.chmod(name, 0o666 & ~_umask())
         return
     if hasattr(os, "chown"):  # not on Windows
         for owner, group in ((-1, old.st_gid), (old.st_uid, -1)):
             with contextlib.suppress(PermissionError):
-                os.chown(name, owner, group)
-    os.chmod(name, stat.S_IMODE(old.st_mode))
+                os.chown(beside, owner, group)
+    os.chmod(beside, stat.S_IMODE(old.st_mode))
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def _flush(place: Path, flags: int) -> None:
+    """Have the disk take what was written: a name may reach it before the content that it stands for."""
+    handle = os.open(place, flags)
+    try:
+        os.fsync(handle)
+    except OSError as problem:
+        if problem.errno not in (errno.EINVAL, errno.ENOTSUP):  # some file systems cannot
+            raise
+    finally:
+        os.close(handle)
 
 
 def destination(path: Path, what: str) -> Path:
@@ -85,13 +103,14 @@ def destination(path: Path, what: str) -> Path:
     InputError
         There is something else than a file, or one that may not be written.
     """
-    place = Path(os.path.realpath(path))
+    place = Path(path)
     try:
+        place = Path(os.path.realpath(path))
         kind = place.stat().st_mode
     except FileNotFoundError:
         return place
     except (OSError, ValueError) as problem:
-        raise InputError(f"{what}: {getattr(problem, 'strerror', None) or problem}") from None
+        raise InputError(f"{what}: {reason(problem)}") from None
     if stat.S_ISDIR(kind):
         raise InputError(f"{what}: a folder; allowed: a file")
     if not stat.S_ISREG(kind):
@@ -159,5 +178,5 @@ def check_folder(folder: Path, what: str) -> None:
             pass
         if missing:
             folder.rmdir()
-    except OSError as problem:
-        raise InputError(f"{what}: {folder}: cannot be written to: {problem.strerror}") from problem
+    except (OSError, ValueError) as problem:
+        raise InputError(f"{what}: {folder}: cannot be written to: {reason(problem)}") from problem

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.search import find_orbit, runner_by
-from ..checks import check_kind
 from ..errors import InputError, RunError
+from ..given import row_of
 from ..library.members import check_varied
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
@@ -163,8 +163,7 @@ def _crossed(problem: Problem, ended: Any, bounds: tuple[NDArray[np.float64], ND
 
 def _checked_names(given: object, what: str) -> tuple[str, ...]:
     """Names of parameters, each once."""
-    check_kind(given, (list, tuple), what, "a list of names of parameters and inputs")
-    names: tuple[Any, ...] = tuple(given)  # type: ignore[arg-type] # it is one
+    names = tuple(row_of(given, what, "a list of names of parameters and inputs"))
     for name in names:
         check_varied(name, what)
         if names.count(name) > 1:

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
+
 ROUNDING = 1e-9
 """Of the largest singular value: less is none."""
 SMALL = 1e-5
@@ -20,8 +22,8 @@ MINOR = 0.1
 """The same in a combination that is told badly, of which every parameter has a little."""
 
 
-@dataclass(frozen=True)
-class Combination:
+@dataclass(frozen=True, eq=False)
+class Combination(ByContents):
     """Changes of parameters, taken together, that the data do not tell."""
 
     members: Mapping[str, float]
@@ -46,8 +48,8 @@ class Combination:
         }
 
 
-@dataclass(frozen=True)
-class Identified:
+@dataclass(frozen=True, eq=False)
+class Identified(ByContents):
     """What a weighted Jacobian tells."""
 
     covariance: NDArray[np.float64]

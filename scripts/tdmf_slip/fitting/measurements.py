@@ -1,14 +1,17 @@
 """Measured gaits: quantities of a stride with their standard errors, a row for each condition."""
 
-import csv
 import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..analysis.ordered import LEAST, MOST
 from ..checks import check_kind, near_matches
+from ..contents import ByContents
 from ..errors import InputError, reason
+from ..files.cells import cells_of
+from ..given import is_table, mapping_of
 
 UNITS: Mapping[str, str] = {
     "speed": "m/s",
@@ -23,6 +26,10 @@ ERROR = "_error"
 """What the name of a quantity's column of errors ends with."""
 DATA = Path(__file__).parent / "data"
 """Tables that come with the package, and the runners that their fits begin with."""
+NOTHING = ("nan", "None", "<NA>")
+"""What a table in memory has where nothing was measured."""
+SMALLEST_ERROR = 1e-12
+"""Over the value, or over `LEAST` where that is less: it is beyond what a gait is computed to."""
 COMMENT = "#"
 """Lines that begin with it are skipped: they say where the data come from."""
 
@@ -41,8 +48,8 @@ Row = Mapping[str, Measured]
 """What was measured in one condition, by the quantities' names."""
 
 
-@dataclass(frozen=True)
-class Measurements:
+@dataclass(frozen=True, eq=False)
+class Measurements(ByContents):
     """Conditions in which a gait was measured."""
 
     rows: tuple[Row, ...]
@@ -101,10 +108,24 @@ def measurements_of(given: "Measurements | str | Path") -> Measurements:
     """
     if isinstance(given, Measurements):
         return given
+    if is_table(given):
+        return _of_table(given)
     check_kind(given, (str, os.PathLike), "data", "the path of a CSV file, or Measurements")
     if str(given) in [path.stem for path in DATA.glob("*.csv")]:
         return read_measurements(shipped(f"{given}.csv"), str(given))
     return read_measurements(Path(given))
+
+
+def _of_table(given: object) -> Measurements:
+    """Those of a DataFrame with the titles that a file has, and NaN where nothing was measured."""
+    titles = mapping_of(given, "data", "")
+    columns = [_column(str(title).strip(), "data") for title in titles]
+    _check_columns(columns, "data")
+    cells = [
+        ["" if str(value) in NOTHING else str(value) for value in row]
+        for row in zip(*titles.values(), strict=True)
+    ]
+    return Measurements(tuple(_rows(columns, cells, "data")), "data")
 
 
 def read_measurements(path: Path, name: str | None = None) -> Measurements:
@@ -112,8 +133,8 @@ def read_measurements(path: Path, name: str | None = None) -> Measurements:
 
     The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
     `slip_distance [m]`, `peak_force [N]`, and for each its standard error, as in `speed_error [m/s]`. Each
-    row is a condition; a quantity that was not measured in it has both of its cells empty. Lines that begin
-    with `#` are skipped.
+    row is a condition; a quantity that was not measured in it has both of its cells empty. Between cells is a
+    comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are skipped.
 
     Parameters
     ----------
@@ -137,12 +158,13 @@ def read_measurements(path: Path, name: str | None = None) -> Measurements:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, ValueError) as problem:
         raise InputError(f"{where}: {reason(problem)}") from None
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(COMMENT)]
+    numbered = enumerate(text.splitlines(), start=1)
+    lines = [(n, line) for n, line in numbered if line.strip() and not line.lstrip().startswith(COMMENT)]
     if len(lines) < 2:
         missing = "the header and the rows" if not lines else "the rows"
         raise InputError(f"{where}: {missing} are missing; allowed: a header, and a row for each condition")
-    header, *cells = csv.reader(lines, skipinitialspace=True)
-    columns = [_column(name.strip(), where) for name in header]
+    header, *cells = [row for _, row in cells_of(lines, where)]
+    columns = [_column(name, where) for name in header]
     _check_columns(columns, where)
     return Measurements(tuple(_rows(columns, cells, where)), where)
 
@@ -186,7 +208,7 @@ def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) ->
         here = f"{where}, row {number}"
         if len(row) != len(columns):
             raise InputError(f"{here}: {len(row)} cells under {len(columns)} columns; allowed: as many")
-        by_name = dict(zip(columns, map(str.strip, row), strict=True))
+        by_name = dict(zip(columns, row, strict=True))
         measured = {
             name: Measured(*_pair(name, by_name[name], by_name[f"{name}{ERROR}"], here))
             for name in columns
@@ -199,14 +221,18 @@ def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) ->
 
 def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
     """A quantity and its error."""
-    low, high, allowed = (0.0, 1.0, "0 to 1") if name == "duty_factor" else (0.0, math.inf, "from 0 on")
+    high = 1.0 if name == "duty_factor" else MOST
     measured = _number(value)
-    if not low <= measured <= high or math.isinf(measured):
-        raise InputError(f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {allowed}")
-    spread = _number(error)
-    if not 0.0 < spread < math.inf:
+    if not 0.0 <= measured <= high:
         raise InputError(
-            f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error above 0"
+            f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number 0 to {high:g}"
+        )
+    spread = _number(error)
+    least = SMALLEST_ERROR * max(measured, LEAST)
+    if not least <= spread <= MOST:
+        raise InputError(
+            f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error "
+            f"above 0, {least:.3g} to {MOST:g}"
         )
     return measured, spread
 

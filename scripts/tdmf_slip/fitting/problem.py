@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
 from ..library.quantities import PlainStride, plain_stride, scales_of
@@ -43,8 +44,8 @@ class Parameter:
         return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
 
 
-@dataclass(frozen=True)
-class _Place:
+@dataclass(frozen=True, eq=False)
+class _Place(ByContents):
     """A gait of a row and how it changes."""
 
     apex: NDArray[np.float64]

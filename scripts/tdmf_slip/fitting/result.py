@@ -8,6 +8,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.orbit import Orbit
 from ..library.runner import Runner
@@ -69,8 +70,8 @@ class Residual:
         return (self.fitted - self.measured) / self.error
 
 
-@dataclass(frozen=True, repr=False)
-class Fit(Drawable):
+@dataclass(frozen=True, eq=False, repr=False)
+class Fit(ByContents, Drawable):
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     measurements: Measurements

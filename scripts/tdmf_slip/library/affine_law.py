@@ -6,8 +6,10 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind, checked_whole
+from ..checks import check_kind, checked_whole, shown
+from ..contents import ByContents
 from ..errors import InputError
+from ..given import row_of
 from .binding import c, ffi
 from .rough_ground import LAST_RUNNER, LAST_SEED, MOST_STEPS
 from .runner import Runner
@@ -19,8 +21,8 @@ LARGEST = 1e100
 """Of the numbers of a law, so that sums of their products are finite."""
 
 
-@dataclass(frozen=True)
-class AffineLaw:
+@dataclass(frozen=True, eq=False)
+class AffineLaw(ByContents):
     """Settings that a runner has from each apex on, as a controller makes them that measures the apex.
 
     Setting i is `nominal[i]` plus the sum of `gain[i][j]` times (measured coordinate j minus `apex[j]`), but
@@ -60,11 +62,10 @@ class AffineLaw:
 
     def __post_init__(self) -> None:
         """Make all of it plain numbers; refuse values that are none, out of range or of another shape."""
-        names = tuple(self.settings) if isinstance(self.settings, Sequence | np.ndarray) else None
-        if not names or isinstance(self.settings, str):
-            raise InputError(
-                f"settings = {self.settings!r} is not allowed; allowed: one or more names in a list"
-            )
+        allowed = "one or more names in a list"
+        names = tuple(row_of(self.settings, "settings", allowed))
+        if not names:
+            raise InputError(f"settings = {shown(self.settings)} is not allowed; allowed: {allowed}")
         for number, name in enumerate(names):
             setting_number(name, "settings")
             if name in names[:number]:

@@ -71,8 +71,26 @@ def _declarations() -> str:
     return "\n".join(texts)
 
 
+def _library() -> Any:
+    """The library, loaded.
+
+    Raises
+    ------
+    InputError
+        It is missing, or no library that this machine can load.
+    """
+    path = library_path()
+    try:
+        return ffi.dlopen(str(path))
+    except OSError as problem:
+        raise InputError(
+            f"{path}: cannot be loaded as a library: {problem}; install the package with pip, "
+            "or name the library that CMake built"
+        ) from None
+
+
 ffi: Any = FFI()
 """Makes structs and arrays of the library's types; those that are read here are described in `structs`."""
 ffi.cdef(_declarations())
-c: Any = ffi.dlopen(str(library_path()))
+c: Any = _library()
 """The library's functions and enumerators, by their names in C."""

@@ -6,8 +6,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind
+from ..checks import check_kind, check_size
+from ..contents import ByContents
 from ..errors import InputError
+from ..given import in_order, is_table, row_of
 from .affine_law import AffineLaw, check_law
 from .binding import ffi
 from .rough_ground import RoughGround
@@ -16,8 +18,8 @@ from .section import COORDINATES, Apex
 from .structs import Struct
 
 
-@dataclass(frozen=True)
-class Case:
+@dataclass(frozen=True, eq=False)
+class Case(ByContents):
     """Whose parameters runners have, and what they may settle on.
 
     Start values by name stand for the runner that they make.
@@ -38,7 +40,8 @@ class Case:
         """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""
         object.__setattr__(self, "runner", Runner.of(self.runner))
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        check_kind(self.gaits, (Sequence, np.ndarray), "gaits", f"rows of {', '.join(COORDINATES)}")
+        if not is_table(self.gaits):
+            row_of(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
         check_law(self.law, self.runner)
 
 
@@ -130,7 +133,9 @@ def sections_of(name: str, given: object, coordinates: Sequence[str]) -> NDArray
         Another shape, or no numbers.
     """
     try:
-        apices = np.ascontiguousarray(np.asarray(given).astype(float, casting="same_kind"))
+        rows = np.asarray(in_order(given, coordinates))
+        check_size(name, len(rows) if rows.ndim else 1, "rows")
+        apices = np.ascontiguousarray(rows.astype(float, casting="same_kind"))
     except (TypeError, ValueError) as problem:
         raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(coordinates)}") from None
     if apices.ndim != 2 or apices.shape[1] != len(coordinates):

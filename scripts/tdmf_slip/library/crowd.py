@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind
+from ..checks import check_size
+from ..contents import ByContents
 from ..errors import InputError
+from ..given import mapping_of
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .affine_law import AffineLaw
@@ -19,8 +21,8 @@ from .runner import Runner, text_of
 from .settings import checked_values
 
 
-@dataclass(frozen=True)
-class Crowd:
+@dataclass(frozen=True, eq=False)
+class Crowd(ByContents):
     """A runner, and of how many runners which of its values are others."""
 
     runner: Runner
@@ -53,9 +55,11 @@ class Crowd:
         """
         if isinstance(given, Runner):
             return cls(given)
-        check_kind(given, Mapping, "parameters", "a Runner, or numbers or arrays by name")
-        rows = {name: value for name, value in given.items() if not isinstance(value, str) and np.ndim(value)}
-        runner = Runner.of({name: value for name, value in given.items() if name not in rows}, unit)  # type: ignore[misc] # no rows
+        by_name = mapping_of(given, "parameters", "a Runner, or numbers or arrays by name")
+        rows = {
+            name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
+        }
+        runner = Runner.of({name: value for name, value in by_name.items() if name not in rows}, unit)
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
             load(unit).find(name, "parameters")
@@ -167,7 +171,9 @@ def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
         There are none, or of more dimensions.
     """
     try:
-        values = np.asarray(given).astype(float, casting="same_kind")
+        array = np.asarray(given)
+        check_size(what, array.size, "numbers")
+        values = array.astype(float, casting="same_kind")
     except (TypeError, ValueError) as problem:
         raise InputError(f"{what}: {problem}; allowed: numbers") from None
     if values.ndim > dimensions or not values.size:

@@ -7,15 +7,16 @@
 """
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind, checked_whole, is_number
+from ..checks import check_size, checked_whole, is_number, is_one_of, shown
 from ..errors import InputError
+from ..given import row_of, rows_of
 from ..unit.variable import Given
 from .binding import c, ffi
 from .cases import Case as Case
@@ -32,6 +33,8 @@ distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in 
 runners whose parameters differ from the default ones by factors of up to e."""
 LEAST_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
+MOST_RUNNERS = 10_000_000
+"""In a call: start and end of one take 300 bytes. More go in several calls, with their first numbers."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
 FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride")
@@ -118,12 +121,13 @@ def run_ensemble(
     InputError
         An array of another shape, or a value that is not allowed.
     """
-    check_kind(cases, Sequence, "cases", "one or more cases in a list")
-    if not len(cases):
+    given = row_of(rows_of(cases), "cases", "one or more cases in a list")
+    if not len(given):
         raise InputError("cases: none; allowed: one or more")
-    all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in cases]
+    all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in given]
     check_alike(all_cases)
     runner = all_cases[0].runner
+    check_size("starts", len(starts) if isinstance(starts, Sized) else 1, "runners", MOST_RUNNERS)
     sections = sections_of("starts", starts, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
     most_strides, near = _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf)
@@ -225,13 +229,13 @@ def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.in
 
 def _within(name: str, value: object, low: float, high: float) -> float:
     if not is_number(value) or not low < value < high:
-        raise InputError(f"{name} = {value!r}: allowed: a number above {low:g} and below {high:g}")
+        raise InputError(f"{name} = {shown(value)}: allowed: a number above {low:g} and below {high:g}")
     return float(value)
 
 
 def _whole(name: str, value: object) -> int:
     if not is_number(value) or not 1 <= value < 2**31 or value % 1:
-        raise InputError(f"{name} = {value!r}: allowed: a whole number from 1 to {2**31 - 1}")
+        raise InputError(f"{name} = {shown(value)}: allowed: a whole number from 1 to {2**31 - 1}")
     return int(value)
 
 
@@ -239,8 +243,8 @@ def _number(instructions: str | None) -> int:
     if instructions is None:
         best: int = c.TDMF_BEST_INSTRUCTIONS
         return best
-    if instructions not in instruction_sets():
-        raise InputError(f"instructions {instructions}: allowed here: {', '.join(instruction_sets())}")
+    if not is_one_of(instructions, instruction_sets()):
+        raise InputError(f"instructions {shown(instructions)}: allowed here: {', '.join(instruction_sets())}")
     return _INSTRUCTIONS[instructions]
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..checks import near_matches
+from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from .binding import ffi
 
@@ -69,9 +69,9 @@ def check_varied(name: object, what: str) -> None:
     InputError
         It is that of neither a parameter nor an input of the model.
     """
-    if name not in VARIED:
+    if not is_one_of(name, VARIED):
         raise InputError(
-            f"{what} {name!r} is not allowed; allowed: a parameter or input of the model"
+            f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
             f"{near_matches(name, VARIED)}"
         )
 

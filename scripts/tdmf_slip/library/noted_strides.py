@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from .affine_law import AffineLaw
 from .binding import ffi
 from .crowd import Crowd
@@ -29,8 +30,8 @@ Law: TypeAlias = Callable[[int, NDArray[np.float64], NDArray[np.bool_]], Mapping
 """From a stride's number, apices, and which runners are under way: settings, shape (runners,)."""
 
 
-@dataclass(frozen=True)
-class Request:
+@dataclass(frozen=True, eq=False)
+class Request(ByContents):
     """Strides to make: a block of work."""
 
     crowd: Crowd

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind
+from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import RunError
 from ..unit.unit import FRICTION
@@ -49,8 +50,8 @@ PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 """Those that tell where its energy comes from and goes to."""
 
 
-@dataclass(frozen=True, repr=False)
-class Orbit(Drawable):
+@dataclass(frozen=True, eq=False, repr=False)
+class Orbit(ByContents, Drawable):
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
@@ -38,8 +39,8 @@ QUANTITIES = tuple(_OF_STRIDE)
 """What a gait can be ordered by; the frequency is that of strides, one over the period."""
 
 
-@dataclass(frozen=True)
-class VariedStride:
+@dataclass(frozen=True, eq=False)
+class VariedStride(ByContents):
     """A stride, and how it changes with its apex and with parameters."""
 
     left_over: NDArray[np.float64]
@@ -126,8 +127,8 @@ def varied_stride(
     return VariedStride(np.array(list(stride.apex)) - apex, values, by_all)
 
 
-@dataclass(frozen=True)
-class PlainStride:
+@dataclass(frozen=True, eq=False)
+class PlainStride(ByContents):
     """A stride without derivatives."""
 
     left_over: NDArray[np.float64]

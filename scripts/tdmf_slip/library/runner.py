@@ -8,8 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, is_number, near_matches
+from ..checks import is_number, is_one_of, near_matches, shown
+from ..contents import ByContents
 from ..errors import InputError
+from ..given import mapping_of
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .binding import c, ffi
@@ -22,8 +24,8 @@ TOLERANCE = 1e-13
 so is the gait itself, unless it is very sensitive, as near a fold."""
 
 
-@dataclass(frozen=True)
-class Runner:
+@dataclass(frozen=True, eq=False)
+class Runner(ByContents):
     """Parameters, inputs and a start, as the C library takes them.
 
     `Runner.of` makes one of the values that are given and the unit's own.
@@ -38,7 +40,7 @@ class Runner:
 
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
-        check_kind(self.values, Mapping, "values", "numbers by the unit's names")
+        object.__setattr__(self, "values", mapping_of(self.values, "values", "numbers by the unit's names"))
         missing = next((name for name in (*VARIED, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
@@ -68,9 +70,9 @@ class Runner:
         """
         if isinstance(given, cls):
             return given
-        check_kind(given or {}, Mapping, "runner", "a Runner, or start values by name")
+        by_name = mapping_of(given, "runner", "a Runner, or start values by name")
         unit = load(unit)
-        checked = unit.start_values(given or {}, "start values")  # type: ignore[arg-type] # no runner any more
+        checked = unit.start_values(by_name, "start values")
         names = [n for n, v in unit.variables.items() if v.settable and v.type == "Real"]
         return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
 
@@ -94,12 +96,12 @@ class Runner:
         InputError
             The runner has no such value, or it is no number.
         """
-        if name not in self.values:
+        if not is_one_of(name, self.values):
             raise InputError(
-                f"{name!r} is not a name in the runner's values{near_matches(name, self.values)}"
+                f"{shown(name)} is not a name in the runner's values{near_matches(name, self.values)}"
             )
         if not is_number(value):
-            raise InputError(f"{name} = {value!r} is not allowed; allowed: a number")
+            raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: float(value)})
 
     def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float, bool]]:

@@ -1,12 +1,13 @@
 """The apex section of the return map: its six coordinates."""
 
-import reprlib
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import is_one_of, shown
 from ..errors import InputError
+from ..given import in_order
 
 COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length_rate", "leg_angle_rate")
 """Names in the unit's group `apex`; the horizontal position is dropped, the vertical velocity is zero."""
@@ -41,14 +42,13 @@ def checked_apex(apex: Apex, coordinates: Sequence[str] = COORDINATES) -> NDArra
     InputError
         There are not so many, or they are no numbers.
     """
-    if np.shape(apex) != (len(coordinates),):
-        raise InputError(f"an apex of shape {np.shape(apex)}: allowed: {', '.join(coordinates)}")
+    values = in_order(apex, coordinates)
+    if np.shape(values) != (len(coordinates),):
+        raise InputError(f"an apex of shape {np.shape(values)}: allowed: {', '.join(coordinates)}")
     try:
-        return np.array([float(value) for value in apex])
+        return np.array([float(value) for value in values])
     except (TypeError, ValueError):
-        raise InputError(
-            f"an apex {reprlib.repr(apex)}: allowed: numbers for {', '.join(coordinates)}"
-        ) from None
+        raise InputError(f"an apex {shown(apex)}: allowed: numbers for {', '.join(coordinates)}") from None
 
 
 def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) -> None:
@@ -66,6 +66,6 @@ def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) ->
     InputError
         One is not.
     """
-    wrong = next((axis for axis in axes if axis not in coordinates), None)
-    if wrong is not None:
-        raise InputError(f"axes: {wrong!r} is not allowed; allowed: {', '.join(coordinates)}")
+    for axis in axes:
+        if not is_one_of(axis, coordinates):
+            raise InputError(f"axes: {shown(axis)} is not allowed; allowed: {', '.join(coordinates)}")

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import near_matches
+from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..unit.unit import Unit, load
 from .binding import c
@@ -45,13 +45,12 @@ def setting_number(name: object, what: str) -> int:
     InputError
         It cannot change in a run, or there is no such name.
     """
-    if name in SETTINGS:
-        return int(c.tdmf_setting_of(str(name).encode()))
-    if name in VARIED:
+    if is_one_of(name, SETTINGS):
+        return int(c.tdmf_setting_of(name.encode()))
+    if is_one_of(name, VARIED):
         raise InputError(f"{what}: {name} cannot change in a run; allowed: {', '.join(SETTINGS)}")
-    raise InputError(
-        f"{what}: {name!r} is not a setting{near_matches(name, SETTINGS)}; allowed: {', '.join(SETTINGS)}"
-    )
+    near = near_matches(name, SETTINGS)
+    raise InputError(f"{what}: {shown(name)} is not a setting{near}; allowed: {', '.join(SETTINGS)}")
 
 
 def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from .quantities import varied_stride
 from .runner import Runner
 
 
-@dataclass(frozen=True)
-class VariedGait:
+@dataclass(frozen=True, eq=False)
+class VariedGait(ByContents):
     """Quantities of a gait, and how they and its apex change with parameters while it stays a gait."""
 
     quantities: NDArray[np.float64]

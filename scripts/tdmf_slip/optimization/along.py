@@ -23,7 +23,7 @@ RADIUS, SMALLEST = 0.05, 1e-7
 ROUNDS = 20
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OnBorder(Candidate):
     """A gait on a border; `at` is u, over which the slopes are."""
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from ..library.orbit import Orbit
 from .gaits import Candidate, Gaits
@@ -28,8 +29,8 @@ NARROWEST, WIDEST = 1e-6, 0.3
 """Distances at which a border is looked for across itself."""
 
 
-@dataclass(frozen=True)
-class Border:
+@dataclass(frozen=True, eq=False)
+class Border(ByContents):
     """Gaits on both sides of a border between two pieces."""
 
     short: Candidate
@@ -48,7 +49,7 @@ class Border:
 
 
 @dataclass(frozen=True, eq=False)
-class Side:
+class Side(ByContents):
     """A gait beside a border."""
 
     gait: Candidate

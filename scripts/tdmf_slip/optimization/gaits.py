@@ -13,6 +13,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
@@ -40,8 +41,8 @@ DIFFERENCES = (1e-5, 1e-7)
 narrow."""
 
 
-@dataclass(frozen=True)
-class Candidate:
+@dataclass(frozen=True, eq=False)
+class Candidate(ByContents):
     """A gait, and how what is asked of it changes with the parameters; these are over their bounds' width."""
 
     at: NDArray[np.float64]

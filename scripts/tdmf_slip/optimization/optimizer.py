@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.ordered import OrderNotMetError
+from ..contents import ByContents
 from ..errors import RunError
 from ..library.orbit import Orbit
 from ..terminal.progress import Bar
@@ -28,8 +29,8 @@ TRIES = 4
 """Shares of the way to a start that are tried: all, a half, and so on."""
 
 
-@dataclass(frozen=True)
-class Start:
+@dataclass(frozen=True, eq=False)
+class Start(ByContents):
     """A gait where a search begins."""
 
     at: NDArray[np.float64]

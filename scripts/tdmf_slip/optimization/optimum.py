@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ..contents import ByContents
 from ..library.orbit import Orbit
 from ..library.quantities import QUANTITIES, quantities_of
 
@@ -26,8 +27,8 @@ def told(orbit: Orbit) -> dict[str, float]:
     return quantities_of(orbit, QUANTITIES) | {"lambda_max": orbit.lambda_max}
 
 
-@dataclass(frozen=True, repr=False)
-class Optimum:
+@dataclass(frozen=True, eq=False, repr=False)
+class Optimum(ByContents):
     """The best runner that was found: a gait, and what says that there is no better one near it."""
 
     objective: str

@@ -8,6 +8,7 @@ import numpy as np
 from ..analysis.ordered import OrderNotMetError
 from ..analysis.search import find_orbit, runner_by
 from ..checks import checked_whole
+from ..contents import ByContents
 from ..errors import InputError
 from ..library.runner import Runner
 from ..terminal import progress
@@ -22,8 +23,8 @@ from .request import check_action, checked_quantity, checked_radius, checked_spa
 POINTS, MOST_POINTS = 7, 1000
 
 
-@dataclass(frozen=True)
-class Front:
+@dataclass(frozen=True, eq=False)
+class Front(ByContents):
     """Runners of which none is better in one quantity without being worse in the other."""
 
     objectives: tuple[str, str]

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from .gaits import Candidate
 
 PENALTY = 100.0
@@ -28,8 +29,8 @@ Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Values, shape (m,), and their gradients in rows, shape (m, d)."""
 
 
-@dataclass(frozen=True)
-class Goal:
+@dataclass(frozen=True, eq=False)
+class Goal(ByContents):
     """An objective and constraints by names of quantities, in SI units."""
 
     objective: str

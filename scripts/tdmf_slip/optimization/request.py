@@ -1,13 +1,11 @@
 """What may be asked of an optimal runner, checked: quantities, bounds, prescribed values."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from ..analysis.ordered import LEAST, MOST, NO_ACTION, TRAVEL
-from ..checks import check_kind, checked, near_matches
+from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
+from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES
 from ..unit.unit import Unit
@@ -41,9 +39,9 @@ def checked_quantity(name: object, what: str) -> str:
     InputError
         There is no such quantity.
     """
-    if name not in QUANTITIES:
+    if not is_one_of(name, QUANTITIES):
         raise InputError(
-            f"{what} {name!r} is not allowed; allowed: {', '.join(QUANTITIES)}"
+            f"{what} {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
             f"{near_matches(name, QUANTITIES)}"
         )
     return str(name)
@@ -95,8 +93,7 @@ def checked_space(over: object, unit: Unit) -> Space:
     InputError
         Not so many parameters, no parameter, no bounds, or bounds that the unit refuses.
     """
-    check_kind(over, Mapping, "over", "bounds (A, B) by the names of parameters and inputs")
-    given: Mapping[Any, Any] = over  # type: ignore[assignment] # it is one
+    given = mapping_of(over, "over", "bounds (A, B) by the names of parameters and inputs")
     if not 1 <= len(given) <= MOST_PARAMETERS:
         raise InputError(
             f"over: {len(given)} parameters; allowed: 1 to {MOST_PARAMETERS} parameters and inputs"
@@ -105,9 +102,10 @@ def checked_space(over: object, unit: Unit) -> Space:
     for name, pair in given.items():
         check_varied(name, "over")
         where = f"over {name}"
-        if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2:
-            raise InputError(f"{where} = {pair!r} is not allowed; allowed: two bounds, A below B")
-        low, high = (float(unit.variables[name].value_of(value, where)) for value in pair)
+        bounds_given = row_of(pair, where, "two bounds, A below B")
+        if len(bounds_given) != 2:
+            raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
+        low, high = (float(unit.variables[name].value_of(value, where)) for value in bounds_given)
         if not low < high:
             raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
         bounds[name] = low, high
@@ -136,8 +134,7 @@ def checked_values(at: object, objectives: tuple[str, ...], space: Space) -> dic
     InputError
         A quantity is unknown or an objective, a value is refused, or there are too many.
     """
-    check_kind(at or {}, Mapping, "at", f"numbers by name: {', '.join(QUANTITIES)}")
-    given: Mapping[Any, Any] = at or {}  # type: ignore[assignment] # it is one
+    given = mapping_of(at, "at", f"numbers by name: {', '.join(QUANTITIES)}")
     for name in given:
         checked_quantity(name, "at")
         if name in objectives:

@@ -18,6 +18,7 @@ with a constraint that keeps off the fold.
 
 from dataclasses import dataclass
 
+from ..contents import ByContents
 from ..errors import RunError
 from .along import best_along
 from .border import Border, Side, between
@@ -39,8 +40,8 @@ STATIONARY = 1e-4
 """Fall of the merit, over the size of a step, that counts as none."""
 
 
-@dataclass(frozen=True)
-class Found:
+@dataclass(frozen=True, eq=False)
+class Found(ByContents):
     """Where a search ended."""
 
     gait: Candidate

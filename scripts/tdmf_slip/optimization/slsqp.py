@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from .gaits import Candidate
 from .problem import Problem, Rows
@@ -21,8 +22,8 @@ ACCURACY = 1e-12
 """Of the objective, and of the constraints' violations."""
 
 
-@dataclass(frozen=True)
-class Ended:
+@dataclass(frozen=True, eq=False)
+class Ended(ByContents):
     """How a search within a box ended."""
 
     best: Candidate

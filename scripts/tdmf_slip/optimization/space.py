@@ -6,14 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..library.runner import Runner
 
 AT_BOUND = 1e-9
 """Of the width of the bounds: what is as near to one is at it."""
 
 
-@dataclass(frozen=True)
-class Space:
+@dataclass(frozen=True, eq=False)
+class Space(ByContents):
     """Parameters and inputs between bounds."""
 
     bounds: Mapping[str, tuple[float, float]]

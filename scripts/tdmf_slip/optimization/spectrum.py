@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 
 LEADING = 3
@@ -24,8 +25,8 @@ SIMPLE = 1e-7
 """Least product of unit left and right vectors: below, two eigenvalues meet."""
 
 
-@dataclass(frozen=True)
-class Spectrum:
+@dataclass(frozen=True, eq=False)
+class Spectrum(ByContents):
     """Sizes of leading eigenvalues."""
 
     sizes: NDArray[np.float64]

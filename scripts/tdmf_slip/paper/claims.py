@@ -11,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..analysis.sweep import Sweep, sweep
+from ..contents import ByContents
 from ..library import classic_slip
 from ..library.orbit import Orbit
 from ..library.runner import Runner
@@ -21,6 +22,8 @@ WORDS: Mapping[float, str] = {10.0: "0+", 1.2: "+0+", 0.6: "+0-0+", 0.43: "+0-",
 AGREES, DIFFERS = "agrees", "differs"
 ROUGHLY = 2.0
 """Per cent: how far from a figure the paper gives as rough a value may be and agree."""
+PAPER = "Or and Moravia 2016"
+"""Whose gaits are remade."""
 SWEPT = np.geomspace(10.0, 0.05, 200)
 """Frictions at which gaits are sought."""
 ROUNDING = 1e-9
@@ -43,6 +46,8 @@ class Claim:
     """Ours."""
     agrees: bool
     """Whether they say the same."""
+    source: str = PAPER
+    """Who says it."""
 
     @property
     def verdict(self) -> str:
@@ -50,8 +55,8 @@ class Claim:
         return AGREES if self.agrees else DIFFERS
 
 
-@dataclass(frozen=True)
-class Evidence:
+@dataclass(frozen=True, eq=False)
+class Evidence(ByContents):
     """What the claims are judged by."""
 
     sweep: Sweep

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..analysis.ordered import find_gait
 from ..analysis.patch import Meetings, contact_angle_of, meet_patch
+from ..contents import ByContents
 from ..errors import RunError
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
@@ -23,6 +24,8 @@ from .claims import Claim
 
 FRICTIONS = (0.05, 0.1, 0.2)
 """Of the patch, for that of polypropylene is not known."""
+SOURCE = "Clark and Higham 2011"
+"""Who measured guinea fowl on a slippery patch."""
 STEP = 0.1
 """Of speeds, m/s."""
 ANGLES = np.arange(50.0, 76.0, 1.0)
@@ -40,8 +43,8 @@ def published() -> Mapping[str, Mapping[str, float]]:
     return tomllib.loads(text)
 
 
-@dataclass(frozen=True)
-class Map:
+@dataclass(frozen=True, eq=False)
+class Map(ByContents):
     """Falls over speed and contact angle."""
 
     gaits: tuple[Orbit, ...]
@@ -201,35 +204,41 @@ def claims(found: Map) -> list[Claim]:
             "1.3 to 3.6 m/s",
             f"{speeds[0]:.1f} to {speeds[-1]:.1f} m/s",
             bool(speeds[0] < said["slowest"] + 0.5 * STEP and speeds[-1] > said["fastest"] - 0.5 * STEP),
+            SOURCE,
         ),
         Claim(
             f"{patch}: contact angle to stay up",
             "> 70°",
             f"> {of_slow - 1:.0f}° up to {said['fast']:g} m/s",
             bool(abs(of_slow - said["contact_angle"]) <= NEAR),
+            SOURCE,
         ),
         Claim(
             f"{patch}: falls above 70°",
             "avoided",
             f"{steep:.0f}, and {anyway:.0f} where it is not slippery",
             bool(steep == 0.0),
+            SOURCE,
         ),
         Claim(
             f"{patch}: less above {said['fast']:g} m/s",
             "tolerated",
             f"> {of_fast - 1:.0f}°",
             bool(of_fast < of_slow),
+            SOURCE,
         ),
         Claim(
             f"{patch}: slips of those up",
             "below 10 cm",
             f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm",
             short >= MOST,
+            SOURCE,
         ),
         Claim(
             f"{patch}: slips of those that fall",
             "10 cm or more",
             f"{100 * long:.0f} % of those that fall after it",
             long >= MOST,
+            SOURCE,
         ),
     ]

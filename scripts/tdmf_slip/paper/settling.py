@@ -6,8 +6,10 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, checked, checked_whole
+from ..checks import checked, checked_whole
+from ..contents import ByContents
 from ..errors import RunError
+from ..given import mapping_of
 from ..library.orbit import TOLD
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -26,8 +28,8 @@ MOST_SPREAD = 20.0
 MOST_STRIDES = 2000
 
 
-@dataclass(frozen=True)
-class SettledRun:
+@dataclass(frozen=True, eq=False)
+class SettledRun(ByContents):
     """A run of the unit that settled on a gait, by its last stride. Units as in the model description."""
 
     friction: float
@@ -103,8 +105,7 @@ def settle_unit(
         The runner fell, or did not settle.
     """
     unit = load(unit)
-    check_kind(given or {}, Mapping, "given", "start values by name")
-    starts = unit.start_values(given or {}, "start values")
+    starts = unit.start_values(mapping_of(given, "given", "start values by name"), "start values")
     runner = Runner.of(starts, unit)
     most_strides = checked_whole("most_strides", most_strides, 2 * WINDOW, MOST_OF_ALL)
     relative_tolerance = checked("relative_tolerance", relative_tolerance, *TOLERANCES)

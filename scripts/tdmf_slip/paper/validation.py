@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
+from ..contents import ByContents
 from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.parameters import read_parameters
@@ -15,8 +16,8 @@ from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_unit
 
 
-@dataclass(frozen=True)
-class Validation:
+@dataclass(frozen=True, eq=False)
+class Validation(ByContents):
     """The five gaits, what the paper says of them, and how far they are from the reference."""
 
     gaits: Sequence[SettledRun]
@@ -31,10 +32,16 @@ class Validation:
         """No computed value is farther from its recorded reference than allowed."""
         return all(drift.passed for drift in self.drifts)
 
+    @property
+    def differing(self) -> list[Claim]:
+        """The statements that what is computed does not bear out."""
+        return [claim for claim in self.claims if not claim.agrees]
+
     def as_json(self) -> dict[str, object]:
         """Everything as a plain object."""
         return {
             "passed": self.passed,
+            "differing": len(self.differing),
             "gaits": [{"published_word": WORDS[g.friction], **g.as_json()} for g in self.gaits],
             "claims": [{**asdict(claim), "verdict": claim.verdict} for claim in self.claims],
             "drifts": [{**asdict(drift), "passed": drift.passed} for drift in self.drifts],
@@ -71,7 +78,17 @@ class Validation:
 
     def _claim_table(self) -> str:
         header = ["claim", "published", "computed", "verdict"]
-        return table(header, [[c.what, c.published, c.computed, c.verdict] for c in self.claims])
+        rows = [[c.what, c.published, c.computed, c.verdict] for c in self.claims]
+        return f"{table(header, rows)}\n{self._differing()}"
+
+    def _differing(self) -> str:
+        """How many statements differ, of all and by who says them."""
+        parts = []
+        for source in dict.fromkeys(claim.source for claim in self.claims):
+            of_it = [claim for claim in self.claims if claim.source == source]
+            differ = sum(not claim.agrees for claim in of_it)
+            parts.append(f"{differ} of the {len(of_it)} of {source}")
+        return f"{len(self.differing)} of {len(self.claims)} statements differ: {', '.join(parts)}."
 
     def _drift_summary(self) -> str:
         missed = [drift for drift in self.drifts if not drift.passed]

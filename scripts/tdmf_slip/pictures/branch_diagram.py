@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOUBLING, WORD_BORDER
 from ..analysis.branch import Branch
-from ..checks import near_matches
+from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..library.orbit import Orbit
 from ..library.section import COORDINATES
@@ -65,13 +65,13 @@ def values_of(orbit: Orbit, quantity: str) -> list[float]:
         There is no such quantity.
     """
     coordinates = orbit.runner.coordinates
-    if quantity in coordinates:
+    if is_one_of(quantity, coordinates):
         return [float(apex[coordinates.index(quantity)]) for apex in (orbit.apex, *orbit.following)]
     numbers = {**orbit.stride, "lambda_max": orbit.lambda_max, "liftoff_angle": orbit.liftoff_angle}
-    if quantity not in numbers:
+    if not is_one_of(quantity, numbers):
         known = (*coordinates, *numbers)
         raise InputError(
-            f"quantity {quantity!r} is not allowed; allowed: {', '.join(known)}"
+            f"quantity {shown(quantity)} is not allowed; allowed: {', '.join(known)}"
             f"{near_matches(quantity, known)}"
         )
     return [numbers[quantity]]

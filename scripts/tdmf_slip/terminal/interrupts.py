@@ -1,48 +1,71 @@
-"""Interrupts from the keyboard, held back where they would leave something half done."""
+"""Interrupts from the keyboard and requests to end, held back where they would leave something half done."""
 
 import contextlib
 import dataclasses
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from types import FrameType
+from typing import NoReturn
+
+Handler = Callable[[int, FrameType | None], object]
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+"""An interrupt from the keyboard, and what `kill` sends."""
+TERMINATED = 128 + signal.SIGTERM
+"""Exit status of a process that SIGTERM ends, as shells give it."""
 
 
 @dataclasses.dataclass
 class Interrupt:
     """One that may come while it is held back."""
 
-    handler: Callable[[int, FrameType | None], object] | int | None
-    """What it was meant for."""
-    came: threading.Event = dataclasses.field(default_factory=threading.Event)
-    """Set when it came."""
+    handlers: Mapping[int, Handler]
+    """What is to be called, by the number of the signal."""
+    came: int | None = None
+    """Number of the one that came last."""
 
-    def note(self, _number: int, _frame: object) -> None:
+    def note(self, number: int, _frame: object) -> None:
         """Handle the signal. An exception raised here could be lost: Python ignores those of finalizers."""
-        self.came.set()
+        self.came = number
 
     def deliver(self) -> None:
         """Do what would have been done without this, if one came: by default, raise KeyboardInterrupt."""
-        if self.came.is_set():
-            self.came.clear()
-            if callable(self.handler):
-                self.handler(signal.SIGINT, None)
+        number, self.came = self.came, None
+        if number is not None:
+            self.handlers[number](number, None)
 
 
 @contextlib.contextmanager
 def held() -> Iterator[Interrupt]:
     """An interrupt that comes inside is delivered where it is asked for, and at the end."""
-    handler = signal.getsignal(signal.SIGINT)
-    interrupt = Interrupt(handler)
-    if threading.current_thread() is not threading.main_thread() or not callable(handler):
+    handlers = {number: signal.getsignal(number) for number in SIGNALS}
+    interrupt = Interrupt({number: handler for number, handler in handlers.items() if callable(handler)})
+    if threading.current_thread() is not threading.main_thread():
         yield interrupt
         return
-    signal.signal(signal.SIGINT, interrupt.note)
+    for number in interrupt.handlers:
+        signal.signal(number, interrupt.note)
     try:
         yield interrupt
     finally:
-        signal.signal(signal.SIGINT, handler)
+        for number, handler in interrupt.handlers.items():
+            signal.signal(number, handler)
         interrupt.deliver()
+
+
+def end_in_order() -> None:
+    """Have a request to end this process leave no temporary file: Python would stop where it is."""
+    signal.signal(signal.SIGTERM, _end)
+
+
+def _end(_number: int, _frame: object) -> NoReturn:
+    raise SystemExit(TERMINATED)
+
+
+def ignored() -> None:
+    """Neither interrupts nor requests to end are heard any more: Python ends, and is not to be disturbed."""
+    for number in SIGNALS:
+        signal.signal(number, signal.SIG_IGN)
 
 
 @contextlib.contextmanager

@@ -8,15 +8,17 @@ import xarray
 
 from ..blocks.running import run_blocks
 from ..checks import checked, checked_whole
+from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
+from ..given import mapping_of, row_of, rows_of
 from ..terminal import progress
 from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
 from .unit import Unit, load
 from .variable import Given, Value
 
 
-@dataclass(frozen=True)
-class Job:
+@dataclass(frozen=True, eq=False)
+class Job(ByContents):
     """A run: a block of work."""
 
     values: Mapping[str, Value]
@@ -29,8 +31,8 @@ class Job:
     """`me` or `cs`."""
 
 
-@dataclass(frozen=True)
-class Result:
+@dataclass(frozen=True, eq=False)
+class Result(ByContents):
     """How a run ended."""
 
     stride: Mapping[str, float | int | str]
@@ -105,13 +107,14 @@ def run_batch(
     unit.require_interface(interface)
     checked_whole("strides", strides, 1, MOST_STRIDES)
     checked("relative_tolerance", relative_tolerance, *TOLERANCES)
-    rows = isinstance(table, Sequence) and all(isinstance(row, Mapping) for row in table)
-    names = list(table[0]) if rows and table else []
-    if not names or any(list(row) != names for row in table):
-        raise InputError("table: allowed: one or more rows, all with the same names in the same order")
+    allowed = "one or more rows, all with the same names in the same order"
+    rows = [mapping_of(row, "table", allowed) for row in row_of(rows_of(table), "table", allowed)]
+    names = list(rows[0]) if rows else []
+    if not names or any(list(row) != names for row in rows):
+        raise InputError(f"table: allowed: {allowed}")
     jobs = [
         Job(unit.start_values(row, f"row {number}"), strides, relative_tolerance, interface)
-        for number, row in enumerate(table)
+        for number, row in enumerate(rows)
     ]
     results = [NOT_RUN] * len(jobs)
     with (

@@ -1,6 +1,5 @@
 """Inputs that change in time, as tables."""
 
-import csv
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
@@ -8,18 +7,25 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind
+from ..checks import shown
 from ..errors import InputError, reason
+from ..files.cells import cells_of
+from ..given import is_table, mapping_of
 from .unit import Unit
 from .variable import Value, Variable
 
+TIME = "time"
+"""Name of the column of times in a table."""
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
 """By name of an input or a tunable parameter: times in s, ascending, and values. Values of a continuous input
 are interpolated linearly, and a time given twice is a jump; a discrete input and a tunable parameter keep a
-value until the next. Before and after the table its first and last value hold."""
+value until the next. Before and after the table its first and last value hold. A DataFrame with a column or
+an index `time`, and a column for each input, will do, too."""
 
 
-def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) -> NDArray[np.void] | None:
+def signals(
+    unit: Unit, tables: InputTables | None, start_values: Mapping[str, Value]
+) -> NDArray[np.void] | None:
     """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables.
 
     Parameters
@@ -41,10 +47,9 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) 
     InputError
         A name that is neither, times that go back, a value out of range.
     """
-    if not tables:
+    checked = {name: _checked(unit, name, table, "inputs") for name, table in _tables(tables).items()}
+    if not checked:
         return None
-    check_kind(tables, Mapping, "inputs", "pairs of times and values, by the names of inputs")
-    checked = {name: _checked(unit, name, table, "inputs") for name, table in tables.items()}
     grid = _grid([times for times, _ in checked.values()])
     inputs = list(dict.fromkeys([*unit.names("input"), *checked]))
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
@@ -55,6 +60,21 @@ def signals(unit: Unit, tables: InputTables, start_values: Mapping[str, Value]) 
         else:  # FMPy warns on stdout of an input without a column
             array[name] = start_values.get(name, unit.start_of(name))
     return array
+
+
+def _tables(given: object) -> InputTables:
+    """Pairs of times and values by name: as they are given, or of the columns of a table over the time."""
+    if not is_table(given):
+        return mapping_of(given, "inputs", "pairs of times and values, by the names of inputs")
+    columns = dict(mapping_of(given, "inputs", ""))
+    index = getattr(given, "index", None)
+    times = columns.pop(TIME) if TIME in columns else index if getattr(index, "name", "") == TIME else None
+    if times is None:
+        raise InputError(
+            f"inputs with the columns {', '.join(map(str, columns))}: allowed: with one called {TIME}, or an "
+            "index of that name"
+        )
+    return {name: (np.asarray(times), values) for name, values in columns.items()}
 
 
 def read_tables(path: Path | str, unit: Unit) -> InputTables:
@@ -82,13 +102,13 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
     """
     path = Path(path)
     try:
-        with path.open(newline="", encoding="utf-8-sig") as file:  # Excel writes a mark at the beginning
-            reader = csv.reader(file, strict=True)
-            lines = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(row)]
-    except (OSError, ValueError, csv.Error) as problem:
+        text = path.read_text(encoding="utf-8-sig")  # Excel writes a mark at the beginning
+    except (OSError, ValueError) as problem:
         raise InputError(f"{path}: not a table of inputs: {reason(problem)}") from problem
+    numbered = ((number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip())
+    lines = [(number, cells) for number, cells in cells_of(numbered, str(path)) if any(cells)]
     header = lines[0][1] if lines else []
-    if header[:1] != ["time"] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
+    if header[:1] != [TIME] or len(set(header)) != len(header) or len(header) < 2 or len(lines) < 2:
         raise InputError(
             f"{path}: the header has to be time,<input>,..., each once, with rows below; "
             f"found {','.join(header) or 'nothing'}"
@@ -128,7 +148,7 @@ def _checked(
     try:
         times, values = (np.asarray(column, dtype=float) for column in table)
     except (TypeError, ValueError):
-        raise InputError(f"{where}: {name} = {table!r}: allowed: a pair of times and values") from None
+        raise InputError(f"{where}: {name} = {shown(table)}: allowed: a pair of times and values") from None
     if times.ndim != 1 or times.shape != values.shape or not len(times):
         raise InputError(
             f"{where}: {name}: times {times.shape} and values {values.shape} have to be equally long"

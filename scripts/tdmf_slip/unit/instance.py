@@ -12,6 +12,7 @@ import numpy as np
 from fmpy.fmi1 import FMICallException
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError
 from ..terminal import interrupts
 from .unit import Unit
@@ -25,8 +26,8 @@ REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
 
 
-@dataclass(frozen=True)
-class Experiment:
+@dataclass(frozen=True, eq=False)
+class Experiment(ByContents):
     """What FMPy is asked to do with an instance; times in s."""
 
     stop_time: float
@@ -59,9 +60,14 @@ class Instance:
         self.unit = unit
         self.interface = unit.require_interface(interface)
         self.messages: list[str] = []
-        self._fmu = fmpy.simulation.instantiate_fmu(
-            unit.folder, unit.description, self.interface, logger=self._log
-        )
+        try:
+            self._fmu = fmpy.simulation.instantiate_fmu(
+                unit.folder, unit.description, self.interface, logger=self._log
+            )
+        except Exception as problem:  # FMPy raises bare Exceptions, and ctypes OSError, for a bad library
+            raise RunError(
+                f"{unit.path}: its library for this platform ({fmpy.platform}) cannot be used: {problem}"
+            ) from problem
         troubles = [c.name for c in unit.description.logCategories or [] if c.name.startswith("logStatus")]
         self._fmu.setDebugLogging(True, troubles)
 

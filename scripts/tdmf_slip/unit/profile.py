@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import checked, checked_whole
+from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError
 from .instance import Instance, opened
 from .simulation import MOST_ROWS, TIMES, longest_time, time_unit
@@ -228,7 +228,8 @@ def simulate_over(
         The unit failed.
     """
     unit = load(unit)
-    starts = unit.start_values(start_values or {}, "start values")
+    starts = unit.start_values(start_values, "start values")
+    check_kind(profile, Profile, "profile", "a Profile")
     if strides is None and stop_time is None:
         raise InputError("strides, stop_time: neither is given; allowed: one of them, or both")
     most = math.inf if strides is None else checked_whole("strides", strides, 1, 10**9)

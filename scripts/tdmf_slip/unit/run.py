@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..drawable import Drawable
 from .events import Event
 from .unit import Unit, load
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, repr=False)
-class Run(Drawable):
+@dataclass(frozen=True, eq=False, repr=False)
+class Run(ByContents, Drawable):
     """What a run gave. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]

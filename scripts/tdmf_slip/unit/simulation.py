@@ -94,7 +94,7 @@ def simulate(
         The unit or FMPy failed, or the strides did not come about.
     """
     unit = load(unit)
-    starts = unit.start_values(start_values or {}, "start values")
+    starts = unit.start_values(start_values, "start values")
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
     recorded = _recorded(unit, variables)
@@ -103,7 +103,7 @@ def simulate(
         relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
         output_interval=_interval(unit, starts, output_interval),
         start_values=starts,
-        inputs=signals(unit, inputs or {}, starts),
+        inputs=signals(unit, inputs, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
     _check_rows(experiment, _least_duration(unit, starts, stop_time, strides))
@@ -163,13 +163,13 @@ def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
         return unit.names("input") + unit.names("output")
     check_kind(variables, Iterable, "variables", "names of variables in a list")
     names = [variables] if isinstance(variables, str) else variables
-    found = [unit.find(name, "variables") for name in names]
-    for variable in found:
+    found = {unit.find(name, "variables").name: unit.variables[name] for name in names}
+    for variable in found.values():
         if variable.type == "String":
             raise InputError(
                 f"variables: {variable.name} is a text and has no column; it is in the run's `final`"
             )
-    return [variable.name for variable in found if variable.causality != "independent"]
+    return [name for name, variable in found.items() if variable.causality != "independent"]
 
 
 def _stop_time(

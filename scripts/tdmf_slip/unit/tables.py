@@ -45,9 +45,9 @@ def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
 
 
 def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
-    from ..files.netcdf import write_dataset  # slow to load, and seldom asked for
+    from ..files.netcdf import netcdf_of  # slow to load, and seldom asked for
 
-    write_dataset(path, dataset_of(run, unit))
+    path.write_bytes(netcdf_of(dataset_of(run, unit)))
 
 
 def dataset_of(run: Run, unit: Unit) -> "xarray.Dataset":

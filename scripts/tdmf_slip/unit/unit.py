@@ -16,8 +16,9 @@ from types import NoneType
 import fmpy
 from fmpy.model_description import ModelDescription
 
-from ..checks import check_kind, near_matches
-from ..errors import InputError, RunError
+from ..checks import check_kind, is_number, is_one_of, near_matches, shown
+from ..errors import InputError, RunError, reason
+from ..given import mapping_of
 from .variable import Given, Value, Variable, variable_of
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
@@ -49,8 +50,8 @@ def fmu_path(fmi: int = 2) -> Path:
     InputError
         There is no such file, or no unit for that version.
     """
-    if fmi not in tuple(FILES):
-        raise InputError(f"fmi = {fmi!r} is not allowed; allowed: {', '.join(map(str, FILES))}")
+    if not is_number(fmi) or fmi not in FILES:
+        raise InputError(f"fmi = {shown(fmi)} is not allowed; allowed: {', '.join(map(str, FILES))}")
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else Path(__file__).parents[1] / FILES[2]
     path = path if fmi == 2 else path.with_name(FILES[fmi])
@@ -127,9 +128,11 @@ class Unit:
         check_kind(name, str, where, "a variable's name")
         if name in self.variables:
             return self.variables[name]
-        raise InputError(f"{where}: the unit has no variable {name!r}{near_matches(name, self.variables)}")
+        raise InputError(
+            f"{where}: the unit has no variable {shown(name)}{near_matches(name, self.variables)}"
+        )
 
-    def start_values(self, given: Mapping[str, Given], where: str) -> dict[str, Value]:
+    def start_values(self, given: Mapping[str, Given] | None, where: str) -> dict[str, Value]:
         """Start values, checked.
 
         Parameters
@@ -149,9 +152,8 @@ class Unit:
         InputError
             An unknown name, a variable that takes no start value, or a value out of range.
         """
-        check_kind(given, Mapping, where, "values by the names of variables")
         checked = {}
-        for name, value in given.items():
+        for name, value in mapping_of(given, where, "values by the names of variables").items():
             variable = self.find(name, where)
             if not variable.settable:
                 raise InputError(f"{where}: {name} takes no start value, the unit computes it")
@@ -190,8 +192,8 @@ class Unit:
         InputError
             No such interface, or this unit does not offer it.
         """
-        if interface not in tuple(INTERFACES):
-            raise InputError(f"interface {interface!r} is unknown; allowed: {', '.join(INTERFACES)}")
+        if not is_one_of(interface, INTERFACES):
+            raise InputError(f"interface {shown(interface)} is unknown; allowed: {', '.join(INTERFACES)}")
         offered = {
             "me": self.description.modelExchange is not None,
             "cs": self.description.coSimulation is not None,
@@ -233,8 +235,10 @@ def load(path: Path | str | Unit | None = None) -> Unit:
     path = fmu_path() if path is None else Path(path)
     try:
         return _load(path.resolve(), path.stat().st_mtime_ns)
-    except OSError as problem:
-        raise InputError(f"{path}: no unit there: {problem.strerror}; allowed: path of an FMU") from None
+    except (OSError, ValueError) as problem:  # no path at all, as with a zero byte
+        raise InputError(
+            f"{shown(str(path))}: no unit there: {reason(problem)}; allowed: path of an FMU"
+        ) from None
 
 
 @functools.lru_cache

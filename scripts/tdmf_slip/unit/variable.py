@@ -2,7 +2,7 @@
 
 import math
 import reprlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -10,6 +10,8 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
+from ..checks import check_size
+from ..contents import ByContents
 from ..errors import InputError
 
 Value: TypeAlias = float | bool
@@ -18,12 +20,15 @@ Given: TypeAlias = float | bool | str
 """A start value as it may be given: a number in the variable's unit, or a text like `40 deg`."""
 
 
+MOST_VALUES = 1_000_000
+"""In a row, as of a range."""
+
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
 
 
-@dataclass(frozen=True)
-class Variable:
+@dataclass(frozen=True, eq=False)
+class Variable(ByContents):
     """One variable of the unit, with its declared type folded in."""
 
     name: str
@@ -134,6 +139,7 @@ class Variable:
         )
         if isinstance(given, str | Mapping):
             raise refusal
+        check_size(where, len(given) if isinstance(given, Sized) else 1, "values", MOST_VALUES)
         try:
             row = list(given)  # type: ignore[call-overload] # what is no row is refused
             values = np.array([self._in_row(value, where) for value in row], dtype=float)

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from ...contents import ByContents
 from ...library import classic_slip
 from ...library.structs import Classic
 from ...pictures import style
@@ -16,8 +17,8 @@ COILS = 7
 POINTS = 60
 
 
-@dataclass(frozen=True)
-class Path:
+@dataclass(frozen=True, eq=False)
+class Path(ByContents):
     """One step from apex to apex; the foot stands at x = 0."""
 
     time: NDArray[np.float64]

@@ -1,0 +1,62 @@
+"""Tables of numbers as text: with commas, or with semicolons, as where the decimal sign is a comma."""
+
+import csv
+import re
+from collections.abc import Iterable
+
+from ..errors import InputError
+
+LONGEST_CELL = 100
+"""Characters: no number needs as many."""
+DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
+
+
+def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, list[str]]]:
+    """The cells of lines of which the first is the header; it says what is between cells.
+
+    Parameters
+    ----------
+    lines : iterable of (int, str)
+        With their numbers in the file, none of them empty.
+    where : str
+        What is read, for messages.
+
+    Returns
+    -------
+    list of (int, list of str)
+        The same lines in cells, without spaces about them. Between semicolons a decimal comma is a point.
+
+    Raises
+    ------
+    InputError
+        A cell is too long, or quotes are not closed; the message has its line and column.
+    """
+    found: list[tuple[int, list[str]]] = []
+    separator = ","
+    for number, line in lines:
+        if not found and ";" in line and "," not in line:
+            separator = ";"
+        _check_lengths(line, separator, f"{where}, line {number}")
+        try:
+            (row,) = csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True)
+        except (csv.Error, ValueError) as problem:
+            raise InputError(
+                f"{where}, line {number}: {problem}; allowed: cells with {separator} between"
+            ) from None
+        cells = [cell.strip() for cell in row]
+        found.append((number, cells if separator == "," else [_with_point(cell) for cell in cells]))
+    return found
+
+
+def _check_lengths(line: str, separator: str, here: str) -> None:
+    for column, cell in enumerate(line.split(separator), start=1):
+        if len(cell) > LONGEST_CELL:
+            raise InputError(
+                f"{here}, column {column}: a cell of {len(cell):,} characters; allowed: {LONGEST_CELL}"
+            )
+
+
+def _with_point(cell: str) -> str:
+    """A number whose decimal sign is a comma; anything else as it is."""
+    match = DECIMAL_COMMA.match(cell)
+    return f"{match[1]}.{match[2]}{cell[match.end() :]}" if match and "." not in cell else cell

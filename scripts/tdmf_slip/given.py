@@ -1,0 +1,169 @@
+"""What is given by name or in a row: mappings and lists, and Series and DataFrames, which users have.
+
+Those are known by what they can do, so that neither pandas nor another library of tables is imported.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypeGuard
+
+import numpy as np
+
+from .checks import shown
+from .errors import InputError
+
+
+def is_table(given: object) -> TypeGuard[Any]:
+    """Whether something is a table with named columns, as a DataFrame.
+
+    Parameters
+    ----------
+    given : object
+        What was given.
+
+    Returns
+    -------
+    bool
+        False for a mapping.
+    """
+    return hasattr(given, "to_numpy") and hasattr(given, "columns")
+
+
+def is_series(given: object) -> TypeGuard[Any]:
+    """Whether something is a row of values, as a Series, with labels or without.
+
+    Parameters
+    ----------
+    given : object
+        What was given.
+
+    Returns
+    -------
+    bool
+        False for a list and an array.
+    """
+    return hasattr(given, "to_numpy") and not hasattr(given, "columns")
+
+
+def mapping_of(given: object, what: str, allowed: str) -> Mapping[Any, Any]:
+    """What is given by name.
+
+    Parameters
+    ----------
+    given : object
+        A mapping, a Series with names as its labels, a table with names of columns, or None for nothing.
+    what : str
+        The argument, for messages.
+    allowed : str
+        What it may be, in words.
+
+    Returns
+    -------
+    mapping
+        The same; of a table an array for each column.
+
+    Raises
+    ------
+    InputError
+        It is none of these, or a name is given twice.
+    """
+    if given is None:
+        return {}
+    if isinstance(given, Mapping):
+        return given
+    if is_table(given):
+        _check_once(given.columns, what)
+        return {name: np.asarray(given[name]) for name in given.columns}
+    if is_series(given) and hasattr(given, "items"):
+        pairs = list(given.items())
+        _check_once((name for name, _ in pairs), what)
+        return dict(pairs)
+    raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+
+
+def row_of(given: object, what: str, allowed: str) -> Sequence[Any]:
+    """What is given one after the other.
+
+    Parameters
+    ----------
+    given : object
+        A list, a tuple, an array or a Series; no text.
+    what : str
+        The argument, for the message.
+    allowed : str
+        What it may be, in words.
+
+    Returns
+    -------
+    sequence
+        The same.
+
+    Raises
+    ------
+    InputError
+        It is none of these.
+    """
+    is_row = isinstance(given, Sequence) and not isinstance(given, str | bytes)
+    if is_row or (isinstance(given, np.ndarray) and given.ndim) or is_series(given):
+        return given if is_row else list(given)  # type: ignore[return-value, call-overload] # it is a row
+    raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+
+
+def rows_of(given: object) -> object:
+    """The rows of a table as mappings; what is no table, as it is.
+
+    Parameters
+    ----------
+    given : object
+        What was given.
+
+    Returns
+    -------
+    object
+        Of a table a list with a mapping for each row.
+    """
+    if not is_table(given):
+        return given
+    columns = mapping_of(given, "table", "")
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
+def in_order(given: object, names: Sequence[str]) -> Any:
+    """Values by their labels, where these are the names that are wanted; else as they come.
+
+    Parameters
+    ----------
+    given : object
+        What was given, of whatever kind.
+    names : sequence of str
+        In the order that is wanted.
+
+    Returns
+    -------
+    array_like
+        The same; of a table or Series with these names, in some order, the values in the order of the names.
+
+    Raises
+    ------
+    InputError
+        It has names, but others.
+    """
+    frame: Any = given
+    labels = frame.columns if is_table(given) else frame.index if _has_labels(given) else ()
+    texts = [label for label in labels if isinstance(label, str)]
+    if not texts:
+        return given
+    if sorted(texts) != sorted(names) or len(texts) != len(list(labels)):
+        raise InputError(f"an apex with {', '.join(map(str, labels))}; allowed: {', '.join(names)}")
+    return frame[list(names)].to_numpy()
+
+
+def _has_labels(given: object) -> bool:
+    """Whether a Series has a label for each value; a list has a method of that name."""
+    return is_series(given) and hasattr(getattr(given, "index", None), "__iter__")
+
+
+def _check_once(names: Iterable[object], what: str) -> None:
+    twice = next((name for name, count in Counter(names).items() if count > 1), None)
+    if twice is not None:
+        raise InputError(f"{what}: {twice} is given twice; allowed: once")

@@ -1,0 +1,98 @@
+"""What is printed where the encoding has not all characters: replaced, and never an error after the work."""
+
+import ast
+import io
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+import tdmf_slip
+from tdmf_slip.terminal import encoding
+
+PACKAGE = pathlib.Path(tdmf_slip.__file__).parent
+NO_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+COMMANDS = {
+    "basin": ("basin", "--n", "2", "--samples", "100"),
+    "gait": ("gait",),
+    "sweep": ("sweep", "--over", "hip.touchdown_angle=40 deg:41 deg:2"),
+    "simulate": ("simulate", "--strides", "2"),
+    "variables": ("variables",),
+    "continue": ("continue", "--over", "ground.friction=0.5:0.6", "--points", "3"),
+    "rough": ("rough", "--roughness", "0.3", "--runners", "10", "--most-strides", "10"),
+    "optimize": ("optimize", "--over", "hip.stance_torque=0.15:0.3", "--minimize", "slip_distance"),
+    "fit": ("fit", "human_fast_running", "--free", "leg.stiffness", "--model", "reduced"),
+    "help": ("sweep", "--help"),
+    "a wrong name": ("gait", "--set", "größe=√3"),
+}
+
+
+def run(arguments, environment, folder):
+    return subprocess.run(
+        [sys.executable, "-m", "tdmf_slip", *arguments],
+        capture_output=True,
+        cwd=folder,
+        timeout=300,
+        env={**os.environ, **environment},
+    )
+
+
+def test_the_validation_is_told_in_the_encoding_of_a_redirect_on_windows(tmp_path):
+    done = run(("validate",), {"PYTHONIOENCODING": "cp1252"}, tmp_path)
+    assert done.returncode == 0 and b"Traceback" not in done.stderr, done.stderr
+    text = done.stdout.decode("cp1252")
+    assert text.count("differs") + text.count("agrees") > 10 and "SLIP at 44°" in text and "~ " in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_prints_in_ascii(name, tmp_path):
+    done = run(COMMANDS[name], NO_LOCALE, tmp_path)
+    assert done.returncode == (2 if name == "a wrong name" else 0), done.stderr
+    assert b"Traceback" not in done.stderr
+    told = done.stdout + done.stderr
+    assert told.decode("ascii").strip()
+
+
+@pytest.mark.parametrize("codec", ["ascii", "cp1252", "cp437", "latin-1", "utf-8", "utf-16"])
+def test_equivalents_stand_for_what_is_missing(codec, monkeypatch):
+    stream = io.TextIOWrapper(io.BytesIO(), encoding=codec)
+    monkeypatch.setattr(sys, "stdout", stream)
+    encoding.prints_anything()
+    text = "40° ≈ m·s, l₀√(k/m), é, ∮ λ…"
+    print(text, end="")
+    stream.flush()
+    told = stream.buffer.getvalue().decode(codec)
+    if codec == "ascii":
+        assert told == "40 deg ~ m.s, l0sqrt(k/m), e, ? lambda..."
+    assert told == text or codec not in ("utf-8", "utf-16")
+    for character in text:
+        assert character in told or character not in character.encode(codec, "ignore").decode(codec)
+
+
+def test_names_that_are_no_text_are_printed_as_they_are(monkeypatch):
+    for codec in ("ascii", "cp1252", "utf-8"):
+        stream = io.TextIOWrapper(io.BytesIO(), encoding=codec)
+        monkeypatch.setattr(sys, "stdout", stream)
+        encoding.prints_anything()
+        print(os.fsdecode(b"caf\xe9 ") + "≈", end="")
+        stream.flush()
+        assert stream.buffer.getvalue().startswith(b"caf\xe9 ")
+
+
+def test_every_text_file_is_written_and_read_in_utf_8():
+    """The encoding of the locale is that of the day."""
+    looked_at = 0
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call):
+                continue
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            if name in ("read_text", "write_text", "open") and not _is_of_the_system(node):
+                looked_at += 1
+                assert "encoding" in {word.arg for word in node.keywords}, f"{path}:{node.lineno}"
+    assert looked_at > 8
+
+
+def _is_of_the_system(node):
+    return isinstance(node.func, ast.Attribute) and getattr(node.func.value, "id", "") == "os"
