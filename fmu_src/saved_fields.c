@@ -131,6 +131,7 @@ static void pass_mode(transfer *bytes, tdmf_mode *mode) {
     pass_flag(bytes, "whether mid-stance is to come", &mode->mid_stance_pending);
     pass_flag(bytes, "whether the clamp is closed", &mode->clamp_closed);
     pass_flag(bytes, "whether the ground force rises", &mode->ground_force_rising);
+    pass_flag(bytes, "whether the vertical force rises", &mode->vertical_force_rising);
     pass_flag(bytes, "whether the leg thrusts", &mode->thrusts);
     pass_flag(bytes, "whether the centre of mass rises", &mode->rises);
     pass_between(bytes, "the rest length", &mode->rest_length, -unit_largest_state, unit_largest_state);
@@ -154,6 +155,7 @@ static void pass_stride(transfer *bytes, tdmf_stride *stride) {
     pass_finite(bytes, "stride.duty_factor", &stride->duty_factor);
     pass_finite(bytes, "stride.slip_distance", &stride->slip_distance);
     pass_finite(bytes, "stride.peak_force", &stride->peak_force);
+    pass_finite(bytes, "stride.peak_vertical_force", &stride->peak_vertical_force);
     pass_word(bytes, "stride.word", stride->word);
     pass_integer(bytes, "stride.word_code", &stride->word_code, -1, INT_MAX);
 }
@@ -182,6 +184,7 @@ static void pass_open_stride(transfer *bytes, tdmf_open_stride *open) {
     pass_sum(bytes, "the open stride's stance time", &open->stance_time);
     pass_sum(bytes, "the open stride's slip distance", &open->slip_distance);
     pass_sum(bytes, "the open stride's peak force", &open->peak_force);
+    pass_sum(bytes, "the open stride's peak vertical force", &open->peak_vertical_force);
     pass_count(bytes, "the open stride's touchdowns", &open->touchdowns);
     pass_word(bytes, "the open stride's word", open->word);
 }

@@ -194,14 +194,18 @@ static bool in_flight(batch_kind kind) {
 }
 
 /* The series of one lane that are looked at, in the order in which they are noted. */
-static void read_series(const integration *integration, bool in_flight, int lane,
+static void read_series(const integration *integration, batch_kind kind, int lane,
                         double to[TDMF_NOTED_SERIES][SERIES_TERMS]) {
     const flight_series *f = &integration->series.flight;
     const ground_series *g = &integration->series.ground;
-    const real *const of_flight[TDMF_NOTED_SERIES] = {f->momentum, f->angle, f->rate_square, f->push_moment};
-    const real *const of_ground[TDMF_NOTED_SERIES] = {g->normal_force, g->moment, g->torque, g->power};
-    for (int series = 0; series < TDMF_NOTED_SERIES; ++series) {
-        const real *from = in_flight ? of_flight[series] : of_ground[series];
+    const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST;
+    const real *const of_flight[] = {f->momentum, f->angle, f->rate_square, f->push_moment};
+    const real *const of_ground[] = {g->normal_force, slips ? g->friction : g->tangential_push, g->moment,
+                                     g->torque, g->power};
+    const int count =
+        in_flight(kind) ? sizeof of_flight / sizeof *of_flight : sizeof of_ground / sizeof *of_ground;
+    for (int series = 0; series < count; ++series) {
+        const real *from = in_flight(kind) ? of_flight[series] : of_ground[series];
         for (int k = 0; k <= integration->order; ++k) {
             to[series][k] = from[k][lane];
         }
@@ -221,7 +225,7 @@ static void note_steps(integration *integration, batch_kind kind, lane_outcome o
         noted.end = outcome.end[lane];
         read_lane(&integration->before, lane, before, MEMBER_FIELDS);
         read_lane(&batch->members, lane, after, MEMBER_FIELDS);
-        read_series(integration, in_flight(kind), lane, noted.series);
+        read_series(integration, kind, lane, noted.series);
         tdmf_runner_note_step(&integration->runners[batch->runner_in[lane]], &noted);
     }
 }

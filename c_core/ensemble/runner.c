@@ -7,8 +7,8 @@
 #include "input_rates.h"
 #include "longest_stride.h"
 #include "margins.h"
+#include "record.h"
 #include "reduced_stride.h"
-#include "series_sums.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
 #include "turns.h"
@@ -165,18 +165,17 @@ static double read_ground_step(const tdmf_lane_step *lane, tdmf_step *step) {
     const standing_member *after = (const standing_member *)lane->after;
     ground_series *ground = &step->series.ground;
     take_series(ground->normal_force, lane, TDMF_NOTED_NORMAL_FORCE);
+    take_series(tdmf_step_ground_case(step).slips ? ground->friction : ground->tangential_push, lane,
+                TDMF_NOTED_TANGENTIAL);
     take_series(ground->moment, lane, TDMF_NOTED_MOMENT);
     take_series(ground->torque, lane, TDMF_NOTED_TORQUE);
     take_series(ground->power, lane, TDMF_NOTED_POWER);
     return after->at.done.work - before->at.done.work;
 }
 
-static void note_peak_force(tdmf_motion *motion, const tdmf_step *step, double end) {
-    double *largest = &motion->record.open.peak_force;
-    const double peak = tdmf_largest_peak(step, end, &motion->mode.ground_force_rising);
-    if (peak <= end) {
-        *largest = fmax(*largest, series_at(step->series.ground.normal_force, step->order - 1, peak));
-    }
+static void note_peak_forces(tdmf_motion *motion, const tdmf_step *step, double end) {
+    const tdmf_force_peaks peaks = tdmf_largest_peaks(step, end, &motion->mode);
+    tdmf_record_force(&motion->record, peaks.normal.force, peaks.vertical.force);
 }
 
 void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
@@ -191,7 +190,7 @@ void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
                             : read_ground_step(lane, &step);
     runner->equations.positive_work += tdmf_positive_work(&step, lane->end, work);
     if (tdmf_in_contact(&runner->motion.mode)) {
-        note_peak_force(&runner->motion, &step, lane->end);
+        note_peak_forces(&runner->motion, &step, lane->end);
     }
 }
 

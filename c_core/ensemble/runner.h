@@ -34,6 +34,7 @@ typedef enum {
 /* Series of a step that peaks of force and signs of power are found by. */
 enum {
     TDMF_NOTED_NORMAL_FORCE, /* on the ground */
+    TDMF_NOTED_TANGENTIAL,   /* against the ground's force along it */
     TDMF_NOTED_MOMENT,
     TDMF_NOTED_TORQUE,
     TDMF_NOTED_POWER,
@@ -41,7 +42,7 @@ enum {
     TDMF_NOTED_ANGLE,
     TDMF_NOTED_RATE_SQUARE,
     TDMF_NOTED_PUSH_MOMENT,
-    TDMF_NOTED_SERIES
+    TDMF_NOTED_SERIES = TDMF_NOTED_POWER + 1
 };
 
 typedef struct {

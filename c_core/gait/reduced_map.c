@@ -30,7 +30,9 @@ static void open_bundle(bundle *bundle, const tdmf_change *changes, int count) {
 /* From the apex through the impact. */
 static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex,
                        const tdmf_motion *motion, const tdmf_side *before) {
-    tdmf_side after = {.mode = motion->mode, .peak_force = motion->record.open.peak_force};
+    tdmf_side after = {.mode = motion->mode,
+                       .peak_force = motion->record.open.peak_force,
+                       .peak_vertical_force = motion->record.open.peak_vertical_force};
     memcpy(after.state, motion->state, sizeof after.state);
     tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < bundle->count; ++i) {
@@ -65,7 +67,8 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
                                             variation->state[TDMF_HIP_WORK] + variation->state[TDMF_LEG_WORK],
                                         .stance_time = variation->stance.stance_time,
                                         .slip_distance = variation->stance.slip_distance,
-                                        .peak_force = variation->stance.peak_force};
+                                        .peak_force = variation->stance.peak_force,
+                                        .peak_vertical_force = variation->stance.peak_vertical_force};
     return result;
 }
 

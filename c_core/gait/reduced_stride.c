@@ -94,6 +94,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
         memcpy(before->state, motion->state, sizeof before->state);
         before->mode = motion->mode;
         before->peak_force = motion->record.open.peak_force;
+        before->peak_vertical_force = motion->record.open.peak_vertical_force;
         tdmf_prescribed_derivatives(model, inputs, before->state, before->derivatives);
     }
     tdmf_run run = run_of(model, inputs, motion);

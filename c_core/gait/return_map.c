@@ -78,6 +78,7 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
         .stance_time = variation->stance.stance_time,
         .slip_distance = variation->stance.slip_distance,
         .peak_force = variation->stance.peak_force,
+        .peak_vertical_force = variation->stance.peak_vertical_force,
     };
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include "dynamics_laws.h"
 #include "free_fall.h"
+#include "friction.h"
 #include "graze_laws.h"
 #include "ground_line.h"
 #include "kinematics.h"
@@ -88,7 +89,7 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
 
 /* ---- how the ground force changes --------------------------------------------------------------------- */
 
-double tdmf_normal_force_rate(const tdmf_evaluation *at) {
+tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     static const tdmf_model unchanged = {0};
     static const tdmf_mode held = {0};
     const tdmf_leg_rates acceleration = tdmf_accelerate_leg(at);
@@ -100,13 +101,17 @@ double tdmf_normal_force_rate(const tdmf_evaluation *at) {
     const tdmf_leg rate_of_leg =
         tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, at->leg.rest_length, &at->leg,
                            &unchanged, &held.ground, rates, 0.0);
-    return tdmf_vary_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg, &unchanged,
-                                     &tdmf_held_inputs, &held, rates, &rate_of_leg)
-        .normal;
+    tdmf_ground_force rate =
+        tdmf_vary_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg, &unchanged,
+                                  &tdmf_held_inputs, &held, rates, &rate_of_leg);
+    if (at->mode->contact != TDMF_CONTACT_STICK) {
+        rate.tangential = -tdmf_signed_friction(at->inputs, at->mode) * rate.normal;
+    }
+    return rate;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    return tdmf_normal_force_rate(&at);
+    return tdmf_force_rate(&at).normal;
 }

@@ -12,8 +12,7 @@ tdmf_leg_rates tdmf_accelerate_leg(const tdmf_evaluation *at);
 void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
                               double derivatives[TDMF_STATE_COUNT]);
 
-/* Rate of the force that would hold the foot still under the stance law, N/s: inputs held, leg moving as
- * in the mode. */
-double tdmf_normal_force_rate(const tdmf_evaluation *at);
+/* Rate of the force on a loaded foot under the stance law, N/s: inputs held, leg moving as in the mode. */
+tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at);
 
 #endif

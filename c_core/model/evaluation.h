@@ -7,6 +7,7 @@
 #include "contact_mode.h"
 #include "direction.h"
 #include "ground_force_laws.h"
+#include "ground_line.h"
 #include "hip_law.h"
 #include "leg.h"
 #include "margins.h"
@@ -54,6 +55,17 @@ static inline tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_
                                             const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     const tdmf_leg leg = tdmf_leg_of(model, inputs, mode, state);
     return tdmf_evaluate_leg(model, inputs, mode, state, &leg);
+}
+
+/* Of the ground on the foot, and its change. */
+static inline double tdmf_vertical_force(const tdmf_ground_line *line, tdmf_ground_force force) {
+    return tdmf_vector_on(line, force.tangential, force.normal).y;
+}
+
+static inline double tdmf_vary_vertical_force(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return tdmf_vary_vector_on(&at->mode->ground, at->force.tangential, at->force.normal, &d->mode->ground,
+                               d->force.tangential, d->force.normal)
+        .y;
 }
 
 /* How what is evaluated changes along a direction, in the same shape; the mode is held but for its lift-off

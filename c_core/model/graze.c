@@ -60,7 +60,7 @@ static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_gr
         stands.contact = TDMF_CONTACT_STICK;
         const tdmf_evaluation at = tdmf_evaluate_leg(off_ground->model, off_ground->inputs, &stands,
                                                      off_ground->state, &off_ground->leg);
-        normal_force = tdmf_normal_force_rate(&at);
+        normal_force = tdmf_force_rate(&at).normal;
     }
     return normal_force < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_STICK;
 }

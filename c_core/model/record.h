@@ -19,8 +19,8 @@ void tdmf_record_impact(tdmf_record *record, double loss);
 void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
                                 tdmf_contact_mode entered, const double state[TDMF_STATE_COUNT]);
 
-/* A ground force across the line that was met; the stride keeps the largest. */
-void tdmf_record_force(tdmf_record *record, double force);
+/* A ground force that was met, across the ground and vertically; the stride keeps the largest of each. */
+void tdmf_record_force(tdmf_record *record, double normal, double vertical);
 
 /* An apex in flight: latches the section, closes the stride under way if it began at an apex, opens the next.
  */

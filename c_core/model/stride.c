@@ -111,8 +111,9 @@ void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mod
     open->contact_start_x = state[TDMF_FOOT_X];
 }
 
-void tdmf_record_force(tdmf_record *record, double force) {
-    record->open.peak_force = fmax(record->open.peak_force, force);
+void tdmf_record_force(tdmf_record *record, double normal, double vertical) {
+    record->open.peak_force = fmax(record->open.peak_force, normal);
+    record->open.peak_vertical_force = fmax(record->open.peak_vertical_force, vertical);
 }
 
 static double ratio_or_zero(double numerator, double denominator) {
@@ -137,6 +138,7 @@ static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, cons
     stride->duty_factor = ratio_or_zero(open->stance_time, stride->period);
     stride->slip_distance = open->slip_distance;
     stride->peak_force = open->peak_force;
+    stride->peak_vertical_force = open->peak_vertical_force;
     memcpy(stride->word, open->word, sizeof stride->word);
     stride->word_code = code_of(stride->word);
 }

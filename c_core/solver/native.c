@@ -12,7 +12,6 @@
 #include "record.h"
 #include "request.h"
 #include "saltation.h"
-#include "series_sums.h"
 #include "step.h"
 #include "step_limits.h"
 #include "tdmf_slip/automaton.h"
@@ -101,9 +100,8 @@ static void write_state(integration *integration, double elapsed, const tdmf_mod
     }
 }
 
-/* Variations of the ground force `elapsed` into the step, which is largest there and so the same at a time
- * that is shifted. */
-static void vary_peak_force(integration *integration, double elapsed) {
+/* Variations of the ground force at its peaks in the step, where it is the same at a time that is shifted. */
+static void vary_peak_forces(integration *integration, double elapsed, bool normal, bool vertical) {
     const tdmf_motion *motion = integration->motion;
     const tdmf_mode_coordinates there = tdmf_step_at(&integration->step, elapsed);
     double state[TDMF_STATE_COUNT];
@@ -118,29 +116,30 @@ static void vary_peak_force(integration *integration, double elapsed) {
         const tdmf_variation variation =
             tdmf_variation_in_mode(&integration->equations, state, change, &varied_mode);
         const tdmf_direction d = tdmf_direction_of(integration->model, change, &variation);
-        integration->varied_mode[i].stance.peak_force = tdmf_vary_evaluation(&at, &d).force.normal;
+        const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
+        tdmf_stance_variation *stance = &integration->varied_mode[i].stance;
+        stance->peak_force = normal ? d_at.force.normal : stance->peak_force;
+        stance->peak_vertical_force =
+            vertical ? tdmf_vary_vertical_force(&at, &d_at) : stance->peak_vertical_force;
     }
 }
 
-static void note_peak_force(integration *integration, double elapsed) {
-    const tdmf_step *step = &integration->step;
-    double *peak = &integration->motion->record.open.peak_force;
-    const double force = series_at(step->series.ground.normal_force, step->order - 1, elapsed);
-    if (force > *peak) {
-        *peak = force;
-        vary_peak_force(integration, elapsed);
-    }
-}
-
-/* Notes the largest peak of the ground force. It changes nothing but the record, so the step goes on. */
+/* Notes the largest peaks of the ground force. They change nothing but the record, so the step goes on. */
 static void observe_ground_force(integration *integration, double end) {
-    tdmf_mode *mode = &integration->motion->mode;
-    if (!tdmf_in_contact(mode)) {
+    tdmf_motion *motion = integration->motion;
+    if (!tdmf_in_contact(&motion->mode)) {
         return;
     }
-    const double peak = tdmf_largest_peak(&integration->step, end, &mode->ground_force_rising);
-    if (peak <= end) {
-        note_peak_force(integration, peak);
+    const tdmf_force_peaks peaks = tdmf_largest_peaks(&integration->step, end, &motion->mode);
+    const bool normal = peaks.normal.force > motion->record.open.peak_force;
+    const bool vertical = peaks.vertical.force > motion->record.open.peak_vertical_force;
+    const bool at_once = normal && peaks.normal.time == peaks.vertical.time;
+    tdmf_record_force(&motion->record, peaks.normal.force, peaks.vertical.force);
+    if (normal) {
+        vary_peak_forces(integration, peaks.normal.time, true, vertical && at_once);
+    }
+    if (vertical && !at_once) {
+        vary_peak_forces(integration, peaks.vertical.time, false, true);
     }
 }
 
@@ -193,6 +192,7 @@ static tdmf_side side_of(const integration *integration) {
     memcpy(side.state, motion->state, sizeof side.state);
     side.mode = motion->mode;
     side.peak_force = motion->record.open.peak_force;
+    side.peak_vertical_force = motion->record.open.peak_vertical_force;
     tdmf_derivatives(integration->model, &integration->inputs, &side.mode, side.state, side.derivatives);
     return side;
 }

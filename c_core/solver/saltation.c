@@ -33,7 +33,8 @@ static tdmf_variation no_variation(void) {
         none.state[i] = NAN;
     }
     none.liftoff_angle = NAN;
-    none.stance.stance_time = none.stance.slip_distance = none.stance.peak_force = NAN;
+    none.stance.stance_time = none.stance.slip_distance = none.stance.peak_force =
+        none.stance.peak_vertical_force = NAN;
     return none;
 }
 
@@ -68,11 +69,36 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, 
         tdmf_vary_rest_length(model, inputs, &after->mode, &d->model, &d->inputs, &d->mode));
 }
 
-/* The ground force just after the event, where it is met; `d` has the state's change there. */
-static double vary_force(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *after,
-                         const tdmf_direction *d) {
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, &after->mode, after->state);
-    return tdmf_vary_evaluation(&at, d).force.normal;
+/* The ground force on a side of the event, and its change where the event is met; `d` has the state's change
+ * there. */
+typedef struct {
+    tdmf_evaluation at, d_at;
+} varied_force;
+
+static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *side,
+                               const tdmf_direction *d) {
+    varied_force force;
+    force.at = tdmf_evaluate(model, inputs, &side->mode, side->state);
+    force.d_at = tdmf_vary_evaluation(&force.at, d);
+    return force;
+}
+
+/* A peak that is met at the event is that of the side with the larger force. */
+static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *before,
+                       const tdmf_side *after, const tdmf_direction *d_before, const tdmf_direction *d_after,
+                       tdmf_stance_variation *stance) {
+    const varied_force from = vary_force(model, inputs, before, d_before);
+    const varied_force to = vary_force(model, inputs, after, d_after);
+    if (after->peak_force > before->peak_force) {
+        const bool ends = from.at.force.normal > to.at.force.normal;
+        stance->peak_force = ends ? from.d_at.force.normal : to.d_at.force.normal;
+    }
+    if (after->peak_vertical_force > before->peak_vertical_force) {
+        const bool ends = tdmf_vertical_force(&before->mode.ground, from.at.force) >
+                          tdmf_vertical_force(&after->mode.ground, to.at.force);
+        const varied_force *met = ends ? &from : &to;
+        stance->peak_vertical_force = tdmf_vary_vertical_force(&met->at, &met->d_at);
+    }
 }
 
 /* Of the path along the ground up to the foot's place. */
@@ -81,17 +107,18 @@ static double vary_path(const tdmf_side *at, const tdmf_direction *d) {
                              d->state[TDMF_FOOT_X]);
 }
 
-/* What the event, which shifts by dt, makes of the record of a stance; `d` has the state's change where it is
- * met. */
+/* What the event, which shifts by dt, makes of the record of a stance; the directions have the state's change
+ * where it is met, on either side. */
 static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inputs *inputs,
                                          const tdmf_side *before, const tdmf_side *after, double dt,
-                                         const tdmf_direction *d, tdmf_stance_variation stance) {
+                                         const tdmf_direction *d_before, const tdmf_direction *d_after,
+                                         tdmf_stance_variation stance) {
     const int ends = tdmf_in_contact(&before->mode) - tdmf_in_contact(&after->mode);
     const double slip_ends = tdmf_slip_sign(&before->mode) - tdmf_slip_sign(&after->mode);
     stance.stance_time += ends * dt;
-    stance.slip_distance += slip_ends * vary_path(before, d);
-    if (after->peak_force > before->peak_force) {
-        stance.peak_force = vary_force(model, inputs, after, d);
+    stance.slip_distance += slip_ends * vary_path(before, d_after);
+    if (after->peak_force > before->peak_force || after->peak_vertical_force > before->peak_vertical_force) {
+        vary_peaks(model, inputs, before, after, d_before, d_after, &stance);
     }
     return stance;
 }
@@ -108,6 +135,7 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     const double dt = time_shift(event, model, inputs, before, &d);
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
+    const tdmf_variation met_before = varied;
     if (event->vary_reset != NULL) {
         event->vary_reset(model, inputs, &before->mode.ground, before->state, after->state, &d, varied.state);
     }
@@ -115,9 +143,10 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
-    tdmf_direction d_met = d;
-    d_met.state = varied.state;
-    varied.stance = vary_stance(model, inputs, before, after, dt, &d_met, varied.stance);
+    tdmf_direction d_before = d, d_after = d;
+    d_before.state = met_before.state;
+    d_after.state = varied.state;
+    varied.stance = vary_stance(model, inputs, before, after, dt, &d_before, &d_after, varied.stance);
     shift_along(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;

@@ -10,7 +10,7 @@ typedef struct {
     double state[TDMF_STATE_COUNT];
     double derivatives[TDMF_STATE_COUNT];
     tdmf_mode mode;
-    double peak_force; /* of the stride under way, so far */
+    double peak_force, peak_vertical_force; /* of the stride under way, so far */
 } tdmf_side;
 
 /* The variation after an event that `guard` has fired, from that before it, each at a fixed time. */

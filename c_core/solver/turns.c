@@ -66,11 +66,10 @@ static series_sums sums_of(const tdmf_step *step, const double *series, int orde
     return sums;
 }
 
-/* The first time after `from`, up to `to`, at which the ground force turns from rising to falling or back;
- * else infinity. */
-static double force_turn(const tdmf_step *step, bool rising, double from, double to) {
+/* The first time after `from`, up to `to`, at which a force turns from rising to falling or back; else
+ * infinity. */
+static double force_turn(const tdmf_step *step, const double *force, bool rising, double from, double to) {
     const tdmf_scales *scales = &step->equations->model->scales;
-    const double *force = step->series.ground.normal_force;
     const partial_sums slope = sums_of(step, force, step->order - 1).rate;
     if (rising ? slope.least > 0.0 : slope.most < 0.0) {
         return INFINITY;
@@ -84,21 +83,46 @@ static double force_turn(const tdmf_step *step, bool rising, double from, double
     return turn.is_root ? turn.time * step->size : INFINITY;
 }
 
-double tdmf_largest_peak(const tdmf_step *step, double end, bool *rising) {
-    double from = 0.0, peak = INFINITY, largest = -INFINITY;
+static tdmf_peak largest_peak(const tdmf_step *step, const double *series, double end, bool *rising) {
+    tdmf_peak peak = {INFINITY, -INFINITY};
+    double from = 0.0;
     for (int i = 0; i < TURN_LIMIT; ++i) {
-        from = force_turn(step, *rising, from, end);
+        from = force_turn(step, series, *rising, from, end);
         if (!(from <= end)) {
             break;
         }
-        const double force = series_at(step->series.ground.normal_force, step->order - 1, from);
-        if (*rising && force > largest) {
-            largest = force;
-            peak = from;
+        const double force = series_at(series, step->order - 1, from);
+        if (*rising && force > peak.force) {
+            peak.force = force;
+            peak.time = from;
         }
         *rising = !*rising;
     }
     return peak;
+}
+
+static void write_vertical_force(const tdmf_step *step, double series[SERIES_TERMS]) {
+    const ground_series *g = &step->series.ground;
+    const tdmf_ground_line *ground = &step->equations->ground;
+    const double *against = tdmf_step_ground_case(step).slips ? g->friction : g->tangential_push;
+    for (int k = 0; k < step->order; ++k) {
+        series[k] = ground->cosine * g->normal_force[k] - ground->sine * against[k];
+    }
+}
+
+/* On level ground both are one. */
+tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode *mode) {
+    tdmf_force_peaks peaks;
+    peaks.normal = largest_peak(step, step->series.ground.normal_force, end, &mode->ground_force_rising);
+    if (step->equations->ground.sine == 0.0) {
+        peaks.vertical = peaks.normal;
+        mode->vertical_force_rising = mode->ground_force_rising;
+    } else {
+        double vertical[SERIES_TERMS];
+        write_vertical_force(step, vertical);
+        peaks.vertical = largest_peak(step, vertical, end, &mode->vertical_force_rising);
+    }
+    return peaks;
 }
 
 /* Most steps are seen not to by their partial sums, or to by their end. */

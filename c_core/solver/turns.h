@@ -5,9 +5,19 @@
 
 #include "step.h"
 
-/* The time up to `end` of the largest peak of the ground force; infinity where there is none. In contact
- * only. `rising` is whether the force rises, at the start of the step and on return at `end`. */
-double tdmf_largest_peak(const tdmf_step *step, double end, bool *rising);
+/* The largest peak of a force in a step; where there is none, its time is infinite and it is less than any.
+ */
+typedef struct {
+    double time, force;
+} tdmf_peak;
+
+typedef struct {
+    tdmf_peak normal, vertical;
+} tdmf_force_peaks;
+
+/* The largest peaks up to `end` of the ground force, across the ground and vertically. In contact only. The
+ * mode says whether either rises, at the start of the step and on return at `end`. */
+tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode *mode);
 
 /* Whether the leg lengthens at some time in the step up to `end`. On the ground only. */
 bool tdmf_leg_lengthens(const tdmf_step *step, double end);

@@ -1,5 +1,5 @@
 /* What a stride from an apex comes to, and its derivatives, in one row: the next apex, period, length, work,
- * stance time, slip distance and peak force. */
+ * stance time, slip distance, peak force and peak vertical force. */
 #ifndef TDMF_TESTS_STRIDE_RESULTS_H
 #define TDMF_TESTS_STRIDE_RESULTS_H
 
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { RESULTS = TDMF_SECTION_COUNT + 6 };
+enum { RESULTS = TDMF_SECTION_COUNT + 7 };
 
 static inline void results_of(const tdmf_return *stride, double results[RESULTS]) {
     memcpy(results, stride->apex, sizeof stride->apex);
@@ -17,6 +17,7 @@ static inline void results_of(const tdmf_return *stride, double results[RESULTS]
     results[TDMF_SECTION_COUNT + 3] = stride->stride.stance_time;
     results[TDMF_SECTION_COUNT + 4] = stride->stride.slip_distance;
     results[TDMF_SECTION_COUNT + 5] = stride->stride.peak_force;
+    results[TDMF_SECTION_COUNT + 6] = stride->stride.peak_vertical_force;
 }
 
 static inline void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
@@ -27,6 +28,7 @@ static inline void derivatives_of(const tdmf_stride_change *change, double deriv
     derivatives[TDMF_SECTION_COUNT + 3] = change->stance_time;
     derivatives[TDMF_SECTION_COUNT + 4] = change->slip_distance;
     derivatives[TDMF_SECTION_COUNT + 5] = change->peak_force;
+    derivatives[TDMF_SECTION_COUNT + 6] = change->peak_vertical_force;
 }
 
 #endif

@@ -109,10 +109,10 @@ static void a_run_may_start_at_any_time(void **state) {
     assert_close(get_real(*state, "apex.time"), 1000.0 + 2.0 * period, 1e-6);
 }
 
-enum { COMPARED = 7 };
-static const char *const compared[COMPARED] = {"stride.period",      "stride.length", "stride.speed",
-                                               "stride.stance_time", "stride.work",   "stride.duty_factor",
-                                               "stride.peak_force"};
+enum { COMPARED = 8 };
+static const char *const compared[COMPARED] = {
+    "stride.period", "stride.length",      "stride.speed",      "stride.stance_time",
+    "stride.work",   "stride.duty_factor", "stride.peak_force", "stride.peak_vertical_force"};
 
 /* Four strides from a start time; what they were. */
 static void run_from(double start, double step, double quantities[COMPARED]) {
@@ -309,9 +309,9 @@ static void cvode_is_refused_where_it_is_missing(void **state) {
 }
 
 static void cvode_agrees_with_the_native_solver(void **state) {
-    static const char *names[] = {"stride.period",    "stride.length",  "stride.cost_of_transport",
-                                  "apex.com_height",  "apex.leg_angle", "energy.impact_loss",
-                                  "stride.peak_force"};
+    static const char *names[] = {
+        "stride.period",  "stride.length",      "stride.cost_of_transport", "apex.com_height",
+        "apex.leg_angle", "energy.impact_loss", "stride.peak_force",        "stride.peak_vertical_force"};
     if (!tdmf_cvode_is_available()) {
         skip();
     }

@@ -29,6 +29,7 @@ static void assert_same(fmi2Component a, fmi2Component b) {
                                   "stride.length",
                                   "apex.time",
                                   "stride.peak_force",
+                                  "stride.peak_vertical_force",
                                   "event.last_time",
                                   "energy.impact_loss"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {

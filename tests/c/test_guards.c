@@ -131,6 +131,29 @@ static void force_peak_watches_the_rate_either_way(void **unused) {
     assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_negative_force_rate, dead_band);
 }
 
+/* A leg at rest across the slope: d(f_n)/dt = -c rddot with gravity's part across it, and of f_t nothing. */
+static void set_rate_on_slope(runner *runner, double rate) {
+    const double slope = runner->mode.ground.slope;
+    runner->state[TDMF_LEG_ANGLE] = slope;
+    runner->state[TDMF_LEG_LENGTH] = 1.0 - (0.01 * cos(slope) - rate / (0.2 * cos(slope)));
+}
+
+static void set_negative_rate_on_slope(runner *runner, double rate) {
+    set_rate_on_slope(runner, -rate);
+}
+
+static void vertical_force_peak_watches_its_rate_on_a_slope(void **unused) {
+    (void)unused;
+    runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
+    assert_true(scene_guard(&runner, TDMF_GUARD_VERTICAL_FORCE_PEAK) == 1.0);
+    runner.mode.ground = tdmf_ground_line_of(0.0, 0.1);
+    runner.inputs.ground.slope = 0.1;
+    runner.mode.vertical_force_rising = true;
+    assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_rate_on_slope, dead_band);
+    runner.mode.vertical_force_rising = false;
+    assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_negative_rate_on_slope, dead_band);
+}
+
 /* ---- in graze --------------------------------------------------------------------------------------- */
 
 static void set_lift_of_stance_law(runner *runner, double lift) {
@@ -192,11 +215,11 @@ static const char *watched_guards(const tdmf_mode *mode) {
     case TDMF_CONTACT_FLIGHT:
         return retract ? "xxx........xx.?" : "xx.........xx.?";
     case TDMF_CONTACT_STICK:
-        return drive ? "...xxx.xx..xxx." : "...xxx..x..xxx.";
+        return drive ? "...xxx.xx..xxx./" : "...xxx..x..xxx./";
     case TDMF_CONTACT_GRAZE:
-        return retract ? ".x.......xxxx.." : ".........xxxx..";
+        return retract ? ".x.......xxxx..." : ".........xxxx...";
     default:
-        return drive ? "...x..xxx..xxx." : "...x..x.x..xxx.";
+        return drive ? "...x..xxx..xxx./" : "...x..x.x..xxx./";
     }
 }
 
@@ -209,7 +232,9 @@ static void guards_of_other_modes_are_one(void **unused) {
         for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
             const bool waits = runner.mode.ground.height != runner.inputs.ground.height ||
                                runner.mode.ground.slope != runner.inputs.ground.slope;
-            const bool expected = watched[guard] == 'x' || (watched[guard] == '?' && waits);
+            const bool slopes = runner.mode.ground.slope != 0.0;
+            const bool expected = watched[guard] == 'x' || (watched[guard] == '?' && waits) ||
+                                  (watched[guard] == '/' && slopes);
             assert_true((scene_guard(&runner, (tdmf_guard)guard) != 1.0) == expected);
         }
     }
@@ -236,6 +261,7 @@ int main(void) {
         cmocka_unit_test(slip_velocity_zero_watches_the_speed_of_slip),
         cmocka_unit_test(mid_stance_watches_the_leg_angle),
         cmocka_unit_test(force_peak_watches_the_rate_either_way),
+        cmocka_unit_test(vertical_force_peak_watches_its_rate_on_a_slope),
         cmocka_unit_test(graze_to_contact_watches_the_stance_law),
         cmocka_unit_test(graze_to_flight_watches_the_flight_law),
         cmocka_unit_test(body_down_watches_the_bodys_height),

@@ -20,7 +20,7 @@ enum {
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_REDUCED_COUNT + PARAMETERS + INPUTS,
     GROUND_HEIGHT = TDMF_REDUCED_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double),
-    RESULTS = TDMF_REDUCED_COUNT + 6
+    RESULTS = TDMF_REDUCED_COUNT + 7
 };
 
 /* What a stride depends on. */
@@ -120,7 +120,8 @@ static void results_of(const tdmf_reduced_return *stride, double results[RESULTS
                                     stride->stride.work,
                                     stride->stride.stance_time,
                                     stride->stride.slip_distance,
-                                    stride->stride.peak_force};
+                                    stride->stride.peak_force,
+                                    stride->stride.peak_vertical_force};
     memcpy(results, values, sizeof values);
 }
 
@@ -145,9 +146,9 @@ static void exact_derivatives(const apex_scene *scene, int k, double derivatives
     const tdmf_reduced_return stride = stride_from(scene, tight, true, &change, 1);
     const tdmf_reduced_change *exact =
         k < TDMF_REDUCED_COUNT ? &stride.by_section[k] : &stride.by_parameter[0];
-    const double values[RESULTS] = {exact->apex[0],       exact->apex[1],   exact->period,
-                                    exact->length,        exact->work,      exact->stance_time,
-                                    exact->slip_distance, exact->peak_force};
+    const double values[RESULTS] = {exact->apex[0],       exact->apex[1],    exact->period,
+                                    exact->length,        exact->work,       exact->stance_time,
+                                    exact->slip_distance, exact->peak_force, exact->peak_vertical_force};
     memcpy(derivatives, values, sizeof values);
 }
 

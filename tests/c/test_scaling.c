@@ -94,6 +94,8 @@ static void assert_same_gait(const tdmf_stride *copy, const tdmf_stride *stride,
     assert_relatively_close(copy->duty_factor, stride->duty_factor, tolerance);
     assert_relatively_close(copy->slip_distance, stride->slip_distance * by->length, tolerance);
     assert_relatively_close(copy->peak_force, stride->peak_force * by->stiffness * by->length, tolerance);
+    assert_relatively_close(copy->peak_vertical_force,
+                            stride->peak_vertical_force * by->stiffness * by->length, tolerance);
 }
 
 static void gait_is_the_same_in_scaled_units(void **unused) {

@@ -44,6 +44,7 @@ static void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, doubl
     assert_relatively_close(a->duty_factor, b->duty_factor, tolerance);
     assert_close(a->slip_distance, b->slip_distance, tolerance);
     assert_relatively_close(a->peak_force, b->peak_force, tolerance);
+    assert_relatively_close(a->peak_vertical_force, b->peak_vertical_force, tolerance);
 }
 
 /* In calls that end where the clock can tell; the last of them ends after a few strides. */

@@ -151,6 +151,7 @@ static void assert_noted(const tdmf_ensemble_stride *note, const tdmf_motion *mo
     assert_close(note->stride.rise, stride->rise, 1e-6);
     assert_close(note->stride.slip_distance, stride->slip_distance, 1e-6);
     assert_close(note->stride.peak_force, stride->peak_force, 1e-6);
+    assert_close(note->stride.peak_vertical_force, stride->peak_vertical_force, 1e-6);
     assert_close(note->stride.positive_work, stride->positive_work, 1e-7);
     assert_close(note->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
 }
@@ -384,6 +385,7 @@ static int stride_by_reduced_map(const crowd *crowd, int number) {
         assert_close(note->apex[1], apex[1], 1e-7);
         assert_close(note->stride.work, found.stride.work, 1e-7);
         assert_close(note->stride.peak_force, found.stride.peak_force, 1e-7);
+        assert_close(note->stride.peak_vertical_force, found.stride.peak_vertical_force, 1e-7);
         assert_close(note->stride.positive_work, found.stride.positive_work, 1e-7);
         assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
         assert_close(note->friction_loss, found.friction_loss, 1e-7);

@@ -170,6 +170,7 @@ PROMISED = [
     "stride.slip_distance",
     "stride.positive_work",
     "stride.peak_force",
+    "stride.peak_vertical_force",
     "apex.time",
     "apex.com_height",
     "apex.com_speed",

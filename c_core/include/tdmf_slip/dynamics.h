@@ -15,7 +15,7 @@ extern "C" {
 void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                       const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 
-/* Rate of the vertical ground force, N/s, with the inputs held; 0 off the ground and in graze. */
+/* Rate of the ground force across the ground, N/s, with the inputs held, for a foot that is loaded. */
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]);
 

@@ -40,9 +40,10 @@ typedef enum {
 
 /* How the next apex and the stride change with something. */
 typedef struct {
-    double apex[TDMF_REDUCED_COUNT];               /* of the next apex */
-    double period, length, work;                   /* of the stride's quantities of these names */
-    double stance_time, slip_distance, peak_force; /* of these, too */
+    double apex[TDMF_REDUCED_COUNT];        /* of the next apex */
+    double period, length, work;            /* of the stride's quantities of these names */
+    double stance_time, slip_distance;      /* of these, too */
+    double peak_force, peak_vertical_force; /* and of these */
 } tdmf_reduced_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */

@@ -65,12 +65,13 @@ typedef struct {
                                   begins upright, with theta falling, has */
     bool clamp_closed;         /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
                                   in contact */
-    bool ground_force_rising;  /* contact: f_y grows; it peaks when this turns false */
-    bool thrusts;              /* the leg has been compressed most in this stance: its thrust is on */
-    bool rises;                /* off the ground: an apex is to come */
-    double rest_length;        /* m, of the leg, up to which leg.work is accounted for */
-    tdmf_ground_line ground;   /* in force */
-    bool fallen;               /* the run is over and the motion frozen */
+    bool ground_force_rising;  /* contact: f_n grows; it peaks when this turns false */
+    bool vertical_force_rising; /* the same of the vertical force, another on a slope */
+    bool thrusts;               /* the leg has been compressed most in this stance: its thrust is on */
+    bool rises;                 /* off the ground: an apex is to come */
+    double rest_length;         /* m, of the leg, up to which leg.work is accounted for */
+    tdmf_ground_line ground;    /* in force */
+    bool fallen;                /* the run is over and the motion frozen */
 } tdmf_mode;
 
 /* The line y = height + x tan(slope). */

@@ -29,7 +29,8 @@ typedef struct {
     double stance_time;            /* time in stick and slip, s */
     double duty_factor;            /* stance_time / period */
     double slip_distance;          /* path the foot slid, m */
-    double peak_force;             /* largest vertical ground force, N */
+    double peak_force;             /* largest ground force across the ground, N */
+    double peak_vertical_force;    /* the same vertically: on a slope another */
     char word[TDMF_WORD_CAPACITY]; /* the gait word: a letter for each contact mode that lasted */
     int word_code; /* the word in base 4 ('|' 0, '-' 1, '0' 2, '+' 3, first letter most significant); -1 where
                       it has more than 15 letters */
@@ -54,7 +55,7 @@ typedef struct {
     double start_com_x, start_com_y, contact_start_x; /* m, at these instants */
     double start_hip_work, start_leg_work, start_positive_work; /* J, at the start of the stride */
     /* As in tdmf_stride, so far. */
-    double stance_time, slip_distance, peak_force;
+    double stance_time, slip_distance, peak_force, peak_vertical_force;
     int touchdowns;
     char word[TDMF_WORD_CAPACITY];
 } tdmf_open_stride;

@@ -20,9 +20,10 @@ typedef struct {
 
 /* Change of what is recorded of a stance, by the names that it has in tdmf_stride. */
 typedef struct {
-    double stance_time;   /* s */
-    double slip_distance; /* m */
-    double peak_force;    /* N */
+    double stance_time;         /* s */
+    double slip_distance;       /* m */
+    double peak_force;          /* N */
+    double peak_vertical_force; /* N */
 } tdmf_stance_variation;
 
 /* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the works of hip and leg are

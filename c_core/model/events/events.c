@@ -33,7 +33,8 @@ static const watched in_stick[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                    {TDMF_GUARD_LIFT_OFF, ALWAYS},
                                    {TDMF_GUARD_SLIP_ONSET_POSITIVE, ALWAYS},
                                    {TDMF_GUARD_SLIP_ONSET_NEGATIVE, ALWAYS},
-                                   {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+                                   {TDMF_GUARD_FORCE_PEAK, ALWAYS},
+                                   {TDMF_GUARD_VERTICAL_FORCE_PEAK, ALWAYS}};
 
 static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                   {TDMF_GUARD_LEG_TOO_SHORT, ALWAYS},
@@ -41,7 +42,8 @@ static const watched in_slip[] = {{TDMF_GUARD_BODY_DOWN, ALWAYS},
                                   {TDMF_GUARD_MID_STANCE, ALWAYS},
                                   {TDMF_GUARD_LIFT_OFF, ALWAYS},
                                   {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS},
-                                  {TDMF_GUARD_FORCE_PEAK, ALWAYS}};
+                                  {TDMF_GUARD_FORCE_PEAK, ALWAYS},
+                                  {TDMF_GUARD_VERTICAL_FORCE_PEAK, ALWAYS}};
 
 typedef struct {
     const watched *first, *end;
@@ -73,6 +75,7 @@ static const tdmf_event_kind *const kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_LEG_TOO_SHORT] = &tdmf_leg_too_short,
     [TDMF_GUARD_GREATEST_COMPRESSION] = &tdmf_greatest_compression,
     [TDMF_GUARD_NEW_GROUND] = &tdmf_new_ground,
+    [TDMF_GUARD_VERTICAL_FORCE_PEAK] = &tdmf_vertical_force_peak,
 };
 
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {

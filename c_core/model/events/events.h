@@ -46,8 +46,9 @@ typedef struct {
 } tdmf_event_kind;
 
 extern const tdmf_event_kind tdmf_touchdown, tdmf_apex_event, tdmf_clamp, tdmf_mid_stance, tdmf_lift_off,
-    tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak, tdmf_graze_to_contact,
-    tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short, tdmf_greatest_compression, tdmf_new_ground;
+    tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak,
+    tdmf_vertical_force_peak, tdmf_graze_to_contact, tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short,
+    tdmf_greatest_compression, tdmf_new_ground;
 
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);

@@ -1,15 +1,27 @@
-/* Force peak: the ground force turns from growing to falling or back. Only the record knows of it. */
+/* Force peaks: the ground force, across the ground or vertically, turns from growing to falling or back. Only
+ * the record knows of it. */
 #include "dynamics.h"
 #include "events.h"
 #include "record.h"
 
 static double force_rate(const tdmf_evaluation *at) {
     const tdmf_scales *scales = &at->model->scales;
-    return tdmf_armed_against_turning(tdmf_normal_force_rate(at), scales->force / scales->time,
+    return tdmf_armed_against_turning(tdmf_force_rate(at).normal, scales->force / scales->time,
                                       !at->mode->ground_force_rising);
 }
 
+/* On level ground it is the same force, and is not watched twice. */
+static double vertical_force_rate(const tdmf_evaluation *at) {
+    const tdmf_scales *scales = &at->model->scales;
+    const tdmf_ground_line *ground = &at->mode->ground;
+    return ground->sine == 0.0
+               ? 1.0
+               : tdmf_armed_against_turning(tdmf_vertical_force(ground, tdmf_force_rate(at)),
+                                            scales->force / scales->time, !at->mode->vertical_force_rising);
+}
+
 const tdmf_event_kind tdmf_force_peak = {.guard = force_rate};
+const tdmf_event_kind tdmf_vertical_force_peak = {.guard = vertical_force_rate};
 
 void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
                   tdmf_mode *mode, tdmf_record *record) {
@@ -22,7 +34,9 @@ void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
     if (tdmf_in_contact(mode)) {
         const tdmf_leg leg = tdmf_leg_along(model, inputs, mode, state, direction);
         const tdmf_evaluation at = tdmf_evaluate_leg(model, inputs, mode, state, &leg);
-        tdmf_record_force(record, at.force.normal);
-        mode->ground_force_rising = tdmf_normal_force_rate(&at) > 0.0;
+        const tdmf_ground_force rate = tdmf_force_rate(&at);
+        tdmf_record_force(record, at.force.normal, tdmf_vertical_force(&mode->ground, at.force));
+        mode->ground_force_rising = rate.normal > 0.0;
+        mode->vertical_force_rising = tdmf_vertical_force(&mode->ground, rate) > 0.0;
     }
 }

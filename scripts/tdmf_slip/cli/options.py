@@ -97,7 +97,8 @@ _ORDERS = {
     "stance_time": ("T", "Order: time on the ground in a stride, s."),
     "duty_factor": ("D", "Order: share of the stride that is stance."),
     "slip_distance": ("S", "Order: path that the foot slides in a stride, m."),
-    "peak_force": ("N", "Order: largest ground force, N."),
+    "peak_force": ("N", "Order: largest ground force across the ground, N."),
+    "peak_vertical_force": ("N", "Order: largest vertical ground force, N."),
     "cost_of_transport": ("C", "Order: work over weight and length."),
 }
 _FREE_OPTION = click.option(

@@ -41,6 +41,7 @@ STRIDE_QUANTITIES = (
     "duty_factor",
     "slip_distance",
     "peak_force",
+    "peak_vertical_force",
 )
 LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
 """What closes the balance of energy of a stride with the work of hip and leg, J."""

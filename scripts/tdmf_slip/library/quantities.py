@@ -29,9 +29,18 @@ _OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
     "duty_factor": lambda stride: stride["duty_factor"],
     "slip_distance": lambda stride: stride["slip_distance"],
     "peak_force": lambda stride: stride["peak_force"],
+    "peak_vertical_force": lambda stride: stride["peak_vertical_force"],
     "cost_of_transport": lambda stride: stride["cost_of_transport"],
 }
-_CHANGED = ("period", "length", "work", "stance_time", "slip_distance", "peak_force")
+_CHANGED = (
+    "period",
+    "length",
+    "work",
+    "stance_time",
+    "slip_distance",
+    "peak_force",
+    "peak_vertical_force",
+)
 """Of these the library has derivatives."""
 _READ = (*_CHANGED, "speed", "duty_factor", "cost_of_transport")
 """Of the library's stride."""

@@ -188,7 +188,7 @@ def _joined(orbits: Sequence[Orbit], last_apex: NDArray[np.float64]) -> Orbit:
 
 
 def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[str, float]:
-    """Quantities of strides in a row: sums, but for the largest force and what is a ratio."""
+    """Quantities of strides in a row: sums, but for the largest forces and what is a ratio."""
     if len(strides) == 1:
         return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
@@ -197,7 +197,7 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
         "speed": found["length"] / found["period"],
         "duty_factor": found["stance_time"] / found["period"],
         "cost_of_transport": found["work"] / (weight * found["length"]) if found["length"] else 0.0,
-        "peak_force": max(stride["peak_force"] for stride in strides),
+        **{name: max(stride[name] for stride in strides) for name in ("peak_force", "peak_vertical_force")},
     }
 
 

@@ -50,6 +50,7 @@ class StrideChange(Protocol):
     stance_time: float
     slip_distance: float
     peak_force: float
+    peak_vertical_force: float
 
 
 class Stride(Protocol):
