@@ -23,6 +23,8 @@ from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
 from .optimization.pareto import Front, pareto_front
 from .paper.validation import Validation, validate
+from .proof.proof import Proof
+from .proof.prove import prove
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
 from .unit.profile import Profile, simulate_over
@@ -44,6 +46,7 @@ __all__ = [
     "Orbit",
     "OrderNotMetError",
     "Profile",
+    "Proof",
     "Run",
     "RunError",
     "Runner",
@@ -67,6 +70,7 @@ __all__ = [
     "optimize",
     "pareto_front",
     "place_poles",
+    "prove",
     "read_parameters",
     "run_batch",
     "run_ensemble",

@@ -17,6 +17,7 @@ KNOWS = {
     "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "fitting": {"analysis", "library", "unit", "files", "terminal"},
     "optimization": {"analysis", "library", "unit", "terminal"},
+    "proof": {"analysis", "library", "unit", "terminal"},
     "pictures": {"fitting", "analysis", "library", "unit", "files", "terminal"},
     "paper": {
         *(
@@ -33,8 +34,8 @@ KNOWS = {
     },
     "bench": {"library", "unit", "terminal"},
     "cli": {
-        *("bench", "paper", "pictures", "optimization", "fitting", "analysis", "library", "unit", "files"),
-        "terminal",
+        *("bench", "paper", "pictures", "proof", "optimization", "fitting", "analysis", "library", "unit"),
+        *("files", "terminal"),
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""

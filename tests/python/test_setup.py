@@ -44,7 +44,7 @@ def locked(*names):
     [
         ("environment", PROJECT["build-system"]["requires"], 2),
         ("environment", DEPENDENCIES, 10),
-        ("environment", EXTRAS["test"] + EXTRAS["importers"] + EXTRAS["bench"], 8),
+        ("environment", EXTRAS["test"] + EXTRAS["importers"] + EXTRAS["bench"] + EXTRAS["proof"], 9),
         ("platforms", EXTRAS["platforms"], 4),
         ("site", EXTRAS["site"], 5),
         ("fmi_sim", EXTRAS["fmi-sim"], 1),

@@ -23,6 +23,7 @@ COMMANDS = (
     "fit",
     "gait",
     "optimize",
+    "prove",
     "rough",
     "simulate",
     "sweep",

@@ -1,0 +1,122 @@
+"""Numbers with their gradients: forward differentiation over any kind of number, a ball or a tube."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+Number = Any
+"""A ball, a tube, a float or a dual of one."""
+
+
+class Dual:
+    """A number and its partial derivatives by name; a name that is missing stands for zero."""
+
+    __slots__ = ("gradient", "value")
+
+    def __init__(self, value: Number, gradient: Mapping[str, Number]) -> None:
+        """A value and its derivatives."""
+        self.value, self.gradient = value, gradient
+
+    def _linear(self, value: Number, factor: Number) -> "Dual":
+        return Dual(value, {name: factor * slope for name, slope in self.gradient.items()})
+
+    def __neg__(self) -> "Dual":
+        """Its opposite."""
+        return Dual(-self.value, {name: -slope for name, slope in self.gradient.items()})
+
+    def __add__(self, other: Number) -> "Dual":
+        """The sum."""
+        if not isinstance(other, Dual):
+            return Dual(self.value + other, self.gradient)
+        gradient = dict(self.gradient)
+        for name, slope in other.gradient.items():
+            gradient[name] = gradient[name] + slope if name in gradient else slope
+        return Dual(self.value + other.value, gradient)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Number) -> "Dual":
+        """The difference."""
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Number) -> "Dual":
+        """The difference."""
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Number) -> "Dual":
+        """The product, by the rule of products."""
+        if not isinstance(other, Dual):
+            return self._linear(self.value * other, other)
+        gradient = {name: slope * other.value for name, slope in self.gradient.items()}
+        for name, slope in other.gradient.items():
+            part = self.value * slope
+            gradient[name] = gradient[name] + part if name in gradient else part
+        return Dual(self.value * other.value, gradient)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> "Dual":
+        """The quotient."""
+        return self.__mul__(1 / other)
+
+    def __rtruediv__(self, other: Number) -> "Dual":
+        """A number over this one."""
+        inverse = 1 / self.value
+        return self._linear(inverse, -(inverse * inverse)).__mul__(other)
+
+    def _by(self, value: Number, slope: Callable[[], Number]) -> "Dual":
+        return self._linear(value, slope()) if self.gradient else Dual(value, {})
+
+    def sin(self) -> "Dual":
+        """The sine."""
+        return self._by(self.value.sin(), self.value.cos)
+
+    def cos(self) -> "Dual":
+        """The cosine."""
+        return self._by(self.value.cos(), lambda: -self.value.sin())
+
+    def exp(self) -> "Dual":
+        """The exponential."""
+        value = self.value.exp()
+        return self._by(value, lambda: value)
+
+    def expm1(self) -> "Dual":
+        """The exponential less 1."""
+        return self._by(self.value.expm1(), self.value.exp)
+
+    def log1p(self) -> "Dual":
+        """The logarithm of 1 more."""
+        return self._by(self.value.log1p(), lambda: 1 / (1 + self.value))
+
+
+def value_of(number: Number) -> Number:
+    """The number without its gradient.
+
+    Parameters
+    ----------
+    number : number
+        A dual or any other.
+
+    Returns
+    -------
+    number
+        What the dual's value is, else the number itself.
+    """
+    return number.value if isinstance(number, Dual) else number
+
+
+def slope_of(number: Number, name: str) -> Number:
+    """A partial derivative.
+
+    Parameters
+    ----------
+    number : number
+        A dual or any other.
+    name : str
+        By what.
+
+    Returns
+    -------
+    number
+        Zero where the number does not depend on it.
+    """
+    return number.gradient.get(name, 0) if isinstance(number, Dual) else 0

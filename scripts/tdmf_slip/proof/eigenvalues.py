@@ -1,0 +1,112 @@
+"""Eigenvalues of an enclosed matrix: Gershgorin's discs in a basis in which it is nearly diagonal.
+
+Of the map's Jacobian some eigenvalues vanish, so that its eigenvectors alone are no basis: the directions
+that the others leave over complete it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from flint import acb, acb_mat, arb, arb_mat
+
+SMALL = 1e6
+"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
+
+
+@dataclass(frozen=True)
+class Eigenvalues:
+    """Discs that hold all eigenvalues: one each, and those that overlap as many together as they are."""
+
+    discs: list[acb]
+    """The largest first."""
+
+    @property
+    def largest(self) -> arb:
+        """Size of the largest eigenvalue, enclosed from above."""
+        found = arb(0)
+        for disc in self.discs:
+            found = found.max(abs(disc))
+        return found
+
+    @property
+    def stable(self) -> bool | None:
+        """All inside the unit circle, or one outside; None where neither is proved."""
+        sizes = [abs(disc) for disc in self.discs]
+        if all(size < 1 for size in sizes):
+            return True
+        outside = [disc for disc, size in zip(self.discs, sizes, strict=True) if size > 1]
+        rest = [disc for disc, size in zip(self.discs, sizes, strict=True) if not size > 1]
+        apart = any(not any(disc.overlaps(other) for other in rest) for disc in outside)
+        return False if apart else None
+
+
+def eigenvalues(matrix: arb_mat, rank: int) -> Eigenvalues:
+    """Enclosures of all eigenvalues of every matrix in an enclosure that has a rank at the most.
+
+    Parameters
+    ----------
+    matrix : arb_mat, shape (n, n)
+        The enclosure.
+    rank : int
+        So many eigenvalues at the most do not vanish.
+
+    Returns
+    -------
+    Eigenvalues
+        Of n discs.
+    """
+    whole = acb_mat(matrix)
+    basis = _basis(matrix)
+    discs = _discs(basis.solve(whole * basis))
+    around_zero = [k for k, disc in enumerate(discs) if disc.contains(0)]
+    if len(around_zero) == matrix.nrows() - rank:  # so many vanish, and they are in discs that hold zero
+        discs = [acb(0) if k in around_zero else disc for k, disc in enumerate(discs)]
+    real = [_real_if_alone(disc, k, discs) for k, disc in enumerate(discs)]
+    return Eigenvalues(sorted(real, key=lambda disc: -float(abs(disc).mid())))
+
+
+def _basis(matrix: arb_mat) -> acb_mat:
+    """Nearly eigenvectors, and a complement of those that are left out; points, and nothing rests on them."""
+    size = matrix.nrows()
+    width = max(float(x.rad()) for x in matrix.entries()) + 1e-300
+    points = acb_mat(matrix.mid())
+    values, left, right = points.eig(left=True, right=True, algorithm="approx")
+    kept = [k for k in range(size) if float(abs(values[k]).mid()) > SMALL * width]
+    scale = [left_times_right(left, right, k) for k in range(size)]
+    columns = [[right[i, k].mid() for i in range(size)] for k in kept]
+    if len(kept) < size:
+        rows = np.array([[complex(left[k, i]) for i in range(size)] for k in kept]).reshape(len(kept), size)
+        spare = np.linalg.svd(rows, full_matrices=True)[2][len(kept) :].conj()
+        for direction in spare:
+            vector = [acb(complex(x)) for x in direction]
+            for k in kept:
+                part = sum((left[k, i] * vector[i] for i in range(size)), acb(0)) / scale[k]
+                vector = [x - part * right[i, k] for i, x in enumerate(vector)]
+            columns.append([x.mid() for x in vector])
+    return acb_mat(size, size, [columns[j][i] for i in range(size) for j in range(size)])
+
+
+def left_times_right(left: acb_mat, right: acb_mat, k: int) -> acb:
+    """Product of a left and a right eigenvector."""
+    return sum((left[k, i] * right[i, k] for i in range(left.nrows())), acb(0))
+
+
+def _discs(matrix: acb_mat) -> list[acb]:
+    """By rows: around the diagonal, with the sum of the others as radius."""
+    size = matrix.nrows()
+    discs = []
+    for i in range(size):
+        radius = sum((abs(matrix[i, j]) for j in range(size) if j != i), arb(0)).upper()
+        discs.append(matrix[i, i] + acb(arb(0, radius), arb(0, radius)))
+    return discs
+
+
+def _real_if_alone(disc: acb, k: int, discs: list[acb]) -> acb:
+    """One eigenvalue alone in a disc that meets the real axis is real: its conjugate would lie there, too."""
+    mirrored = acb(disc.real, -disc.imag)
+    if disc.imag.is_zero():
+        return disc
+    alone = not any(
+        disc.overlaps(other) or mirrored.overlaps(other) for i, other in enumerate(discs) if i != k
+    )
+    return acb(disc.real) if alone and disc.imag.contains(0) else disc

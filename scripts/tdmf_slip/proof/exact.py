@@ -1,0 +1,139 @@
+"""Parameters as they are meant: exact numbers p + q pi with rational p and q."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from numbers import Rational
+
+import numpy as np
+from flint import arb, fmpq
+
+from ..errors import InputError
+from ..unit.unit import Unit
+from ..unit.variable import Variable
+
+DEGREES = 180
+"""Of a half turn."""
+
+
+@dataclass(frozen=True)
+class Exact:
+    """A rational number and a rational multiple of pi."""
+
+    rational: Fraction
+    turns: Fraction = Fraction(0)
+    """In units of pi."""
+
+    def ball(self) -> arb:
+        """Enclosed to the working precision."""
+        return ball_of(self.rational) + ball_of(self.turns) * arb.pi()
+
+    def __str__(self) -> str:
+        """As a mathematician writes it."""
+        if not self.turns:
+            return str(self.rational)
+        numerator = "" if self.turns.numerator == 1 else f"{self.turns.numerator} "
+        denominator = "" if self.turns.denominator == 1 else f"/{self.turns.denominator}"
+        return f"{numerator}pi{denominator}"
+
+
+def ball_of(value: Fraction) -> arb:
+    """A rational number, enclosed to the working precision."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def exact_value(variable: Variable, given: object, where: str) -> Exact:
+    """The number that is meant by a value as it is given.
+
+    Parameters
+    ----------
+    variable : Variable
+        Of which it is.
+    given : float, Fraction or str
+        A float is the binary number that it is, a Fraction itself, a text the decimal or the fraction that it
+        reads as, with a unit if it has one: `40 deg` is 2 pi/9.
+    where : str
+        Where it was given, for messages.
+
+    Returns
+    -------
+    Exact
+        In the variable's unit.
+
+    Raises
+    ------
+    InputError
+        It is no number, or out of the variable's range.
+    """
+    if not isinstance(given, str):
+        if isinstance(given, bool) or not isinstance(given, Rational | float | np.floating):
+            raise InputError(
+                f"{where}: {variable.name} = {given!r} is not allowed; allowed: {variable.allowed}"
+            )
+        variable.value_of(float(given), where)
+        return Exact(Fraction(given) if isinstance(given, Rational) else Fraction(float(given)))
+    number, _, unit = given.strip().partition(" ")
+    try:
+        rational = Fraction(number)
+    except (ValueError, ZeroDivisionError):
+        rational = None
+    variable.value_of(f"{float(rational)!r} {unit}" if rational is not None else given, where)
+    if rational is None:
+        raise InputError(f"{where}: {variable.name} = {given} is not allowed; allowed: {variable.allowed}")
+    unit = unit.strip()
+    if unit in ("", variable.unit):
+        return Exact(rational)
+    if unit.startswith("deg"):
+        return Exact(Fraction(0), rational / DEGREES)
+    return Exact(rational / Fraction(repr(variable.display_units[unit])))
+
+
+def default_value(variable: Variable) -> Exact:
+    """The unit's own start value as it is meant: the decimal, and an angle of whole degrees by pi.
+
+    Parameters
+    ----------
+    variable : Variable
+        Which has one.
+
+    Returns
+    -------
+    Exact
+        2 pi/9 for the angle of touchdown of Table 1.
+    """
+    assert variable.start is not None, variable.name
+    start = float(variable.start)
+    degrees = round(math.degrees(start))
+    if variable.unit == "rad" and degrees and math.isclose(math.radians(degrees), start, rel_tol=1e-15):
+        return Exact(Fraction(0), Fraction(degrees, DEGREES))
+    return Exact(Fraction(repr(start)))
+
+
+def exact_values(unit: Unit, values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
+    """All values of a runner as they are meant.
+
+    Parameters
+    ----------
+    unit : Unit
+        Whose variables they are.
+    values : mapping of str to float
+        Of the runner.
+    given : mapping of str to object
+        Those that are told more exactly than by floats.
+
+    Returns
+    -------
+    dict of str to Exact
+        Where neither says anything else, a value that is the unit's own start is that, exactly.
+    """
+    found = {}
+    for name, value in values.items():
+        variable = unit.variables[name]
+        if name in given:
+            found[name] = exact_value(variable, given[name], "start values")
+        elif variable.start is not None and value == float(variable.start):
+            found[name] = default_value(variable)
+        else:
+            found[name] = Exact(Fraction(value))
+    return found

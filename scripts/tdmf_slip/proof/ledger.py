@@ -1,0 +1,90 @@
+"""What a stride covers and costs: quadratures along the tubes, over all starts."""
+
+from typing import Any
+
+from flint import arb
+
+from . import laws
+from .flow import Flow, Values
+from .modes import Mode
+from .transitions import Entered
+from .tube import Tube
+
+
+class Ledger:
+    """Sums of a stride."""
+
+    def __init__(self, runner: Any) -> None:
+        """At its beginning."""
+        self.runner = runner
+        self.along, self.hip_work, self.leg_work, self.slid = arb(0), arb(0), arb(0), arb(0)
+        self.stance_time, self.touchdowns = arb(0), 0
+        self.liftoff_angle: arb | None = None
+
+    def add(self, flow: Flow, end: arb) -> None:
+        """A part of a step.
+
+        Parameters
+        ----------
+        flow : Flow
+            Its tubes.
+        end : arb
+            Until when.
+        """
+        at, mode, runner = flow.record(), flow.mode, self.runner
+        share = runner.body_share
+        if mode.contact == "flight":
+            self.along += integral(at.along, end)
+        else:
+            begun, ended = (flow.direction_at(time) for time in (arb(0), end))
+            self.along -= share * (ended["length"] * ended["sine"] - begun["length"] * begun["sine"])
+            if mode.contact != "stick":
+                path = integral(at.foot_speed, end)
+                self.along += path
+                if mode.contact == "slip":
+                    self.slid += path * mode.sign
+        if mode.touches:
+            self.stance_time += end
+        torque = laws.torque(runner, mode, at)
+        if isinstance(torque, Tube):
+            self.hip_work += integral(torque * at.angle_rate, end)
+        elif not (mode.contact == "flight" and torque == 0):
+            self.hip_work += torque * (flow.at(end)["angle"] - flow.start["angle"])
+
+    def note(self, before: Mode, entered: Entered, values: Values) -> None:
+        """An event."""
+        after = entered.mode
+        self.touchdowns += entered.impact
+        if (before.touches or entered.impact) and not after.touches:
+            self.liftoff_angle = arb(getattr(entered.values["angle"], "value", entered.values["angle"]))
+        if before.thrusts != after.thrusts:
+            length = entered.values["length"]
+            old, new = laws.rest_length(self.runner, before), laws.rest_length(self.runner, after)
+            self.leg_work += self.runner.stiffness * (new - old) * (new + old - 2 * length) / 2
+
+    def quantities(self, period: arb) -> dict[str, arb]:
+        """Of the whole stride, by the names of the unit's group `stride`, and the angle at lift-off."""
+        runner = self.runner
+        length = self.along * runner.slope_cosine
+        work = self.hip_work + self.leg_work
+        found = {
+            "period": period,
+            "length": length,
+            "speed": length / period,
+            "work": work,
+            "hip_work": self.hip_work,
+            "leg_work": self.leg_work,
+            "cost_of_transport": work / (runner.total_mass * runner.gravity * length),
+            "slip_distance": self.slid,
+            "stance_time": self.stance_time,
+            "duty_factor": self.stance_time / period,
+        }
+        if self.liftoff_angle is not None:
+            found["liftoff_angle"] = self.liftoff_angle
+        return found
+
+
+def integral(tube: Tube, end: arb) -> arb:
+    """Of a tube from 0 to a time."""
+    terms = tube.span.degree + 2
+    return tube.polynomial.integral()(end) + end**terms * tube.remainder / terms * arb(0).union(arb(1))

@@ -1,0 +1,64 @@
+"""Modes of the motion, and which numbers tell it in each."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+Contact = Literal["flight", "stick", "slip", "graze"]
+LEG = ("length", "angle", "length_rate", "angle_rate")
+BALLISTIC = ("height", "along", "off")
+"""Of the centre of mass in flight: its distance from the line, its velocity along it and away from it."""
+PARAMETER = "parameter"
+"""The name of what is varied, a number like those of the motion that does not change."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What the foot and the hip do."""
+
+    contact: Contact
+    sign: int = 0
+    """Of the foot's speed in slip."""
+    places: bool = False
+    """Off the ground: the hip is in place, else in retract."""
+    drives: bool = False
+    """The stance began with the foot ahead and the leg has not been upright yet."""
+    clamped: bool = False
+    """Off the ground, in retract: the servo would pull, and the clamp holds the torque at 0."""
+    rises: bool = False
+    """Off the ground: an apex is to come."""
+    thrusts: bool = False
+    """The leg has been compressed most in this stance."""
+
+    @property
+    def letter(self) -> str:
+        """Its letter in the gait word; empty for none."""
+        return {"stick": "0", "slip": "+" if self.sign > 0 else "-"}.get(self.contact, "")
+
+    @property
+    def touches(self) -> bool:
+        """The foot is on the ground and loaded."""
+        return self.contact in ("stick", "slip")
+
+
+def moving_names(runner: Any, mode: Mode) -> tuple[str, ...]:
+    """What moves along with the leg, by equations that are solved as series."""
+    names: tuple[str, ...] = LEG
+    if mode.contact in ("slip", "graze"):
+        names += ("foot_speed",)
+    if not mode.touches and mode.places and runner.retracts:
+        names += ("clock",)
+    return names
+
+
+def kept_names(runner: Any, mode: Mode) -> tuple[str, ...]:
+    """What stays as it is and matters."""
+    names: tuple[str, ...] = ()
+    if not mode.touches and not mode.places:
+        names += ("latched_angle",)
+    return (*names, PARAMETER) if runner.varied else names
+
+
+def names_of(runner: Any, mode: Mode) -> tuple[str, ...]:
+    """All numbers that tell the motion in a mode, in the order of the rows of its matrices."""
+    free = BALLISTIC if mode.contact == "flight" else ()
+    return moving_names(runner, mode) + kept_names(runner, mode) + free

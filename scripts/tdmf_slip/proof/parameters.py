@@ -1,0 +1,113 @@
+"""A runner's parameters as balls, as the laws take them."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from types import SimpleNamespace as Record
+from typing import Any
+
+from flint import arb
+
+from .dual import Dual, Number, value_of
+from .exact import Exact
+from .modes import PARAMETER
+
+LONGEST_STEP = 1.0
+"""In units of sqrt(m/k)."""
+
+
+class Parameters:
+    """Exact values, of which one may be varied."""
+
+    def __init__(self, values: Mapping[str, Exact], varied: str | None = None) -> None:
+        """The values by the unit's names, and the name of the one that is varied."""
+        self.values, self.varied = values, varied
+
+    def balls(self, parameter: arb | None = None, *, dual: bool = False) -> Any:
+        """The record that the laws take.
+
+        Parameters
+        ----------
+        parameter : arb, optional
+            A ball for what is varied; by default its exact value.
+        dual : bool, default False
+            What is varied is a dual, so that all that follows from it has its derivative.
+
+        Returns
+        -------
+        Record
+            By the names in `laws`.
+        """
+        numbers: dict[str, Number] = {name: value.ball() for name, value in self.values.items()}
+        if self.varied is not None:
+            value = numbers[self.varied] if parameter is None else parameter
+            numbers[self.varied] = Dual(value, {PARAMETER: arb(1)}) if dual else value
+        return _record(numbers, self.values, self.varied)
+
+
+def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | None) -> Any:
+    """The laws' names of the unit's variables, and what follows from them once."""
+
+    def matters(name: str, none: int = 0) -> bool:
+        return name == varied or exact[name] != Exact(Fraction(none))
+
+    slope = of["ground.slope"]
+    sine, cosine = slope.sin(), slope.cos()
+    body, foot, gravity = of["body.mass"], of["foot.mass"], of["gravity"]
+    push_x, push_y = of["body.external_fx"], of["body.external_fy"]
+    fades = (
+        "ground.stribeck_velocity" in exact
+        and matters("ground.stribeck_velocity")
+        and matters("ground.static_friction_ratio", 1)
+    )
+    thrust = of["leg.thrust"] + of["control.thrust"]
+    time = float((value_of(body) / value_of(of["leg.stiffness"])).sqrt())
+    length = float(value_of(of["leg.free_length"]))
+    return Record(
+        free_length=of["leg.free_length"],
+        least_length=of["leg.min_length"],
+        extension=of["leg.extension"],
+        thrust=thrust if value_of(thrust) > 0 else arb(0),
+        has_thrust=matters("leg.thrust") or matters("control.thrust"),
+        stiffness=of["leg.stiffness"],
+        damping=of["leg.damping"],
+        foot_mass=foot,
+        inverse_body_mass=1 / body,
+        mobility=1 / body + 1 / foot,
+        total_mass=body + foot,
+        body_share=body / (body + foot),
+        gravity=gravity,
+        gravity_along=gravity * sine,
+        gravity_off=gravity * cosine,
+        push_along=(push_x * cosine + push_y * sine) / body,
+        push_off=(push_y * cosine - push_x * sine) / body,
+        is_pushed=matters("body.external_fx") or matters("body.external_fy"),
+        slope=slope,
+        slope_sine=sine,
+        slope_cosine=cosine,
+        friction=of["ground.friction"],
+        static_ratio=of["ground.static_friction_ratio"],
+        is_stickier=matters("ground.static_friction_ratio", 1),
+        fades=fades,
+        fading_speed=of["ground.stribeck_velocity"] if fades else None,
+        stance_torque=of["hip.stance_torque"] + of["control.stance_torque"],
+        external_torque=of["hip.external_torque"],
+        touchdown_angle=of["hip.touchdown_angle"] + of["control.touchdown_angle"],
+        retraction_rate=of["hip.retraction_rate"],
+        retracts=matters("hip.retraction_rate"),
+        kp=of["hip.kp"],
+        kd=of["hip.kd"],
+        has_servo=matters("hip.kp") or matters("hip.kd"),
+        liftoff_factor=of["hip.liftoff_angle_factor"],
+        varied=varied is not None,
+        longest_step=LONGEST_STEP * time,
+        energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
+        scales={
+            "length": length,
+            "length_rate": length / time,
+            "angle_rate": 1.0 / time,
+            "foot_speed": length / time,
+            "height": length,
+            "along": length / time,
+            "off": length / time,
+        },
+    )

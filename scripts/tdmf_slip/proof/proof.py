@@ -1,0 +1,212 @@
+"""What is proved of a gait, and the sentence that says it."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import flint
+from flint import acb, arb
+
+from ..unit.unit import load
+from .exact import Exact, ball_of, default_value
+from .section import COORDINATES
+from .stride import Starts
+
+QUANTITIES = (
+    "period",
+    "length",
+    "speed",
+    "work",
+    "hip_work",
+    "leg_work",
+    "cost_of_transport",
+    "slip_distance",
+    "stance_time",
+    "duty_factor",
+    "liftoff_angle",
+)
+"""Of a stride, those that are enclosed."""
+FURTHER = 15
+"""Digits that are printed beyond those asked for, as far as they are known."""
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box of apexes, exactly, in the order of the section's coordinates and in their units."""
+
+    centre: Sequence[Fraction]
+    radii: Sequence[Fraction]
+
+    @classmethod
+    def around(cls, centre: Sequence[arb], radius: Fraction, scales: Sequence[float]) -> "Box":
+        """Of a radius in units of the scales, around decimals near a point."""
+        places = 3 - math.floor(math.log10(float(radius)))
+        rounded = [Fraction(round(exactly(x) * 10**places), 10**places) for x in centre]
+        return cls(rounded, [radius * Fraction(scale) for scale in scales])
+
+    def starts(self) -> Starts:
+        """A set of starts that the box lies in, to the working precision."""
+        balls = [ball_of(x) for x in self.centre]
+        radii = [(ball_of(r) + ball.rad()).upper().mid() for r, ball in zip(self.radii, balls, strict=True)]
+        return Starts([ball.mid() for ball in balls], radii)
+
+    def holds(self, apex: Sequence[arb]) -> bool:
+        """Whether an enclosed apex is proved to lie in it."""
+        sides = zip(apex, self.centre, self.radii, strict=True)
+        return all(abs(x - ball_of(centre)) < ball_of(radius) for x, centre, radius in sides)
+
+
+def exactly(point: arb) -> Fraction:
+    """A ball without radius, as the binary number that it is."""
+    mantissa, exponent = point.mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def decimal(value: Fraction, digits: int = 60) -> str:
+    """A decimal as it is, or a fraction."""
+    for places in range(digits):
+        if (value * 10**places).denominator == 1:
+            shown = int(value * 10**places)
+            if not places:
+                return str(shown)
+            text = f"{abs(shown):0{places + 1}d}"
+            return f"{'-' if shown < 0 else ''}{text[:-places]}.{text[-places:]}"
+    return str(value)
+
+
+def assumptions() -> list[str]:
+    """What a proof rests on.
+
+    Returns
+    -------
+    list of str
+        Sentences without their full stops.
+    """
+    return [
+        f"the ball arithmetic of FLINT {flint.__FLINT_VERSION__}, under python-flint {flint.__version__}, "
+        "encloses as it is documented to",
+        "the model's laws are those that tdmf_slip.proof.laws and tdmf_slip.proof.transitions state",
+        "Python runs the prover as it is written",
+    ]
+
+
+@dataclass(frozen=True)
+class Proof:
+    """A gait with enclosures of all that is told of it, or what could not be decided."""
+
+    proved: bool
+    """False is undecided: it says nothing against the gait."""
+    values: Mapping[str, Exact] = field(repr=False)
+    """The runner's parameters, exactly, by the unit's names."""
+    box: Box = field(repr=False)
+    """In which exactly one gait is."""
+    digits: int
+    """That were asked for."""
+    word: str = ""
+    """The gait word."""
+    stable: bool | None = None
+    """All eigenvalues are inside the unit circle, or one is outside; None where that is open."""
+    apex: Sequence[arb] = field(default=(), repr=False)
+    """Of the gait, shape (6,), enclosed."""
+    quantities: Mapping[str, arb] = field(default_factory=dict, repr=False)
+    """By the names in `QUANTITIES`."""
+    eigenvalues: Sequence[acb] = field(default=(), repr=False)
+    """Discs, the largest first."""
+    events: Sequence[tuple[str, arb]] = field(default=(), repr=False)
+    """Of the stride, with their times since the apex, s."""
+    undecided: Mapping[str, object] = field(default_factory=dict)
+    """Where it ended: `guard` and `time`."""
+
+    @property
+    def coordinates(self) -> Sequence[str]:
+        """Names of the section's coordinates."""
+        return COORDINATES
+
+    @property
+    def assumptions(self) -> Sequence[str]:
+        """What the proof rests on."""
+        return assumptions()
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
+        return {
+            "proved": self.proved,
+            "sentence": self.sentence,
+            "assumptions": assumptions(),
+            "parameters": {name: str(value) for name, value in self.values.items()},
+            "word": self.word or None,
+            "stable": self.stable,
+            "box": {
+                "coordinates": list(COORDINATES),
+                "centre": [decimal(x) for x in self.box.centre],
+                "radii": [short(r) for r in self.box.radii],
+            },
+            "apex": [text_of(x, self.digits) for x in self.apex] or None,
+            **{name: self._told(name) for name in QUANTITIES},
+            "eigenvalues": [self._eigenvalue(value) for value in self.eigenvalues] or None,
+            "events": [[name, text_of(time, self.digits)] for name, time in self.events],
+            "undecided": dict(self.undecided) or None,
+        }
+
+    def _told(self, name: str) -> str | None:
+        return text_of(self.quantities[name], self.digits) if name in self.quantities else None
+
+    def _eigenvalue(self, value: acb) -> str | list[str]:
+        if value.imag.is_zero():
+            return text_of(value.real, self.digits)
+        return [text_of(part, self.digits) for part in (value.real, value.imag)]
+
+    @property
+    def sentence(self) -> str:
+        """What is proved, or left open, for a reader who wants to sign it."""
+        of = told(self.values)
+        radius = short(max(self.box.radii))
+        box = f"within {radius} of ({', '.join(decimal(x) for x in self.box.centre)})"
+        if not self.proved:
+            when = self.undecided.get("time")
+            at = "" if when is None else f" at {when:.6g} s after the apex"
+            return f"Undecided for {of}: {self.undecided['guard']}{at}, {box}."
+        kind = {True: "stable", False: "unstable", None: "stable or not, which is left open"}[self.stable]
+        return (
+            f"Of {of}, exactly one periodic gait of one stride has its apex ({', '.join(COORDINATES)}) {box} "
+            f"in each coordinate; its word is {self.word or 'empty'}, its period lies in "
+            f"{text_of(self.quantities['period'], self.digits)} s, and it is {kind}."
+        )
+
+
+def text_of(ball: arb, digits: int) -> str:
+    """A ball in decimals, which holds it.
+
+    Parameters
+    ----------
+    ball : arb
+        Of which.
+    digits : int
+        That were asked for; as many more are printed as are known, up to a limit.
+
+    Returns
+    -------
+    str
+        `[mid +/- radius]`.
+    """
+    text: str = ball.str(digits + FURTHER if digits > 3 else digits)
+    return text
+
+
+def short(value: Fraction) -> str:
+    """A power of ten as such, else as it is."""
+    exponent = round(math.log10(float(value)))
+    return f"1e{exponent}" if value == Fraction(10) ** exponent else decimal(value)
+
+
+def told(values: Mapping[str, Exact]) -> str:
+    """The runner as a sentence has it: what differs from Table 1."""
+    table = {name: default_value(load().variables[name]) for name in values}
+    others = [f"{name} = {value}" for name, value in values.items() if value != table[name]]
+    runner = "the runner of Or and Moravia's Table 1 with ground.friction = 3/5"
+    if not others:
+        return runner
+    if all(text.startswith("ground.friction") for text in others):
+        return f"the runner of Or and Moravia's Table 1 with {others[0]}"
+    return f"{runner}, but for {', '.join(others)}"

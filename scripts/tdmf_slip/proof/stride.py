@@ -1,0 +1,268 @@
+"""A stride from apex to apex, in steps and events; each event is proved to be the first of its step."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import SimpleNamespace as Record
+from typing import Any
+
+from flint import arb, arb_mat, ctx
+
+from .dual import slope_of
+from .flow import Flow, Values, speeds, with_direction
+from .guards import FUNCTIONS, watched
+from .ledger import Ledger
+from .modes import Mode, names_of
+from .parameters import Parameters
+from .roots import Guard
+from .section import COORDINATES, apex_of, motion_at, seeds
+from .transitions import Entered, Transition
+from .undecided import UndecidedError
+
+MOST_STEPS = 5000
+DEGREE_PER_BIT = 0.36
+"""The best degree grows with the precision: N^2 10^(d/N) is least at N = 1.15 d for d digits."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """One of a stride."""
+
+    name: str
+    time: arb
+    """Since the apex, s, over all starts."""
+    mode: Mode
+    """That it leads to."""
+
+
+@dataclass
+class Stride:
+    """What a stride is proved to do."""
+
+    centre: list[arb]
+    """The apex that the centre comes to, shape (6,)."""
+    after: list[arb]
+    """The apexes that all starts come to, shape (6,)."""
+    derivative: arb_mat | None
+    """Of the map over all starts, shape (6, 6), or (6, 7) with what is varied."""
+    word: str
+    events: list[Event]
+    rank: int
+    """Of the map's derivative, at the most: each mode ends on a surface in its own few numbers."""
+    quantities: dict[str, arb] = field(default_factory=dict)
+    """Over all starts."""
+
+
+@dataclass(frozen=True)
+class Fineness:
+    """How finely a motion is followed."""
+
+    bits: int
+    """Of the working precision."""
+
+    @property
+    def degree(self) -> int:
+        """Of a step's polynomials: where the work of a stride is least."""
+        return max(12, round(DEGREE_PER_BIT * self.bits))
+
+
+@dataclass(frozen=True)
+class Starts:
+    """A set of apexes, and of values of what is varied."""
+
+    centre: Sequence[arb]
+    """Points, shape (6,) or with what is varied (7,)."""
+    radii: Sequence[arb]
+    """Around them."""
+
+    def balls(self) -> list[arb]:
+        """All of them."""
+        return [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]
+
+
+class Traveller:
+    """A single start on its way, not proved; `SetTraveller` proves."""
+
+    def __init__(self, parameters: Parameters, centre: Sequence[arb], fineness: Fineness) -> None:
+        """From an apex.
+
+        Parameters
+        ----------
+        parameters : Parameters
+            Whose runner.
+        centre : sequence of arb, shape (6,) or (7,)
+            An apex, and the value of what is varied.
+        fineness : Fineness
+            Of the motion.
+        """
+        self.fine, self.parameters = fineness, parameters
+        self.varied = parameters.varied is not None
+        with ctx.workprec(fineness.bits):
+            self.thin = parameters.balls(centre[6] if self.varied else None)
+            self.wide = self.thin
+            self.centre: Values = motion_at(self.thin, list(centre[:6]), centre[6] if self.varied else None)
+        self.mode = Mode("flight", places=True)
+        self.time = arb(0)
+        self.zeros: Mapping[str, int] = {}
+        self.events: list[Event] = []
+        self.letters: list[str] = []
+        self.flew = True
+        self.set: Values = self.centre
+        self.names = names_of(self.thin, self.mode)
+        self.ledger = Ledger(self.wide)
+        self.rank = len(COORDINATES)
+
+    # ---- steps -----------------------------------------------------------------------------------------
+
+    def stride(self) -> Stride:
+        """Follow to the next apex.
+
+        Raises
+        ------
+        UndecidedError
+            An event is not proved to be the next, or a sign that decides is open.
+        """
+        for _ in range(MOST_STEPS):
+            try:
+                if self._step():
+                    return self._close()
+            except UndecidedError as problem:
+                if problem.time is None:
+                    problem.time = float(self.time.mid()) if self.time.is_finite() else None
+                raise
+        raise UndecidedError("the end of the stride")
+
+    def _step(self) -> bool:
+        with ctx.workprec(self.fine.bits):
+            flow = Flow(self.thin, self.mode, self.centre, self.fine.degree)
+            return self._go(flow, flow)
+
+    def _go(self, thin: Flow, flow: Flow) -> bool:
+        """As far as a step reaches, or to the first event; whether that ends the stride."""
+        guards, end = self._guards(flow), flow.reach
+        while True:
+            first, times = self._first(guards, flow, end)
+            if first is not None:
+                assert times is not None
+                return self._pass(first, thin, flow, times)
+            if times is None:
+                self.ledger.add(flow, end)
+                self._advance(thin, flow, end)
+                self.time, self.zeros = self.time + end, {}
+                return False
+            end = times
+
+    def _guards(self, flow: Flow) -> list[Guard]:
+        at = flow.record()
+        return [
+            Guard(name, FUNCTIONS[name](self.wide, self.mode, at), self.zeros.get(name, 0))
+            for name in watched(self.wide, self.mode)
+        ]
+
+    def _first(self, guards: list[Guard], flow: Flow, end: arb) -> tuple[Guard | None, arb | None]:
+        """The guard that is first to fall through zero, and when; else up to where to go in this step.
+
+        (None, None) says that all guards are positive up to `end`.
+        """
+        begin = arb(0)
+        reached = [(guard, guard.reached(begin, end)) for guard in guards]
+        open_ones = [(guard, until) for guard, until in reached if until is not None]
+        if not open_ones:
+            return None, None
+        first, from_here = min(open_ones, key=lambda pair: float(pair[1]))
+        times = first.zero_after(from_here, end)
+        if times is None or not self._falls(first, flow, from_here.union(times)):
+            sooner = (from_here * arb("0.75")).mid()
+            if not sooner > end * arb("0.001"):
+                raise UndecidedError(first.name)
+            return None, sooner
+        latest = arb(times.upper().mid())
+        for guard in guards:
+            if guard is not first and not guard.is_positive(begin, latest):
+                raise UndecidedError(f"{first.name} or {guard.name}, which is first")
+        return first, times
+
+    def _falls(self, guard: Guard, flow: Flow, times: arb) -> bool:
+        """Whether it is proved to fall all the time: a zero is then the only one."""
+        return bool(rate_of_guard(self.wide, self.mode, guard.name, flow.at(times)) < 0)
+
+    def _advance(self, thin: Flow, flow: Flow, end: arb) -> None:
+        self.centre = self.set = {name: value.mid() for name, value in thin.at(end).items()}
+
+    # ---- events ----------------------------------------------------------------------------------------
+
+    def _pass(self, guard: Guard, thin: Flow, flow: Flow, times: arb) -> bool:
+        """Take the event; whether it ends the stride."""
+        self.ledger.add(flow, times)
+        at_event = flow.at(times)
+        entered = Transition(self.wide, self.mode, at_event).take(guard.name)
+        self.time = self.time + times
+        self._note(guard.name, entered)
+        before, self.mode, self.zeros = self.mode, entered.mode, entered.zeros
+        self.rank = min(self.rank, len(self.names) - self.varied - 1)
+        self.names = names_of(self.wide, self.mode)
+        self._land(guard, thin, flow, times, at_event, before, entered)
+        return entered.closes
+
+    def _land(
+        self,
+        guard: Guard,
+        thin: Flow,
+        flow: Flow,
+        times: arb,
+        at_event: Values,
+        before: Mode,
+        entered: Entered,
+    ) -> None:
+        self.centre = self.set = {name: arb(entered.values[name]).mid() for name in self.names}
+
+    def _note(self, name: str, entered: Entered) -> None:
+        before, mode = self.mode, entered.mode
+        self.events.append(Event(name, self.time, mode))
+        self.ledger.note(before, entered, self.set)
+        if not mode.letter:
+            self.flew = self.flew or mode.contact == "flight"
+            return
+        if self.flew and self.letters:
+            self.letters.append("|")
+        if not self.letters or self.letters[-1] != mode.letter:
+            self.letters.append(mode.letter)
+        self.flew = False
+
+    def _close(self) -> Stride:
+        with ctx.workprec(self.fine.bits):
+            centre = [arb(value) for value in apex_of(self.thin, self.centre)]
+            return self._closed(centre, centre, None)
+
+    def _closed(self, centre: list[arb], after: list[arb], derivative: arb_mat | None) -> Stride:
+        word, quantities = "".join(self.letters), self.ledger.quantities(self.time)
+        return Stride(centre, after, derivative, word, self.events, self.rank, quantities)
+
+
+def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:
+    """Of a guard by the numbers of the motion, in their order.
+
+    Parameters
+    ----------
+    runner : Record
+        Parameters; what is varied may be a dual.
+    mode : Mode
+        That watches the guard.
+    name : str
+        Of the event.
+    values : dict of str to arb
+        The motion's numbers at an instant.
+
+    Returns
+    -------
+    list of arb
+        One for each number.
+    """
+    numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
+    found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, mode, numbers)))
+    return [arb(slope_of(found, of)) for of in values]
+
+
+def rate_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> arb:
+    """How fast a guard changes in time, at an instant or over a ball of times."""
+    steepness, rates = gradient_of_guard(runner, mode, name, values), speeds(runner, mode, values)
+    return sum((by * rates[of] for of, by in zip(values, steepness, strict=True)), arb(0))

@@ -1,0 +1,270 @@
+"""Events: what becomes of mode and motion at one, decided by signs that are proved.
+
+A chain of events at one instant is followed as the model orders it: impact, thrust, drive to coast, contact
+or graze or flight, stick or slip. Of the mode that begins it is told which of its guards are exactly zero
+then, and to which order, as the rules have it.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from types import SimpleNamespace as Record
+from typing import Any
+
+from flint import arb
+
+from . import laws
+from .dual import Number, value_of
+from .flow import with_direction
+from .guards import cone_backwards, cone_forwards, holding, normal_force, servo
+from .modes import PARAMETER, Mode
+from .signs import absolute, foot_rests, positive
+from .undecided import UndecidedError
+
+NARROWEST_GRAZE = arb(10) ** -10
+"""In units of k l0^2: nearer than this both laws agree at a lift-off, and the foot flies."""
+
+
+@dataclass
+class Entered:
+    """The mode that an event leads to."""
+
+    mode: Mode
+    values: dict[str, Number]
+    """Of the motion, by the names of the mode."""
+    zeros: Mapping[str, int] = field(default_factory=dict)
+    """By guard: to which order in time it begins at exactly zero."""
+    closes: bool = False
+    """A stride ends here, at an apex in flight."""
+    impact: bool = False
+    """The foot came down."""
+
+
+class Transition:
+    """The model's rules at one instant, for numbers of a motion that are balls or duals of balls."""
+
+    def __init__(self, runner: Any, mode: Mode, values: Mapping[str, Number]) -> None:
+        """At the event, in the mode that ends."""
+        self.runner, self.mode = runner, mode
+        self.at = Record(**with_direction(runner, mode, values))
+        self.speed: Number = arb(0)
+        self.zeros: dict[str, int] = {}
+        self.touched = False
+        if mode.contact in ("slip", "graze"):
+            self.speed = self.at.foot_speed
+
+    def take(self, event: str) -> Entered:
+        """The mode after an event of a name in `guards.FUNCTIONS`."""
+        steps: dict[str, Callable[[], Entered]] = {
+            "touchdown": self._touchdown,
+            "apex": self._apex,
+            "clamp": self._clamp,
+            "lift-off": self._lift_off,
+            "slip onset forwards": lambda: self._onset(1),
+            "slip onset backwards": lambda: self._onset(-1),
+            "end of slip": self._end_of_slip,
+            "mid-stance": self._mid_stance,
+            "greatest compression": self._thrust,
+            "load": self._load,
+            "flight": self._flight,
+        }
+        if event not in steps:
+            raise UndecidedError(event)
+        entered = steps[event]()
+        if self.runner.varied:
+            entered.values[PARAMETER] = self.at.parameter
+        entered.impact = self.touched
+        return entered
+
+    # ---- contact ---------------------------------------------------------------------------------------
+
+    def impact(self) -> bool:
+        """The foot's velocity and the leg's rates after an impact (4)-(6); whether the foot slides on."""
+        at, runner = self.at, self.runner
+        foot = laws.foot_velocity(runner, at)
+        if positive(foot.off, "the foot's velocity into the ground"):
+            raise UndecidedError("touchdown")
+        fall = -foot.off
+        slides = not foot_rests(foot.along) and positive(
+            absolute(foot.along, "the foot's velocity along the ground", runner, fall)
+            - laws.sticking_speed(runner, fall),
+            "whether the impact sticks",
+        )
+        if slides:
+            sign = 1 if positive(foot.along, "the foot's velocity along the ground") else -1
+            self.speed = laws.impulse_taken(runner, foot.along * sign, fall) * sign
+        lost = laws.kick(at, foot.along - self.speed, foot.off)
+        at.length_rate, at.angle_rate = lost.length_rate, lost.angle_rate
+        return slides
+
+    def _touchdown(self) -> Entered:
+        at = self.at
+        self.touched, slides = True, self.impact()
+        drives = positive(at.angle, "the leg's angle at touchdown")
+        if not positive(at.cosine, "the leg above the ground"):
+            raise UndecidedError("the body's height")
+        self.mode = replace(self.mode, drives=drives, thrusts=self._is_thrusting())
+        if positive(normal_force(self.runner, self.mode, at), "the normal force after the impact"):
+            return self._stand(moves=slides)
+        self._check_lever()
+        return self._leave(self._place_after_contact(), latched=at.angle)
+
+    def _is_thrusting(self) -> bool:
+        if not self.runner.has_thrust or self.mode.thrusts:
+            return self.mode.thrusts
+        return positive(self.at.length_rate, "the leg's rate as it is loaded")
+
+    def _check_lever(self) -> None:
+        positive(self.at.sine, "the hip's lever on the foot")
+
+    def _stand(self, *, moves: bool) -> Entered:
+        """On a loaded foot: stick or slip; `moves` tells whether its speed is not zero."""
+        stands = replace(self.mode, contact="stick", sign=0, places=False, clamped=False, rises=False)
+        if moves:
+            sign = 1 if positive(self.speed, "the foot's speed") else -1
+            return self._enter(replace(stands, contact="slip", sign=sign))
+        forwards = positive(cone_forwards(self.runner, stands, self.at), "the cone of a foot at rest")
+        backwards = positive(cone_backwards(self.runner, stands, self.at), "the cone of a foot at rest")
+        if forwards and backwards:
+            return self._enter(stands)
+        self.speed = arb(0)
+        self.zeros["end of slip"] = 1
+        return self._enter(replace(stands, contact="slip", sign=-1 if forwards else 1))
+
+    def _onset(self, sign: int) -> Entered:
+        """At the edge of the cone the foot is at rest and not accelerated, if friction does not jump."""
+        jumps = self.runner.is_stickier and not self.runner.fades
+        self.zeros["end of slip"] = 1 if jumps else 2
+        self.speed = arb(0)
+        return self._enter(replace(self.mode, contact="slip", sign=sign))
+
+    def _end_of_slip(self) -> Entered:
+        self.speed = arb(0)
+        return self._stand(moves=False)
+
+    def _mid_stance(self) -> Entered:
+        upright = {**vars(self.at), "angle": arb(0)}
+        self.at = Record(**with_direction(self.runner, self.mode, upright))
+        mode = self.mode = replace(self.mode, drives=False)
+        if mode.contact == "graze":
+            return self._resume()
+        return self._after_jump()
+
+    def _thrust(self) -> Entered:
+        self.mode = replace(self.mode, thrusts=True)
+        return self._after_jump()
+
+    def _after_jump(self) -> Entered:
+        """A force has jumped: the foot may leave, or begin to slip."""
+        if positive(normal_force(self.runner, self.mode, self.at), "the normal force after a jump"):
+            return self._stand(moves=self.mode.contact == "slip")
+        self._check_lever()
+        return self._leave(self._place_after_contact(), latched=self.at.angle)
+
+    def _load(self) -> Entered:
+        self.zeros["lift-off"] = 1
+        self.mode = replace(self.mode, thrusts=self._is_thrusting())
+        if self.runner.has_thrust and self.mode.thrusts:
+            self.zeros.clear()
+        return self._stand(moves=True)
+
+    # ---- off the ground --------------------------------------------------------------------------------
+
+    def _place_after_contact(self) -> bool:
+        """Whether the hip goes to place, rather than to retract, where a contact ends."""
+        if self.mode.places:
+            return True
+        flown = laws.fly(self.runner, self.at, self.speed)
+        return not positive(
+            laws.rise(self.runner, flown.along, flown.off), "whether the centre of mass rises"
+        )
+
+    def _off(self, places: bool, latched: Number) -> Mode:
+        """The hip off the ground, its clamp as the servo has it; sets what the servo knows."""
+        at = self.at
+        at.latched_angle = latched
+        if not (self.mode.places and places and hasattr(at, "clock")):
+            at.clock = arb(0)
+        mode = replace(self.mode, contact="graze", sign=0, places=places, clamped=False, rises=not places)
+        if places or not self.runner.has_servo:
+            return mode
+        return replace(mode, clamped=not positive(servo(self.runner, mode, at), "the clamp"))
+
+    def _lift_off(self) -> Entered:
+        mode = self._off(self._place_after_contact(), self.at.angle)
+        runner = self.runner
+        if (
+            mode.clamped or not runner.has_servo
+        ) and not self.mode.drives:  # both laws are the torque from outside
+            self.zeros["touchdown"] = 3
+            return self._fly(mode)
+        excess = laws.flight_torque(runner, mode, self.at) - laws.stance_torque(runner, self.mode)
+        pressing = -(excess * self.at.sine) - NARROWEST_GRAZE * runner.energy_scale
+        if positive(pressing, "graze or flight"):
+            self.zeros["load"] = 1
+            return self._graze(mode)
+        if not value_of(excess * self.at.sine) > 0:
+            raise UndecidedError("graze or flight")
+        self.zeros["touchdown"] = 2
+        return self._fly(mode)
+
+    def _leave(self, places: bool, latched: Number) -> Entered:
+        """The stance law does not load the foot: the flight law decides."""
+        mode = self._off(places, latched)
+        if positive(holding(self.runner, mode, self.at), "graze or flight"):
+            return self._graze(mode)
+        self.zeros["touchdown"] = 2
+        return self._fly(mode)
+
+    def _graze(self, mode: Mode) -> Entered:
+        if mode.places and self._rises():
+            raise UndecidedError("an apex in graze, after the hip has begun to place the leg")
+        return self._enter(mode)
+
+    def _flight(self) -> Entered:
+        self.zeros["touchdown"] = 3
+        return self._fly(self.mode)
+
+    def _fly(self, mode: Mode) -> Entered:
+        flown = laws.fly(self.runner, self.at, self.speed)
+        self.at.height, self.at.along, self.at.off = flown.height, flown.along, flown.off
+        rises = not mode.places or self._rises()
+        flies = replace(mode, contact="flight", sign=0, drives=False, thrusts=False, rises=rises)
+        return self._enter(flies)
+
+    def _rises(self) -> bool:
+        flown = laws.fly(self.runner, self.at, self.speed)
+        velocity = laws.rise(self.runner, flown.along, flown.off)
+        return positive(velocity, "whether the centre of mass rises")
+
+    def _apex(self) -> Entered:
+        mode = replace(self.mode, places=True, clamped=False, rises=False)
+        self.at.clock = arb(0)
+        entered = self._enter(mode)
+        entered.closes = mode.contact == "flight"
+        return entered
+
+    def _clamp(self) -> Entered:
+        self.zeros["clamp"] = 1
+        return self._enter(replace(self.mode, clamped=not self.mode.clamped))
+
+    def _resume(self) -> Entered:
+        """In graze the stance law has lost its drive: contact, flight or graze."""
+        if positive(normal_force(self.runner, self.mode, self.at), "the normal force after a jump"):
+            return self._stand(moves=True)
+        return self._enter(self.mode)
+
+    # ---- the numbers of a mode -------------------------------------------------------------------------
+
+    def _enter(self, mode: Mode) -> Entered:
+        at = self.at
+        values = {name: getattr(at, name) for name in ("length", "angle", "length_rate", "angle_rate")}
+        if mode.contact in ("slip", "graze"):
+            values["foot_speed"] = self.speed
+        if mode.contact == "flight":
+            values |= {name: getattr(at, name) for name in ("height", "along", "off")}
+        if not mode.touches:
+            if not mode.places:
+                values["latched_angle"] = at.latched_angle
+            elif self.runner.retracts:
+                values["clock"] = at.clock
+        return Entered(mode, values, self.zeros)

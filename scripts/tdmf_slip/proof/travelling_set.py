@@ -1,0 +1,170 @@
+"""A stride of a whole set of starts, with its derivative.
+
+Two motions go along: one of a single start, the centre, and tubes of all starts. The derivative of the
+stride is enclosed over the set, and by the mean value theorem the set at any time lies in  centre +
+derivative (set - centre), so that it does not grow by being wrapped in balls. The centre is a point and a
+drift, which has all its errors.
+"""
+
+from collections.abc import Sequence
+
+from flint import arb, arb_mat, ctx
+
+from .dual import slope_of, value_of
+from .flow import Flow, Values, speeds
+from .guards import FUNCTIONS
+from .ledger import Ledger
+from .matrices import identity
+from .modes import PARAMETER, Mode
+from .parameters import Parameters
+from .roots import Guard
+from .section import COORDINATES, apex_of, motion_at, seeds
+from .spread import Drift, Spread, narrower
+from .stride import Fineness, Starts, Stride, Traveller, gradient_of_guard
+from .transitions import Entered, Transition
+from .undecided import UndecidedError
+from .varied_flow import VariedFlow
+
+
+class SetTraveller(Traveller):
+    """All starts of a set on their way."""
+
+    def __init__(
+        self, parameters: Parameters, starts: Starts, fineness: Fineness, coarseness: Fineness
+    ) -> None:
+        """From their apexes.
+
+        Parameters
+        ----------
+        parameters : Parameters
+            Whose runner.
+        starts : Starts
+            Where from.
+        fineness, coarseness : Fineness
+            Of the centre, and of the set around it with its derivatives.
+        """
+        super().__init__(parameters, starts.centre, fineness)
+        self.coarse = coarseness
+        self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))
+        with ctx.workprec(coarseness.bits):
+            balls = starts.balls()
+            whole = balls[6] if self.varied else None
+            self.wide = parameters.balls(whole)
+            self.dual = parameters.balls(whole, dual=True)
+            self.ledger = Ledger(self.wide)
+            numbers = seeds(balls, self.columns)
+            begun = motion_at(self.dual, numbers[:6], numbers[6] if self.varied else None)
+            self.offset = arb_mat(len(balls), 1, [arb(0, radius) for radius in starts.radii])
+            self.spread = Spread(self._slopes(begun, self.names, self.columns))
+            self.set = {name: arb(value_of(begun[name])) for name in self.names}
+            self._check_gravity()
+        self.drift = Drift(len(self.names))
+        self._begin_at(self.centre, None)
+
+    def _check_gravity(self) -> None:
+        """In flight the centre of mass falls."""
+        runner = self.wide
+        lift = runner.push_along * runner.slope_sine + runner.push_off * runner.slope_cosine
+        if not runner.gravity > lift * runner.body_share:
+            raise UndecidedError("whether the centre of mass falls in flight", 0.0)
+
+    @staticmethod
+    def _slopes(numbers: dict[str, object], rows: Sequence[str], columns: Sequence[str]) -> arb_mat:
+        entries = [arb(slope_of(numbers[row], column)) for row in rows for column in columns]
+        return arb_mat(len(rows), len(columns), entries)
+
+    # ---- steps -----------------------------------------------------------------------------------------
+
+    def _step(self) -> bool:
+        with ctx.workprec(self.fine.bits):
+            thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
+        with ctx.workprec(self.coarse.bits):
+            flow = VariedFlow(self.wide, self.mode, self.set, self.coarse.degree, most=thin.reach)
+            return self._go(thin, flow)
+
+    def _begin_at(self, found: Values, derivative: arb_mat | None) -> None:
+        """The centre as a point, and its error as drift."""
+        with ctx.workprec(self.fine.bits):
+            points = {name: arb(found[name]).mid() for name in self.names}
+            fresh = [arb(found[name]) - points[name] for name in self.names]
+            self.centre = points
+            around = [ball + arb(0, ball.rad()) for ball in fresh]
+        self.drift.follow(identity(len(self.names)) if derivative is None else derivative, around)
+
+    def _around(self, plain: Values) -> Values:
+        """The set by the mean value theorem, or as it is where that is narrower; the centre is in it."""
+        moved = self.spread.product * self.offset
+        found = {}
+        for i, (name, ball) in enumerate(zip(self.names, self.drift.balls(), strict=True)):
+            centre = self.centre[name] + ball
+            found[name] = narrower(plain[name], centre + moved[i, 0]).union(centre)
+        return found
+
+    def _advance(self, thin: Flow, flow: Flow, end: arb) -> None:
+        assert isinstance(flow, VariedFlow)
+        flow.vary(self.dual)
+        derivative = flow.matrix(end)
+        with ctx.workprec(self.fine.bits):
+            found = thin.at(end)
+        self._begin_at(found, derivative)
+        self.spread.follow(derivative)
+        self.set = self._around(flow.at(end))
+
+    # ---- events ----------------------------------------------------------------------------------------
+
+    def _land(
+        self,
+        guard: Guard,
+        thin: Flow,
+        flow: Flow,
+        times: arb,
+        at_event: Values,
+        before: Mode,
+        entered: Entered,
+    ) -> None:
+        assert isinstance(flow, VariedFlow)
+        flow.vary(self.dual)
+        names, derivative = flow.names, flow.matrix(times)
+        self._saltate(guard, before, derivative, at_event, names)
+        numbers = dict(zip(names, seeds([at_event[name] for name in names], names), strict=True))
+        reset = Transition(self.dual, before, numbers).take(guard.name)
+        derivative = self._slopes(reset.values, self.names, names) * derivative
+        self._begin_at(self._centre_after(guard, thin, times, before), derivative)
+        self.spread.follow(derivative)
+        self.set = self._around({name: arb(value_of(entered.values[name])) for name in self.names})
+
+    def _saltate(
+        self, guard: Guard, mode: Mode, derivative: arb_mat, values: Values, names: Sequence[str]
+    ) -> None:
+        """The event's time moves with the start: each column goes along the flow by as much."""
+        rates = speeds(self.wide, mode, values)
+        values = {name: values[name] for name in names}
+        steepness = gradient_of_guard(self.dual, mode, guard.name, values)
+        fall = sum((s * rates[name] for s, name in zip(steepness, names, strict=True)), arb(0))
+        if not fall < 0:
+            raise UndecidedError(guard.name)
+        for j in range(len(names)):
+            delay = -sum((s * derivative[i, j] for i, s in enumerate(steepness)), arb(0)) / fall
+            for i, name in enumerate(names):
+                derivative[i, j] = derivative[i, j] + rates[name] * delay
+
+    def _centre_after(self, guard: Guard, thin: Flow, times: arb, mode: Mode) -> Values:
+        """The centre just after its own event."""
+        with ctx.workprec(self.fine.bits):
+            own = Guard(guard.name, FUNCTIONS[guard.name](self.thin, mode, thin.record()), guard.order)
+            low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
+            when = own.zero_after(low, high) if low < high else None
+            entered = Transition(self.thin, mode, thin.at(times if when is None else when)).take(guard.name)
+            return {name: arb(value_of(entered.values[name])) for name in self.names}
+
+    def _close(self) -> Stride:
+        with ctx.workprec(self.fine.bits):
+            balls = {
+                name: self.centre[name] + d for name, d in zip(self.names, self.drift.balls(), strict=True)
+            }
+            centre = [arb(value) for value in apex_of(self.thin, balls)]
+        with ctx.workprec(self.coarse.bits):
+            numbers = dict(zip(self.names, seeds([self.set[n] for n in self.names], self.names), strict=True))
+            apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
+            derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
+            return self._closed(centre, [arb(value_of(a)) for a in apexes.values()], derivative)

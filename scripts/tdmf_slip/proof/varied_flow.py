@@ -1,0 +1,119 @@
+"""One step with the derivative of its end by its start.
+
+The derivative V solves V' = A V along the tube; with norms, the part that its polynomial leaves out is below
+(|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2)), where H is what A V has beyond t^N and B is A's
+remainder.
+"""
+
+from types import SimpleNamespace as Record
+from typing import Any
+
+from flint import arb, arb_mat, arb_poly
+
+from .dual import Dual, slope_of, value_of
+from .flow import Flow, fall
+from .laws import rates
+from .matrices import greatest, identity, norm
+from .modes import BALLISTIC, PARAMETER, kept_names, moving_names
+from .tube import Tube
+
+
+class VariedFlow(Flow):
+    """A step with the derivative by its start."""
+
+    def vary(self, dual_runner: Any) -> None:
+        """Solve the variational equation along the tubes.
+
+        Parameters
+        ----------
+        dual_runner : Record
+            Parameters, of which the varied one is a dual.
+        """
+        self.dual_runner = dual_runner
+        self.active = moving_names(self.runner, self.mode) + kept_names(self.runner, self.mode)
+        self._solve(self._matrices())
+
+    def _matrices(self) -> tuple[list[arb_mat], arb]:
+        """Coefficients of A, the derivative of the rates, and a bound of its remainder's norm."""
+        tubes, one = self.tubes, arb(1)
+        numbers: dict[str, Any] = {
+            name: Dual(tubes[name], {name: one}) for name in moving_names(self.runner, self.mode)
+        }
+        numbers |= {name: Dual(value, {name: one}) for name, value in self.kept.items()}
+        turn = {"angle": one} | slopes_of_slope(self.dual_runner)
+        numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
+        numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
+        if "fading" in tubes:
+            numbers["fading"] = self._fading(numbers["foot_speed"])
+        found = rates(self.dual_runner, self.mode, Record(**numbers))
+        size, zero = len(self.active), arb(0)
+        entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
+        rows = [[coefficients_of(entry) for entry in row] for row in entries]
+        matrices = [
+            arb_mat(size, size, [c[k] if k < len(c) else zero for row in rows for c in row])
+            for k in range(self.degree + 1)
+        ]
+        sums = [sum((abs(remainder_of(entry)) for entry in row), zero).upper() for row in entries]
+        return matrices, greatest(sums)
+
+    def _fading(self, speed: Dual) -> Dual:
+        """e^(-s v/v_s) by the foot's speed and by what is varied."""
+        exponent = speed * (-self.mode.sign / self.dual_runner.fading_speed)
+        fading = self.tubes["fading"]
+        return Dual(fading, {name: fading * slope for name, slope in exponent.gradient.items()})
+
+    def _solve(self, of_rates: tuple[list[arb_mat], arb]) -> None:
+        matrices, rest = of_rates
+        size, degree, reach = len(self.active), self.degree, self.reach
+        found = [identity(size)]
+        for k in range(degree + 1):
+            total = matrices[0] * found[k]
+            for i in range(1, k + 1):
+                total = total + matrices[i] * found[k - i]
+            found.append(total / (k + 1))
+        last = norm(found.pop())
+        sizes, solved = [norm(m) for m in matrices], [norm(m) for m in found]
+        beyond = (arb_poly(sizes) * arb_poly(solved)).right_shift(degree + 1)(reach)
+        all_rates = arb_poly(sizes)(reach) + reach ** (degree + 1) * rest
+        contraction = reach * all_rates / (degree + 2)
+        bound = last + reach / (degree + 2) * (beyond + rest * arb_poly(solved)(reach))
+        self.rest = bound / (1 - contraction) if contraction < 1 else arb("inf")
+        rows = [[m[i, j] for m in found] for i in range(size) for j in range(size)]
+        self.entries = [arb_poly(row) for row in rows]
+
+    def matrix(self, time: arb) -> arb_mat:
+        """The derivative of the motion at a time by its start, rows and columns in the order of `names`."""
+        names, size = self.names, len(self.active)
+        whole = identity(len(names))
+        error = arb(0, (abs(time).upper() ** (self.degree + 1) * self.rest).upper())
+        for i in range(size):
+            for j in range(size):
+                whole[i, j] = self.entries[i * size + j](time) + error
+        if self.mode.contact == "flight":
+            height, along, off = (names.index(name) for name in BALLISTIC)
+            whole[height, off] = time
+            if PARAMETER in names:
+                by = names.index(PARAMETER)
+                of_along, of_off = (slope_of(part, PARAMETER) for part in fall(self.dual_runner))
+                whole[height, by] = of_off * time * time / 2
+                whole[along, by], whole[off, by] = of_along * time, of_off * time
+        return whole
+
+
+def slopes_of_slope(runner: Any) -> dict[str, arb]:
+    """By what is varied: how the leg's angle from the ground's normal changes."""
+    slope = slope_of(runner.slope, PARAMETER)
+    return {} if slope == 0 else {PARAMETER: -slope}
+
+
+def coefficients_of(entry: Any) -> list[arb]:
+    """Of an entry of a matrix: a tube's, or a number alone."""
+    if isinstance(entry, Tube):
+        terms: list[arb] = entry.polynomial.coeffs()
+        return terms
+    return [arb(value_of(entry))]
+
+
+def remainder_of(entry: Any) -> arb:
+    """Of an entry of a matrix: a tube's, or zero."""
+    return entry.remainder if isinstance(entry, Tube) else arb(0)

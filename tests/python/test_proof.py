@@ -1,0 +1,140 @@
+"""Proofs of gaits: against values that were proved by another program, and where they have to fail."""
+
+import json
+import os
+import pathlib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import tdmf_slip
+
+pytest.importorskip("flint")
+
+from flint import arb, ctx
+from tdmf_slip.errors import InputError
+
+PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
+GAITS = {gait["friction"]: gait for gait in PROVED["gaits"]}
+EVENTS = {
+    "end of slip": "rest",
+    "slip onset forwards": "slip+",
+    "slip onset backwards": "slip-",
+    "mid-stance": "midstance",
+    "lift-off": "liftoff",
+    "flight": "fly",
+}
+LONG = pytest.mark.skipif("TDMF_SLIP_LONG" not in os.environ, reason="proofs that take minutes: --long")
+
+
+@pytest.fixture(autouse=True)
+def precise():
+    with ctx.workprec(400):
+        yield
+
+
+def agree(text, known):
+    """Two enclosures of one number overlap, and are both narrow."""
+    return arb(text).overlaps(arb(known))
+
+
+def check(proof, known):
+    told = proof.as_json()
+    assert proof.proved
+    assert told["word"] == known["word"]
+    assert told["stable"] is known["stable"]
+    for name in ("period", "length", "speed"):
+        assert agree(told[name], known[name]), name
+    for kind in ("apex", "eigenvalues"):
+        assert len(told[kind]) == 6
+        assert all(agree(one, other) for one, other in zip(told[kind], known[kind], strict=True)), kind
+    assert [EVENTS.get(name, name) for name, _ in told["events"]] == [name for name, _ in known["events"]]
+    for (_, time), (_, known_time) in zip(told["events"], known["events"], strict=True):
+        assert agree(time, known_time)
+
+
+@pytest.fixture(scope="module")
+def proof():
+    return tdmf_slip.prove({"ground.friction": "0.6"})
+
+
+def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(proof):
+    check(proof, GAITS["0.6"])
+    told = proof.as_json()
+    assert all(arb(value).rad() < 1e-20 for value in (*told["apex"], *told["eigenvalues"], told["speed"]))
+    assert "3/5" in proof.sentence
+    assert "exactly one" in proof.sentence
+
+
+@LONG
+@pytest.mark.parametrize("friction", GAITS)
+def test_every_published_gait_is_proved(friction):
+    check(tdmf_slip.prove({"ground.friction": friction}, digits=30, box="1e-32"), GAITS[friction])
+
+
+def test_enclosures_hold_what_the_library_computes(proof):
+    gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    for ball, value in zip(proof.apex, gait.apex, strict=True):
+        assert abs(float(ball) - value) < 1e-11
+    for name in ("work", "cost_of_transport", "stance_time", "duty_factor", "slip_distance"):
+        assert abs(float(proof.quantities[name]) - gait.stride[name]) < 1e-10, name
+    assert abs(float(proof.quantities["liftoff_angle"]) - gait.liftoff_angle) < 1e-10
+    found = sorted(abs(complex(value)) for value in proof.eigenvalues)
+    assert np.allclose(found, sorted(np.abs(gait.eigenvalues)), atol=1e-8)
+
+
+def displaced(by):
+    gait = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    return replace(gait, apex=gait.apex + by)
+
+
+def test_a_displaced_centre_is_undecided_where_the_box_does_not_reach_the_gait():
+    proof = tdmf_slip.prove(displaced(1e-9), box=1e-10, digits=5)
+    assert not proof.proved
+    assert "inclusion" in proof.undecided["guard"]
+    assert proof.sentence.startswith("Undecided")
+    assert proof.as_json()["undecided"]["guard"] == proof.undecided["guard"]
+
+
+def test_a_displaced_centre_is_proved_where_it_does():
+    proof = tdmf_slip.prove(displaced(1e-9), box=2e-9, digits=5)
+    assert proof.proved
+    assert proof.word == "0+"
+
+
+def test_a_box_across_a_border_is_undecided_with_guard_and_time():
+    proof = tdmf_slip.prove({"ground.friction": "0.49911"}, box="1e-3", digits=5)
+    assert not proof.proved
+    assert 12 < proof.undecided["time"] < 14
+
+
+def test_parameters_are_the_numbers_that_they_read_as():
+    from tdmf_slip.proof.prove import gait_of
+
+    _, values = gait_of({"ground.friction": "0.6", "hip.touchdown_angle": "40 deg"})
+    assert str(values["ground.friction"]) == "3/5"
+    assert str(values["hip.touchdown_angle"]) == "2 pi/9"
+    assert str(values["leg.damping"]) == "1/5"
+    _, values = gait_of({"ground.friction": 0.61})
+    assert values["ground.friction"].rational == 0.61
+    assert str(values["ground.friction"]) != "61/100"
+
+
+@pytest.mark.parametrize("box", [0, -1, 2, "x", float("nan")])
+def test_a_box_that_is_none_is_refused(box):
+    with pytest.raises(InputError, match="box"):
+        tdmf_slip.prove(box=box)
+
+
+def test_the_command_prints_the_proof():
+    from click.testing import CliRunner
+    from tdmf_slip.cli.prove import prove_command
+
+    ran = CliRunner().invoke(
+        prove_command, ["--friction", "10", "--digits", "5", "--json"], standalone_mode=False
+    )
+    told = json.loads(ran.stdout)
+    assert told["proved"]
+    assert told["word"] == "0+"
+    assert agree(told["period"], GAITS["10"]["period"])
+    assert told["parameters"]["ground.friction"] == "10"
