@@ -4,12 +4,15 @@
     merge_units.py TARGET BUILD...    folders with TDMF_SLIP.fmu and TDMF_SLIP_FMI3.fmu, each of one platform
 
 Everything but the binaries is taken from the first. Where FMI 2.0 has one folder for two processors, macOS
-gets a universal file; elsewhere the folder means x86-64 and the other is left out.
+gets a universal file; elsewhere the folder means x86-64 and the other is left out. The same input gives the
+same bytes: entries are in order, and have the time of SOURCE_DATE_EPOCH, or else the earliest of a zip file.
 """
 
 import argparse
+import os
 import pathlib
 import struct
+import time
 import zipfile
 
 FILES = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
@@ -67,17 +70,24 @@ def collect(builds, file):
     return chosen
 
 
+def entry_time():
+    """What every entry has for its time."""
+    earliest = 315532800  # 1980-01-01
+    return time.gmtime(max(earliest, int(os.environ.get("SOURCE_DATE_EPOCH", earliest))))[:6]
+
+
 def merge(builds, target, file):
     """Write the merged unit."""
-    with (
-        zipfile.ZipFile(builds[0] / file) as first,
-        zipfile.ZipFile(target / file, "w", zipfile.ZIP_DEFLATED) as merged,
-    ):
-        for entry in first.infolist():
-            if not entry.filename.startswith("binaries/"):
-                merged.writestr(entry, first.read(entry), zipfile.ZIP_DEFLATED)
-        for name, data in sorted(collect(builds, file).items()):
-            merged.writestr(name, data)
+    with zipfile.ZipFile(builds[0] / file) as first:
+        names = [name for name in first.namelist() if not name.endswith("/")]
+        entries = {name: first.read(name) for name in names if not name.startswith("binaries/")}
+    entries |= collect(builds, file)
+    with zipfile.ZipFile(target / file, "w") as merged:
+        for name, data in sorted(entries.items()):
+            entry = zipfile.ZipInfo(name, entry_time())
+            entry.external_attr = 0o100644 << 16
+            entry.create_system = 3  # Unix, whatever this one is
+            merged.writestr(entry, data, zipfile.ZIP_DEFLATED)
 
 
 def main():

@@ -88,9 +88,15 @@ make_environment() {
         --force-reinstall .
 }
 
-# Zig, and what reads and packs its results.
+# Zig, and what reads, packs and checks its results.
 get_zig() {
     install_locked platforms
+}
+
+# What is given out carries the time of the last commit, so that the same sources make the same bytes.
+set_source_date() {
+    SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 315532800)}
+    export SOURCE_DATE_EPOCH
 }
 
 PLATFORMS=(x86_64-linux aarch64-linux x86_64-windows aarch64-windows x86_64-darwin aarch64-darwin)
@@ -126,6 +132,7 @@ build_units() {
 build_platforms() {
     local platform units=()
     mkdir -p build/platforms
+    set_source_date
     say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
     for_each_platform build_units units
     for platform in "${PLATFORMS[@]}"; do
@@ -134,8 +141,8 @@ build_platforms() {
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
 }
 
-# What is given out, in dist: source distribution, a wheel for every platform, both units. The wheels' own binaries come
-# from Zig too, for the systems that their tags name.
+# What is given out, in dist: source distribution, a wheel for every platform, both units, and what goes with them
+# (scripts/release_files.py). The wheels' own binaries come from Zig too, for the systems that their tags name.
 wheel_tag() {
     case $1 in
     x86_64-linux) echo manylinux_2_17_x86_64 ;;
@@ -165,15 +172,17 @@ build_wheel() {
 }
 
 build_distribution() {
+    set_source_date
     say "Building source distribution and wheels into dist"
     mkdir -p dist
-    rm -f dist/*.whl dist/*.tar.gz dist/*.fmu
+    rm -f dist/*.whl dist/*.tar.gz dist/*.fmu dist/*.cdx.json dist/RELEASE_NOTES.md dist/recipe.yaml dist/SHA256SUMS
     .venv/bin/python -m build --sdist --no-isolation -o dist . >build/distribution.log 2>&1 || {
         tail -n 40 build/distribution.log >&2
         fail "the source distribution could not be built"
     }
     for_each_platform build_wheel wheel
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
+    .venv/bin/python scripts/release_files.py dist
 }
 
 # The site, in dist/site, with warnings as errors, and the live page in it.
