@@ -27,7 +27,7 @@ double tdmf_first_zero(const tdmf_swinging_height *h) {
         const double beyond = time_to_level(parabola - reach, its_rate, h->curvature);
         const double within = time_to_level(parabola - h->swing * cos(angle),
                                             its_rate - h->swing * h->turning * sin(angle), lowest);
-        const double next = t + fmax(beyond, within);
+        const double next = t + (beyond > within ? beyond : within); /* not a number if either is none */
         if (!(next > t)) {
             return next == t ? t : NAN;
         }

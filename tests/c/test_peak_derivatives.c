@@ -1,0 +1,108 @@
+/* Derivatives of a stride's peaks of the ground force on slopes, across the ground and vertically, against
+ * differences: also of a peak at an event, on either side of it, where the force jumps. */
+#include "compare.h"
+#include "reference_gaits.h"
+
+#include "tdmf_slip/automaton.h"
+#include "tdmf_slip/outputs.h"
+#include "tdmf_slip/return_map.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double long_enough = 1e4;
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    double section[TDMF_SECTION_COUNT];
+} scene;
+
+static scene scene_on_slope(double friction, double slope) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    scene scene;
+    memset(&scene, 0, sizeof scene);
+    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.inputs = tdmf_default_inputs();
+    scene.inputs.ground.friction = friction;
+    scene.inputs.ground.slope = slope;
+    memcpy(scene.section, &reference_gaits[2].apex, sizeof scene.section);
+    return scene;
+}
+
+static tdmf_return stride_from(const scene *scene, bool derivatives, tdmf_event_log *log) {
+    static const tdmf_change by_slope = {.inputs = {.ground = {.slope = 1.0}}};
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = 1e-14;
+    solver.log = log;
+    const tdmf_return stride = tdmf_return_map(&solver, &scene->model, &scene->inputs, scene->section,
+                                               long_enough, derivatives, &by_slope, 1);
+    assert_true(stride.outcome.closed);
+    return stride;
+}
+
+/* By a coordinate of the start, or, after the last, by the slope. */
+static double *moved(scene *scene, int k) {
+    return k < TDMF_SECTION_COUNT ? &scene->section[k] : &scene->inputs.ground.slope;
+}
+
+static void assert_differentiated(const scene *at) {
+    const double step = 1e-4;
+    const tdmf_return exact = stride_from(at, true, NULL);
+    for (int k = 0; k <= TDMF_SECTION_COUNT; ++k) {
+        scene ahead = *at, behind = *at;
+        *moved(&ahead, k) += step;
+        *moved(&behind, k) -= step;
+        const tdmf_stride after = stride_from(&ahead, false, NULL).stride;
+        const tdmf_stride before = stride_from(&behind, false, NULL).stride;
+        const tdmf_stride_change *change =
+            k < TDMF_SECTION_COUNT ? &exact.by_section[k] : &exact.by_parameter[0];
+        assert_close(change->peak_force, (after.peak_force - before.peak_force) / (2.0 * step), 1e-5);
+        assert_close(change->peak_vertical_force,
+                     (after.peak_vertical_force - before.peak_vertical_force) / (2.0 * step), 1e-5);
+    }
+}
+
+static double vertical_force(const scene *scene, const tdmf_mode *mode, const double *state) {
+    const tdmf_record record = {0};
+    return tdmf_outputs_of(&scene->model, &scene->inputs, mode, &record, state).contact.fy;
+}
+
+/* -1 where the peak is met at the end of a mode, 1 at the begin of one, 0 in between. */
+static int side_of_peak(const scene *scene) {
+    tdmf_event_log log;
+    memset(&log, 0, sizeof log);
+    const double peak = stride_from(scene, false, &log).stride.peak_vertical_force;
+    for (int i = 0; i < log.count; ++i) {
+        const tdmf_event *event = &log.events[i];
+        const double before = vertical_force(scene, &event->before, event->state);
+        const double after = vertical_force(scene, &event->after, event->state);
+        if (event->guard != TDMF_GUARD_TOUCHDOWN && fabs(fmax(before, after) - peak) < 1e-12) {
+            return before > after ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+static void peaks_on_slopes_are_differentiated(void **state) {
+    static const double slopes[] = {-0.14, -0.1, -0.05, 0.02, 0.05};
+    static const double frictions[] = {10.0, 1.2, 0.6, 0.2};
+    int ends = 0, begins = 0, inside = 0;
+    (void)state;
+    for (int i = 0; i < 20; ++i) {
+        const scene scene = scene_on_slope(frictions[i % 4], slopes[i / 4]);
+        const int side = side_of_peak(&scene);
+        assert_differentiated(&scene);
+        ends += side < 0;
+        begins += side > 0;
+        inside += side == 0;
+    }
+    assert_true(ends >= 1 && begins >= 1 && inside >= 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(peaks_on_slopes_are_differentiated),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,84 @@
+/* How long a stride of the reduced map may take: the flight down and the stance each as long as is asked for,
+ * counted from where each begins; and a touchdown that is not found is not one at once. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "swinging_height.h"
+
+#include "tdmf_slip/reduced_map.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    double apex[TDMF_REDUCED_COUNT];
+    double descent, stance; /* s, of the stride from there */
+} scene;
+
+static tdmf_reduced_return stride(const scene *scene, double until, tdmf_event_log *log) {
+    tdmf_solver solver = tdmf_solver_default();
+    solver.log = log;
+    return tdmf_reduced_map(&solver, &scene->model, &scene->inputs, scene->apex, until, false, NULL, 0);
+}
+
+static scene stride_known(void) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    scene scene;
+    tdmf_event_log log;
+    memset(&scene, 0, sizeof scene);
+    memset(&log, 0, sizeof log);
+    assert_null(tdmf_model_create(&scene.model, &parameters).variable);
+    scene.inputs = tdmf_default_inputs();
+    memcpy(scene.apex, &reference_gaits[2].apex, sizeof scene.apex);
+    const tdmf_reduced_return whole = stride(&scene, 1e3, &log);
+    assert_int_equal(whole.outcome, TDMF_REDUCED_CLOSED);
+    assert_int_equal(log.events[0].guard, TDMF_GUARD_TOUCHDOWN);
+    scene.descent = log.events[0].time;
+    scene.stance = whole.stride.stance_time;
+    return scene;
+}
+
+static void the_stance_has_its_own_time(void **state) {
+    const scene scene = stride_known();
+    const double longer = fmax(scene.descent, scene.stance), shorter = fmin(scene.descent, scene.stance);
+    (void)state;
+    assert_true(shorter > 0.05 * longer);
+    assert_int_equal(stride(&scene, longer * 1.01, NULL).outcome, TDMF_REDUCED_CLOSED);
+    assert_true(longer * 1.01 < scene.descent + scene.stance);
+    scene.descent < scene.stance
+        ? assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_REDUCED_STUCK)
+        : assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_REDUCED_NO_TOUCHDOWN);
+}
+
+static void the_descent_has_its_own_time(void **state) {
+    const scene scene = stride_known();
+    (void)state;
+    assert_int_equal(stride(&scene, scene.descent * (1.0 - 1e-9), NULL).outcome, TDMF_REDUCED_NO_TOUCHDOWN);
+    assert_int_not_equal(stride(&scene, scene.descent * (1.0 + 1e-9), NULL).outcome,
+                         TDMF_REDUCED_NO_TOUCHDOWN);
+}
+
+/* Not at once, which a zero would be. */
+static void a_touchdown_that_is_not_found_is_not_a_number(void **state) {
+    const tdmf_swinging_height falls = {1.0, 0.0, -0.5, 0.75, 0.0, 0.0};
+    (void)state;
+    assert_close(tdmf_first_zero(&falls), 1.0, 1e-15);
+    for (int field = 0; field < 6; ++field) {
+        double values[6];
+        tdmf_swinging_height unknown;
+        memcpy(values, &falls, sizeof values);
+        values[field] = (double)NAN;
+        memcpy(&unknown, values, sizeof unknown);
+        assert_true(isnan(tdmf_first_zero(&unknown)));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_stance_has_its_own_time),
+        cmocka_unit_test(the_descent_has_its_own_time),
+        cmocka_unit_test(a_touchdown_that_is_not_found_is_not_a_number),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
