@@ -1,15 +1,22 @@
 """Runners fitted to measured gaits: derivatives, confidence, what the data do not tell, and tables."""
 
 import json
+import math
 import re
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_orbit, fit, read_parameters
+from tdmf_slip.fitting import fitted
+from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.across import Across
+from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
+from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.library.orbit import orbit_near
 from tdmf_slip.library.quantities import QUANTITIES, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
@@ -147,6 +154,87 @@ def test_the_search_across_folds_has_exact_derivatives():
         aside = step * (np.arange(len(at)) == k)
         difference = (across.residuals(at + aside) - across.residuals(at - aside)) / (2.0 * step)
         assert exact[:, k] == pytest.approx(difference, abs=1e-5 * np.max(np.abs(exact)))
+
+
+def test_two_measurements_of_one_speed_are_met_in_their_middle():
+    """Both are one error off: chi square is 2, whose chance with one degree of freedom is erfc(1)."""
+    rows = tuple({"speed": Measured(speed, 0.01)} for speed in (1.0, 1.02))
+    found = fit(Measurements(rows, "twice"), ["hip.stance_torque"])
+    assert [residual.fitted for residual in found.residuals] == pytest.approx([1.01, 1.01], abs=1e-6)
+    assert found.chi_square == pytest.approx(2.0, rel=1e-6) and found.degrees_of_freedom == 1
+    assert found.probability == pytest.approx(math.erfc(1.0), rel=1e-6)
+    assert "chi square 2 with 1 degrees of freedom, probability 0.16" in found.as_text()
+
+
+@pytest.mark.parametrize(
+    ("chi_square", "degrees_of_freedom", "met"),
+    [(6.4, 1, True), (6.8, 1, False), (9.0, 2, True), (9.4, 2, False), (0.9, 0, True), (1.1, 0, False)],
+)
+def test_data_are_met_up_to_the_chance_of_one_in_a_hundred(chi_square, degrees_of_freedom, met):
+    """That is 6.635 with one degree of freedom and -2 log 0.01 = 9.21 with two; SciPy's cost is its half."""
+    found = SimpleNamespace(cost=0.5 * chi_square, x=np.zeros(3))
+    assert fitted._is_met(found, 3 + degrees_of_freedom) is met
+
+
+@pytest.mark.parametrize(("size", "told"), [(1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)])
+def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size, told):
+    """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
+    known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), QUANTILE)
+    assert len(known.unidentified) == told and pytest.approx(1.95996, rel=1e-5) == QUANTILE
+
+
+def problem_of(orbit):
+    return Problem(orbit, Measurements((measured(orbit),), "a gait"), ["leg.stiffness"], [])
+
+
+def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
+    """A chord that halves nothing leads nowhere: the gait's own Jacobian is asked for at the second one."""
+    orbit = find_orbit({"ground.friction": 0.6})
+    problem, made, real = problem_of(orbit), [], problem_module.plain_stride
+
+    def stuck(runner, apex, names):
+        made.append(apex)
+        stride = real(runner, orbit.apex, names)
+        return replace(stride, left_over=1e-3 * runner.scales)
+
+    monkeypatch.setattr(problem_module, "plain_stride", stuck)
+    assert np.isfinite(problem.residuals(np.array([0.01]))).all()
+    assert len(made) == 3  # the last one reads what the gait has that Newton's method found
+    assert problem.happenings.strides == 1 + 2 + problem_module.STRIDES_OF_SEARCH - 1
+
+
+def test_a_search_that_begins_anew_has_no_jacobian_yet():
+    orbit = find_orbit({"ground.friction": 0.6})
+    problem, here = problem_of(orbit), np.zeros(1)
+    problem.residuals(here)
+    problem.jacobian(here)
+    assert problem.is_linear_at(here)
+    problem.restart(here, problem.apexes())
+    assert not problem.is_linear_at(here)
+    problem.jacobian(here)
+    assert problem.is_linear_at(here) and not problem.is_linear_at(here + 1e-9)
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch, model):
+    """As with speeds in km/h where m/s are written."""
+    monkeypatch.setattr(problem_module, "MOST_STRIDES", 60)
+    row = {"speed": Measured(3.6, 0.01), "frequency": Measured(0.04, 0.001)}
+    found = fit(Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"], model=model)
+    assert not found.converged
+    told = next(note for note in found.notes if "the search was ended after" in note)
+    strides = int(re.search(r"after (\d+) strides", told)[1])
+    assert 60 <= strides < 60 + 2 * problem_module.STRIDES_OF_SEARCH
+    assert "units that their titles say" in told and np.isfinite(found.chi_square)
+
+
+def test_a_fit_shows_its_strides(capsys):
+    rows = ({"speed": Measured(1.1, 0.01)},)
+    fit(Measurements(rows, "one"), ["hip.stance_torque"])
+    assert capsys.readouterr().err == ""
+    fit(Measurements(rows, "one"), ["hip.stance_torque"], show_progress=True)
+    (strides,) = re.findall(r"fit: (\d+) strides", capsys.readouterr().err.split("\r")[-1])
+    assert int(strides) > 5
 
 
 def test_rows_share_what_is_shared_and_have_their_own():
@@ -319,7 +407,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     arguments = ["fit", str(table), "--free", "leg.stiffness", "--report", str(page), "--plot", str(picture)]
     status, out, said = command(*arguments, "--json")
     told = json.loads(out)
-    assert (status, said) == (0, "")
+    assert status == 0 and "fit: " in said and " strides" in said
     estimate = told["parameters"]["leg.stiffness"]
     assert estimate["low"] < estimate["value"] < estimate["high"]
     assert estimate["value"] == pytest.approx(Runner.of({}).values["leg.stiffness"], rel=1e-8)

@@ -81,7 +81,7 @@ def fit_command(
 
         check_place(report, fit_page.FORMATS, "--report")
     runner = runner_of(unit, parameters, values_given(friction, settings), model)
-    found = fit(file, names, free_each=each, runner=runner, unit=unit)
+    found = fit(file, names, free_each=each, runner=runner, show_progress=True, unit=unit)
     if plot is not None:
         from ..pictures import fit_diagram
 

@@ -37,6 +37,7 @@ class Across:
         self.problem = problem
         self._apexes = np.array(problem.apexes())
         self._steps = FIRST_STEP * problem.runner.scales
+        self._last: NDArray[np.float64] | None = None
         self.begin = np.append(unknowns, np.zeros(self._apexes.size))
 
     def unknowns(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -50,10 +51,22 @@ class Across:
         return apexes
 
     def residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Row by row, those of quantities before those of closing; infinite where a stride does not close."""
+        """Row by row, those of quantities before those of closing; infinite where a stride does not close.
+
+        Where no further stride is to be made, those of before, so that the search ends.
+        """
+        if self.problem.is_spent and self._last is not None:
+            return self._last.copy()
+        found = self._residuals(at)
+        if np.isfinite(found).all():
+            self._last = found
+        return found
+
+    def _residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
         problem, values = self.problem, self.problem.values(self.unknowns(at))
         parts = []
         for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
+            problem.count_strides(1)
             try:
                 stride = plain_stride(problem.runner_of(values, number), apex, tuple(row))
             except (InputError, RunError):
@@ -74,6 +87,7 @@ class Across:
         width = self._apexes.shape[1]
         blocks = []
         for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
+            problem.count_strides(1)
             varied = varied_stride(problem.runner_of(values, number), apex, tuple(row), problem.free)
             errors = np.array([of.error for of in row.values()])
             weights = np.append(problem.runner.scales / WEIGHT, errors)

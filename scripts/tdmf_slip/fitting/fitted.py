@@ -14,12 +14,13 @@ from ..library.members import check_varied
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .across import cross
 from .identifiability import identified
 from .measurements import Measurements, measurements_of
-from .problem import FIRST_STEP, Problem, bounds_of
+from .problem import FIRST_STEP, MOST_STRIDES, Problem, bounds_of
 from .result import QUANTILE, UNLIKELY, Estimate, Fit, Residual
 
 MOST_STEPS = 200
@@ -36,6 +37,7 @@ def fit(
     runner: Runner | Mapping[str, Given] | None = None,
     guess: Apex | None = None,
     model: str | None = None,
+    show_progress: bool = False,
     unit: Unit | None = None,
 ) -> Fit:
     """The runner whose gaits are nearest to measured ones, with the confidence of its parameters.
@@ -43,7 +45,7 @@ def fit(
     The sum of the squared residuals over their errors is made least by SciPy's `least_squares`, with the
     exact derivatives of the gaits. Intervals are of 95 % confidence, linear in the parameters, and of the
     normal distribution: the errors of the data are taken as known standard errors, and are not scaled to the
-    residuals.
+    residuals. A search that has made `problem.MOST_STRIDES` strides ends where it is, and a note says so.
 
     Parameters
     ----------
@@ -62,6 +64,8 @@ def fit(
         the runner settles on, else that near its start values.
     model : str, optional
         `full` or `reduced`, as in `find_orbit`.
+    show_progress : bool, default False
+        A count of strides on stderr.
     unit : Unit, optional
         Whose start values and ranges hold; by default that of `fmu_path`.
 
@@ -91,14 +95,15 @@ def fit(
     shared, each = _checked_names(free, "free"), _checked_names(free_each, "free_each")
     _check_names(shared, each, measurements)
     first = _first(runner_by(Runner.of(runner, unit), model), guess, unit)
-    problem = Problem(first, measurements, shared, each)
     variables = load(unit).variables
     ranges = {name: (variables[name].minimum, variables[name].maximum) for name in (*shared, *each)}
-    bounds = bounds_of(problem, ranges)
-    found = _searched(problem, np.zeros(len(problem.parameters)), bounds)
-    if problem.happenings.lost and not _is_met(found, measurements.count):
-        found = _crossed(problem, found, bounds)
-    return _fit_of(problem, measurements, found)
+    with progress.bar("fit", None, "strides", show_progress) as bar:
+        problem = Problem(first, measurements, shared, each, bar.update)
+        bounds = bounds_of(problem, ranges)
+        found = _searched(problem, np.zeros(len(problem.parameters)), bounds)
+        if problem.happenings.lost and not problem.is_spent and not _is_met(found, measurements.count):
+            found = _crossed(problem, found, bounds)
+        return _fit_of(problem, measurements, found)
 
 
 def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
@@ -211,7 +216,7 @@ def _fit_of(problem: Problem, measurements: Measurements, found: Any) -> Fit:
         unidentified=known.unidentified,
         residuals=residuals,
         probability=probability,
-        converged=bool(found.status > 0),
+        converged=bool(found.status > 0 and not problem.is_spent),
         steps=int(found.nfev),
         notes=tuple(_notes(problem, found, probability)),
     )
@@ -241,6 +246,11 @@ def _probability(chi_square: float, degrees_of_freedom: int) -> float:
 def _notes(problem: Problem, found: Any, probability: float) -> list[str]:
     """What happened, and what the fit should be read with."""
     notes = []
+    if problem.is_spent:
+        notes.append(
+            f"the search was ended after {problem.happenings.strides:,} strides ({MOST_STRIDES:,} are "
+            "allowed): its values are not the best ones; are the data in the units that their titles say?"
+        )
     if found.status <= 0:
         notes.append(f"the search has not ended after {found.nfev} tries: its values are not the best ones")
     if np.isnan(probability) and 2.0 * found.cost > 1.0:

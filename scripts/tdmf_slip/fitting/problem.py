@@ -4,7 +4,7 @@ Unknowns are parameters that all rows share, and parameters of which each row ha
 from its first value in tenths of its scale. A residual is a quantity less the measured one, over its error.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -25,6 +25,10 @@ CLOSED = 1e-11
 FAR = 1e3
 """Of a parameter's scale: an end of its range that is farther away is no bound, as SciPy's search scales the
 parameters by how far their bounds are."""
+MOST_STRIDES = 20_000
+"""Of all rows in a fit: nearly thirty times what the data that come with the package take."""
+STRIDES_OF_SEARCH = 50
+"""So many a search for a gait by Newton's method is counted for: how many it made is not told."""
 CHORDS = 16
 """Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
 
@@ -58,6 +62,8 @@ class _Place(ByContents):
 class Happenings:
     """What came in the way of the search."""
 
+    strides: int = 0
+    """Made by all rows."""
     lost: int = 0
     """Tries at which a row had no gait."""
     crossed: bool = False
@@ -75,6 +81,7 @@ class Problem:
         measurements: Measurements,
         shared: Sequence[str],
         each: Sequence[str],
+        strides_made: Callable[[int], object] = lambda count: None,
     ) -> None:
         """All are taken as they are; `fitted.fit` checks them.
 
@@ -86,7 +93,10 @@ class Problem:
             What is to be met.
         shared, each : sequence of str
             Parameters that all rows share, and those of which each has its own.
+        strides_made : callable, optional
+            Called with how many strides were made.
         """
+        self._strides_made = strides_made
         self.runner, self.rows = first.runner, measurements.rows
         count = len(self.rows)
         self.parameters = (
@@ -110,6 +120,17 @@ class Problem:
         self._words = [first.word] * count
         self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
         self._linear_at: NDArray[np.float64] | None = None
+        self._last: NDArray[np.float64] | None = None
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether no further stride is to be made: the search then ends where it is."""
+        return self.happenings.strides >= MOST_STRIDES
+
+    def count_strides(self, count: int) -> None:
+        """Note strides that were made for this fit."""
+        self.happenings.strides += count
+        self._strides_made(count)
 
     def values(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         """The parameters, in the order of `parameters` and in their units."""
@@ -124,7 +145,18 @@ class Problem:
         return runner
 
     def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of all rows in turn; infinite where one has no gait, so that a shorter step is tried."""
+        """Of all rows in turn; infinite where one has no gait, so that a shorter step is tried.
+
+        Where no further stride is to be made, those of before: no step is then better, and the search ends.
+        """
+        if self.is_spent and self._last is not None:
+            return self._last.copy()
+        found = self._residuals(unknowns)
+        if np.isfinite(found).all():
+            self._last = found
+        return found
+
+    def _residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         values = self.values(unknowns)
         try:
             gaits = [self._gait(values, row) for row in range(len(self.rows))]
@@ -174,7 +206,7 @@ class Problem:
             A gait has no derivatives.
         """
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
-            self.residuals(unknowns)
+            self._residuals(unknowns)
         assert self._tried is not None
         values = self.values(unknowns)
         self._linear_at = np.array(unknowns)
@@ -203,6 +235,7 @@ class Problem:
         return list(self._words)
 
     def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:
+        self.count_strides(1)
         try:
             return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self.free)
         except RunError as problem:
@@ -225,6 +258,7 @@ class Problem:
         apex = predicted = base.apex + base.varied.apex_by_parameters @ moved
         last = np.inf
         for _ in range(CHORDS):
+            self.count_strides(1)
             try:
                 stride = plain_stride(runner, apex, names)
             except RunError:
@@ -235,6 +269,7 @@ class Problem:
             if error > 0.5 * last:
                 break
             last, apex = error, apex - base.varied.apex_by_left_over @ stride.left_over
+        self.count_strides(STRIDES_OF_SEARCH)
         apex = orbit_near(runner, predicted).apex
         return apex, plain_stride(runner, apex, names)
 
