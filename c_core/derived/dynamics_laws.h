@@ -169,7 +169,7 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] = -(force.tangential * slip_velocity);
-    derivatives[TDMF_HIP_POSITIVE_WORK] = (power >= 0.0 ? power : 0.0);
+    derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
     derivatives[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
 }
 
@@ -207,7 +207,7 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
         model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] =
         -(d_force.tangential * slip_velocity + force.tangential * d_slip_velocity);
-    derivatives[TDMF_HIP_POSITIVE_WORK] = (power >= 0.0 ? d_power : 0.0);
+    derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
     derivatives[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
 }
 

@@ -30,26 +30,21 @@ static inline double tdmf_vary_sliding_friction(const tdmf_inputs *inputs, doubl
     return sign * d_inputs->ground.friction;
 }
 
-/* rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s.
- *
- * Of a wide cone, rho mu > 1, by rho mu: so it has the forces' own rounding, and nothing overflows. */
-static inline double tdmf_room_in_cone(double friction, bool wide, double sign,
-                                       const tdmf_ground_force *force) {
-    if (wide) {
-        return force->normal + sign * force->tangential / friction;
-    }
-    return friction * force->normal + sign * force->tangential;
+/* max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding. */
+static inline double tdmf_cone_width(const tdmf_model *model, const tdmf_inputs *inputs) {
+    return (1.0 >= model->parameters.ground.static_friction_ratio * inputs->ground.friction
+                ? 1.0
+                : model->parameters.ground.static_friction_ratio * inputs->ground.friction);
 }
 
-/* Its change. */
-static inline double tdmf_vary_room_in_cone(double friction, bool wide, double sign,
-                                            const tdmf_ground_force *force, double d_friction,
-                                            const tdmf_ground_force *d_force) {
-    if (wide) {
-        return d_force->normal +
-               (sign * d_force->tangential - sign * force->tangential / friction * d_friction) / friction;
-    }
-    return d_friction * force->normal + friction * d_force->normal + sign * d_force->tangential;
+/* The weights of f_n and |f_t| in the room that a cone leaves, measured by its width. */
+static inline tdmf_cone tdmf_cone_of(double friction) {
+    const double widest = (1.0 >= friction ? 1.0 : friction);
+    const tdmf_cone result = {
+        .normal = friction / widest,
+        .tangential = 1.0 / widest,
+    };
+    return result;
 }
 
 #endif

@@ -88,7 +88,9 @@ tdmf_vary_force_in_stance(const tdmf_model *model, const tdmf_inputs *inputs, co
     return result;
 }
 
-/* N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10). */
+/* N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
+ *
+ * Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now. */
 static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, const tdmf_inputs *inputs,
                                                      const tdmf_mode *mode,
                                                      const double state[TDMF_STATE_COUNT],
@@ -96,11 +98,10 @@ static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, co
     if (mode->phase == TDMF_PHASE_PLACE) {
         const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
                               model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
-        const double across = (model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                               (inputs->hip.external_torque -
-                                model->parameters.hip.kd * model->parameters.hip.retraction_rate)) *
-                              leg->inverse_length;
+        const double servo = model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
+                             model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] -
+                             model->parameters.hip.kd * model->parameters.hip.retraction_rate;
+        const double across = (servo + inputs->hip.external_torque) * leg->inverse_length;
         const double along = -(leg->ground_sine * leg->axial_force) - across * leg->ground_cosine;
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
         const double off = leg->axial_force * leg->ground_cosine - leg->ground_sine * across;
@@ -110,34 +111,21 @@ static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, co
         };
         return result;
     }
-    if (mode->clamp_closed) {
-        const double weight = model->parameters.foot.mass * model->parameters.gravity;
-        const tdmf_ground_force result = {
-            .tangential = -(leg->ground_sine * leg->axial_force) -
-                          inputs->hip.external_torque * leg->inverse_length * leg->ground_cosine +
-                          weight * mode->ground.sine,
-            .normal = leg->axial_force * leg->ground_cosine -
-                      leg->ground_sine * (inputs->hip.external_torque * leg->inverse_length) +
-                      weight * mode->ground.cosine,
-        };
-        return result;
-    }
+    const double clamped =
+        ((model->parameters.hip.kp *
+              (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
+          model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                                            state[TDMF_LEG_ANGLE]) -
+                model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE])
+             : 0.0);
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const tdmf_ground_force result = {
-        .tangential =
-            -(leg->ground_sine * leg->axial_force) -
-            (model->parameters.hip.kp *
-                 (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
-             model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                leg->inverse_length * leg->ground_cosine +
-            weight * mode->ground.sine,
+        .tangential = -(leg->ground_sine * leg->axial_force) -
+                      (clamped + inputs->hip.external_torque) * leg->inverse_length * leg->ground_cosine +
+                      weight * mode->ground.sine,
         .normal = leg->axial_force * leg->ground_cosine -
-                  leg->ground_sine *
-                      ((model->parameters.hip.kp *
-                            (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                             state[TDMF_LEG_ANGLE]) -
-                        model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                       leg->inverse_length) +
+                  leg->ground_sine * ((clamped + inputs->hip.external_torque) * leg->inverse_length) +
                   weight * mode->ground.cosine,
     };
     return result;
@@ -155,24 +143,18 @@ tdmf_vary_force_in_flight(const tdmf_model *model, const tdmf_inputs *inputs, co
         const double d_target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
                                 (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
                                  model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
-        const double d_across = (d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
-                                 model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
-                                 (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                                  model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-                                 (d_inputs->hip.external_torque -
-                                  (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                                   model->parameters.hip.kd * d_model->parameters.hip.retraction_rate))) *
-                                    leg->inverse_length +
-                                (model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                                 model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                                 (inputs->hip.external_torque -
-                                  model->parameters.hip.kd * model->parameters.hip.retraction_rate)) *
-                                    d_leg->inverse_length;
-        const double across = (model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                               (inputs->hip.external_torque -
-                                model->parameters.hip.kd * model->parameters.hip.retraction_rate)) *
-                              leg->inverse_length;
+        const double d_servo = d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
+                               model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
+                               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) -
+                               (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                                model->parameters.hip.kd * d_model->parameters.hip.retraction_rate);
+        const double servo = model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
+                             model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] -
+                             model->parameters.hip.kd * model->parameters.hip.retraction_rate;
+        const double d_across = (d_servo + d_inputs->hip.external_torque) * leg->inverse_length +
+                                (servo + inputs->hip.external_torque) * d_leg->inverse_length;
+        const double across = (servo + inputs->hip.external_torque) * leg->inverse_length;
         const double d_along =
             -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
             (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
@@ -190,79 +172,43 @@ tdmf_vary_force_in_flight(const tdmf_model *model, const tdmf_inputs *inputs, co
         };
         return result;
     }
-    if (mode->clamp_closed) {
-        const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
-                                model->parameters.foot.mass * d_model->parameters.gravity;
-        const double weight = model->parameters.foot.mass * model->parameters.gravity;
-        const tdmf_ground_force result = {
-            .tangential =
-                -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
-                ((d_inputs->hip.external_torque * leg->inverse_length +
-                  inputs->hip.external_torque * d_leg->inverse_length) *
-                     leg->ground_cosine +
-                 inputs->hip.external_torque * leg->inverse_length * d_leg->ground_cosine) +
-                (d_weight * mode->ground.sine + weight * (mode->ground.cosine * d_mode->ground.slope)),
-            .normal = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine -
-                      (d_leg->ground_sine * (inputs->hip.external_torque * leg->inverse_length) +
-                       leg->ground_sine * (d_inputs->hip.external_torque * leg->inverse_length +
-                                           inputs->hip.external_torque * d_leg->inverse_length)) +
-                      (d_weight * mode->ground.cosine - mode->ground.sine * d_mode->ground.slope * weight),
-        };
-        return result;
-    }
+    const double d_clamped =
+        ((model->parameters.hip.kp *
+              (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
+          model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (d_model->parameters.hip.kp *
+                    (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                     state[TDMF_LEG_ANGLE]) +
+                model->parameters.hip.kp *
+                    (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                     model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
+                     d_state[TDMF_LEG_ANGLE]) -
+                (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
+                 model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]))
+             : 0.0);
+    const double clamped =
+        ((model->parameters.hip.kp *
+              (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
+          model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                                            state[TDMF_LEG_ANGLE]) -
+                model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE])
+             : 0.0);
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const tdmf_ground_force result = {
-        .tangential =
-            -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
-            (((d_model->parameters.hip.kp *
-                   (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                    state[TDMF_LEG_ANGLE]) +
-               model->parameters.hip.kp *
-                   (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                    model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
-                    d_state[TDMF_LEG_ANGLE]) -
-               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-               d_inputs->hip.external_torque) *
-                  leg->inverse_length +
-              (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                                           state[TDMF_LEG_ANGLE]) -
-               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                  d_leg->inverse_length) *
-                 leg->ground_cosine +
-             (model->parameters.hip.kp *
-                  (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
-              model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                 leg->inverse_length * d_leg->ground_cosine) +
-            (d_weight * mode->ground.sine + weight * (mode->ground.cosine * d_mode->ground.slope)),
-        .normal =
-            d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine -
-            (d_leg->ground_sine *
-                 ((model->parameters.hip.kp *
-                       (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                        state[TDMF_LEG_ANGLE]) -
-                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                  leg->inverse_length) +
-             leg->ground_sine *
-                 ((d_model->parameters.hip.kp *
-                       (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                        state[TDMF_LEG_ANGLE]) +
-                   model->parameters.hip.kp *
-                       (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                        model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
-                        d_state[TDMF_LEG_ANGLE]) -
-                   (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                    model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-                   d_inputs->hip.external_torque) *
-                      leg->inverse_length +
-                  (model->parameters.hip.kp *
-                       (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                        state[TDMF_LEG_ANGLE]) -
-                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque) *
-                      d_leg->inverse_length)) +
-            (d_weight * mode->ground.cosine - mode->ground.sine * d_mode->ground.slope * weight),
+        .tangential = -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
+                      (((d_clamped + d_inputs->hip.external_torque) * leg->inverse_length +
+                        (clamped + inputs->hip.external_torque) * d_leg->inverse_length) *
+                           leg->ground_cosine +
+                       (clamped + inputs->hip.external_torque) * leg->inverse_length * d_leg->ground_cosine) +
+                      (d_weight * mode->ground.sine + weight * (mode->ground.cosine * d_mode->ground.slope)),
+        .normal = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine -
+                  (d_leg->ground_sine * ((clamped + inputs->hip.external_torque) * leg->inverse_length) +
+                   leg->ground_sine * ((d_clamped + d_inputs->hip.external_torque) * leg->inverse_length +
+                                       (clamped + inputs->hip.external_torque) * d_leg->inverse_length)) +
+                  (d_weight * mode->ground.cosine - mode->ground.sine * d_mode->ground.slope * weight),
     };
     return result;
 }

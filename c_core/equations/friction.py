@@ -1,5 +1,7 @@
 """Coulomb friction: all that is made of its coefficient, mu. This page is its one home."""
 
+from .functions import Record, larger
+
 
 def static(model, inputs):
     """rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n  (2)."""
@@ -16,14 +18,20 @@ def sliding_force(friction, normal):
     return friction * normal
 
 
-def room(friction, wide, sign, force):
-    """rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s.
-
-    Of a wide cone, rho mu > 1, by rho mu: so it has the forces' own rounding, and nothing overflows.
-    """
-    if wide:
-        return force.normal + sign * force.tangential / friction
+def room(friction, sign, force):
+    """rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s  (2)."""
     return friction * force.normal + sign * force.tangential
+
+
+def width(model, inputs):
+    """max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding."""
+    return larger(1, static(model, inputs))
+
+
+def cone(friction):
+    """The weights of f_n and |f_t| in the room that a cone leaves, measured by its width."""
+    widest = larger(1, friction)
+    return Record(normal=friction / widest, tangential=1 / widest)
 
 
 def after_impact(inputs, sign, along, off):

@@ -41,5 +41,5 @@ def larger(x, y):
     if hasattr(x, "larger"):
         return x.larger(y)
     if hasattr(y, "larger"):
-        return y.larger(x)
+        return (0 * y + x).larger(y)
     return x if x >= y else y

@@ -11,6 +11,7 @@ never by tau_eq, which is 0/0 at theta' = 0.
 """
 
 from . import ground_force, hip
+from .functions import larger
 
 
 def force_in_stance(model, inputs, mode, state, leg):
@@ -20,6 +21,10 @@ def force_in_stance(model, inputs, mode, state, leg):
 
 
 def force_in_flight(model, inputs, mode, state, leg):
-    """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10)."""
-    torque = hip.flight_torque(model, inputs, state, mode.phase, mode.clamp_closed, mode.liftoff_angle)
-    return ground_force.under(model, mode.ground, leg, torque)
+    """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
+
+    Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now.
+    """
+    servo = hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
+    clamped = servo if mode.phase == "place" else larger(servo, 0)
+    return ground_force.under(model, mode.ground, leg, clamped + inputs.hip.external_torque)

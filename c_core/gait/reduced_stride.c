@@ -1,7 +1,7 @@
 /* Flight, impact and apex of the reduced map. */
 #include "reduced_stride.h"
 
-#include "events.h"
+#include "event_declarations.h"
 #include "greatest_compression.h"
 #include "ground_line.h"
 #include "prescribed_flight.h"
@@ -98,7 +98,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
         tdmf_prescribed_derivatives(model, inputs, before->state, before->derivatives);
     }
     tdmf_run run = run_of(model, inputs, motion);
-    tdmf_touchdown.reset(&run);
+    tdmf_take_touchdown(&run);
     tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, &motion->mode,
                        &motion->record);
     return tdmf_in_contact(&motion->mode) ? TDMF_REDUCED_CLOSED : TDMF_REDUCED_NO_STANCE;
@@ -121,6 +121,6 @@ tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs
     motion->mode.contact = TDMF_CONTACT_FLIGHT; /* also where the full model would graze */
     tdmf_run run = run_of(model, inputs, motion);
     run.mode->rises = true;
-    tdmf_apex_event.reset(&run);
+    tdmf_take_apex(&run);
     return TDMF_REDUCED_CLOSED;
 }

@@ -4,8 +4,6 @@
 
 #include "dynamics_laws.h"
 #include "free_fall.h"
-#include "friction.h"
-#include "graze_laws.h"
 #include "ground_line.h"
 #include "kinematics.h"
 
@@ -90,24 +88,13 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
 /* ---- how the ground force changes --------------------------------------------------------------------- */
 
 tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
-    static const tdmf_model unchanged = {0};
-    static const tdmf_mode held = {0};
     const tdmf_leg_rates acceleration = tdmf_accelerate_leg(at);
-    const tdmf_leg_direction direction = {at->leg.sine, at->leg.cosine};
     const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = at->leg.length_rate,
                                             [TDMF_LEG_ANGLE] = at->leg.angle_rate,
                                             [TDMF_LEG_LENGTH_RATE] = acceleration.length,
                                             [TDMF_LEG_ANGLE_RATE] = acceleration.angle};
-    const tdmf_leg rate_of_leg =
-        tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, at->leg.rest_length, &at->leg,
-                           &unchanged, &held.ground, rates, 0.0);
-    tdmf_ground_force rate =
-        tdmf_vary_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg, &unchanged,
-                                  &tdmf_held_inputs, &held, rates, &rate_of_leg);
-    if (at->mode->contact != TDMF_CONTACT_STICK) {
-        rate.tangential = -tdmf_signed_friction(at->inputs, at->mode) * rate.normal;
-    }
-    return rate;
+    const tdmf_direction motion = tdmf_direction_of_motion(rates);
+    return tdmf_vary_evaluation(at, &motion).force;
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

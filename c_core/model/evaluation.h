@@ -68,6 +68,11 @@ static inline double tdmf_vary_vertical_force(const tdmf_evaluation *at, const t
         .y;
 }
 
+/* What the height of the foot may be wrong by. */
+static inline double tdmf_rounding_at_foot(const tdmf_evaluation *at) {
+    return tdmf_rounding_of_height(&at->mode->ground, at->state[TDMF_FOOT_X]);
+}
+
 /* How what is evaluated changes along a direction, in the same shape; the mode is held but for its lift-off
  * angle. */
 tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_direction *d);

@@ -10,17 +10,4 @@ static inline double tdmf_signed_friction(const tdmf_inputs *inputs, const tdmf_
     return tdmf_sliding_friction(inputs, tdmf_sign_of_slip(mode));
 }
 
-/* The edges of the friction cone as guards, normal f_y + tangential f_x and normal f_y - tangential f_x: they
- * carry mu times the rounding of f_y, so that under a large friction no fixed margin would hold. Over max(1,
- * mu) they have the forces' own rounding, and nothing overflows. */
-typedef struct {
-    double normal, tangential;
-} tdmf_cone;
-
-static inline tdmf_cone tdmf_cone_of(double friction) {
-    const tdmf_cone narrow = {friction, 1.0};
-    const tdmf_cone wide = {1.0, 1.0 / friction};
-    return friction > 1.0 ? wide : narrow;
-}
-
 #endif

@@ -8,31 +8,19 @@
 #include "graze.h"
 
 #include "dynamics.h"
+#include "event_declarations.h"
 #include "graze_laws.h"
+#include "guard_laws.h"
 #include "margins.h"
 
 /* ---- the ground force under either law ---------------------------------------------------------------- */
-
-/* Nobody locates the clamp of a foot on the ground: it is where the servo has it now. */
-static tdmf_mode mode_by_servo(const tdmf_evaluation *at) {
-    tdmf_mode mode = *at->mode;
-    mode.clamp_closed = tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) < 0.0;
-    return mode;
-}
 
 double tdmf_load_in_stance(const tdmf_evaluation *at) {
     return tdmf_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg).normal;
 }
 
 double tdmf_load_in_flight(const tdmf_evaluation *at) {
-    const tdmf_mode mode = mode_by_servo(at);
-    return tdmf_force_in_flight(at->model, at->inputs, &mode, at->state, &at->leg).normal;
-}
-
-double tdmf_vary_load_in_stance(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return tdmf_vary_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg, d->model,
-                                     d->inputs, d->mode, d->state, &d->leg)
-        .normal;
+    return tdmf_force_in_flight(at->model, at->inputs, at->mode, at->state, &at->leg).normal;
 }
 
 /* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
@@ -43,11 +31,8 @@ static bool is_at_kink(const tdmf_evaluation *at, const tdmf_evaluation *d) {
                                   d->state) != 0.0;
 }
 
-double tdmf_vary_load_in_flight(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    const tdmf_mode mode = mode_by_servo(at);
-    const tdmf_ground_force d_force = tdmf_vary_force_in_flight(
-        at->model, at->inputs, &mode, at->state, &at->leg, d->model, d->inputs, d->mode, d->state, &d->leg);
-    return is_at_kink(at, d) ? NAN : d_force.normal;
+double tdmf_vary_armed_graze_to_flight(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return is_at_kink(at, d) ? NAN : tdmf_vary_graze_to_flight_guard(at, d);
 }
 
 /* ---- what becomes of the foot ------------------------------------------------------------------------- */

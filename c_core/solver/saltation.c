@@ -40,7 +40,7 @@ static tdmf_variation no_variation(void) {
 
 static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at, const tdmf_direction *d) {
     const tdmf_evaluation d_at = tdmf_vary_evaluation(at, d);
-    return event->vary_guard(at, d, &d_at);
+    return event->vary_guard(at, &d_at);
 }
 
 /* By how much the event shifts in time. */
@@ -127,7 +127,7 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
                               const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
                               const tdmf_variation *variation) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
-    const bool impact = guard == TDMF_GUARD_TOUCHDOWN;
+    const bool impact = event->is_impact;
     if (event->vary_guard == NULL || is_on_edge(inputs, impact, before, after)) {
         return no_variation();
     }
@@ -137,7 +137,7 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     shift_along(dt, before->derivatives, varied.state);
     const tdmf_variation met_before = varied;
     if (event->vary_reset != NULL) {
-        event->vary_reset(model, inputs, &before->mode.ground, before->state, after->state, &d, varied.state);
+        event->vary_reset(model, inputs, &before->mode.ground, before->state, &d, varied.state);
     }
     varied.state[TDMF_LEG_WORK] += vary_leg_work(model, inputs, before, after, &d, varied.state);
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {

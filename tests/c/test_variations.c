@@ -68,8 +68,7 @@ static double static_friction(const runner *runner) {
     return runner->model.parameters.ground.static_friction_ratio * runner->inputs.ground.friction;
 }
 
-/* What turns a guard into the quantity that it is made of: the edge of a cone has its own weights, a clamp
- * that is closed the opposite sign. */
+/* What turns a guard into the quantity that it is made of: the edge of a cone has its own weights. */
 static double scale_of(const runner *runner, tdmf_guard guard) {
     const tdmf_scales *scales = &runner->model.scales;
     switch (guard) {
@@ -81,7 +80,7 @@ static double scale_of(const runner *runner, tdmf_guard guard) {
     case TDMF_GUARD_GREATEST_COMPRESSION:
         return scales->speed;
     case TDMF_GUARD_CLAMP:
-        return runner->mode.clamp_closed ? -scales->energy : scales->energy;
+        return scales->energy;
     case TDMF_GUARD_MID_STANCE:
         return 1.0;
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
@@ -123,7 +122,7 @@ static void assert_guard_varies(const guard_line *on, const tdmf_direction *d, d
     const runner *at = on->line.runner;
     const tdmf_evaluation here = evaluated(at);
     const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d);
-    const double exact = tdmf_event_kind_of(on->guard)->vary_guard(&here, d, &changed);
+    const double exact = tdmf_event_kind_of(on->guard)->vary_guard(&here, &changed);
     const double numerical = (double)derivative_at_zero(quantity_on_line, on, (long double)step);
     const double noise = 1e-13 * fabs(scale_of(at, on->guard)) * terms_of(at) / step;
     /* The accelerations of a light foot and of its leg cancel in that of the centre of mass. */

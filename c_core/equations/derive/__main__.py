@@ -3,9 +3,10 @@
 import sys
 from pathlib import Path
 
-from . import model
+from . import events, model
 
 FILES = {f"{write.__name__}.h": write for write in model.HEADERS}
+FILES |= {"event_declarations.h": events.declarations, "event_table.h": events.table}
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "derived"
 folder.mkdir(exist_ok=True)

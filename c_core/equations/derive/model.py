@@ -8,6 +8,7 @@ from .. import (
     coordinates,
     dynamics,
     energy,
+    events,
     free_fall,
     friction,
     graze,
@@ -27,6 +28,8 @@ MODE = "const tdmf_mode *mode"
 LINE = "const tdmf_ground_line *line"
 LEG = "const tdmf_leg *leg"
 LAW = "const tdmf_hip_law *law"
+AT = "const tdmf_evaluation *at"
+GUARD_ARGUMENTS = {"line": LINE, "sign": "double sign"}
 STATE = "const double state[TDMF_STATE_COUNT]"
 DIRECTION = "tdmf_leg_direction direction"
 
@@ -183,12 +186,8 @@ def friction_laws() -> str:
             Function(
                 f"double tdmf_sliding_friction({INPUTS}, double sign)", friction.sliding, fixed=("sign",)
             ),
-            Function(
-                "double tdmf_room_in_cone(double friction, bool wide, double sign, "
-                "const tdmf_ground_force *force)",
-                friction.room,
-                fixed=("sign",),
-            ),
+            Function(f"double tdmf_cone_width({MODEL}, {INPUTS})", friction.width, varied=False),
+            Function("tdmf_cone tdmf_cone_of(double friction)", friction.cone, varied=False),
         ],
     )
 
@@ -399,6 +398,25 @@ def energy_laws() -> str:
     )
 
 
+def guard_laws() -> str:
+    """Write the guards of events, and their changes."""
+    return header(
+        "guard",
+        [
+            Function(
+                f"double tdmf_{event.name}_guard("
+                f"{', '.join([AT, *(GUARD_ARGUMENTS[name] for name, _ in event.arguments)])})",
+                event.law,
+                fixed=("sign",),
+                varied=event.varied,
+            )
+            for event in events.EVENTS
+            if event.law is not None
+        ],
+        structs="evaluation.h",
+    )
+
+
 HEADERS = [
     runner_laws,
     ground_line_laws,
@@ -412,5 +430,6 @@ HEADERS = [
     dynamics_laws,
     impact_laws,
     energy_laws,
+    guard_laws,
     constant_laws,
 ]

@@ -16,7 +16,7 @@ from typing import Any
 from .expressions import LEAVES, UNARY, Expression, c_text, derivative, forget, lift, trace
 
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
-FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "wide", "sticks", "upright")
+FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "upright", "rises")
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
 FUNCTIONS = (*UNARY, "larger", "atan2")

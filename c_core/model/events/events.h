@@ -1,5 +1,5 @@
-/* Events of the automaton. Each is a pair of a guard and a reset, with their variations, in a file of its
- * own; events.c says which mode watches which. */
+/* Events of the automaton. Each is a pair of a guard and a reset, with their variations; the table of
+ * equations/events.py has them all, and says which mode watches which. */
 #ifndef TDMF_MODEL_EVENTS_H
 #define TDMF_MODEL_EVENTS_H
 
@@ -35,20 +35,17 @@ void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
 typedef struct {
     /* Positive while the event is to come, a pure number. */
     double (*guard)(const tdmf_evaluation *at);
-    /* Its change along a direction, up to the guard's scale. NULL: no variation outlives the event. */
-    double (*vary_guard)(const tdmf_evaluation *at, const tdmf_direction *d, const tdmf_evaluation *d_at);
+    /* Its change along a direction, up to the guard's scale; `d` is that of `at`. NULL: no variation outlives
+     * the event. */
+    double (*vary_guard)(const tdmf_evaluation *at, const tdmf_evaluation *d);
     /* What the event makes of the run, its record included. NULL: nothing that the motion depends on. */
     void (*reset)(tdmf_run *run);
     /* What the reset makes of a change of the state; NULL where the state does not jump. */
     void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                       const double before[TDMF_STATE_COUNT], const double after[TDMF_STATE_COUNT],
-                       const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
+                       const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                       double d_state[TDMF_STATE_COUNT]);
+    bool is_impact; /* the foot comes to the ground with a velocity */
 } tdmf_event_kind;
-
-extern const tdmf_event_kind tdmf_touchdown, tdmf_apex_event, tdmf_clamp, tdmf_mid_stance, tdmf_lift_off,
-    tdmf_slip_onset_positive, tdmf_slip_onset_negative, tdmf_slip_end, tdmf_force_peak,
-    tdmf_vertical_force_peak, tdmf_graze_to_contact, tdmf_graze_to_flight, tdmf_body_down, tdmf_leg_too_short,
-    tdmf_greatest_compression, tdmf_new_ground;
 
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
@@ -56,16 +53,6 @@ const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
 /* Takes all that are due, as tdmf_resolve does, but does not see to the peaks of the ground force. False
  * where the chain did not come to rest. */
 bool tdmf_take_transitions(tdmf_run *run);
-
-/* A guard of a quantity with a scale. */
-static inline double tdmf_armed(double value, double scale) {
-    return value / scale + TDMF_GUARD_MARGIN;
-}
-
-/* The same for a sign that is remembered: `value` reaches the far edge of the dead band. */
-static inline double tdmf_armed_against_turning(double value, double scale, bool negative) {
-    return (negative ? -value : value) / scale + TDMF_DEAD_BAND;
-}
 
 /* The right-hand side and the ground are the same: contact, phase, clamp, thrust, line and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {

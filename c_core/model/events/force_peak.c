@@ -1,27 +1,25 @@
 /* Force peaks: the ground force, across the ground or vertically, turns from growing to falling or back. Only
  * the record knows of it. */
 #include "dynamics.h"
-#include "events.h"
+#include "event_declarations.h"
 #include "record.h"
 
-static double force_rate(const tdmf_evaluation *at) {
-    const tdmf_scales *scales = &at->model->scales;
-    return tdmf_armed_against_turning(tdmf_force_rate(at).normal, scales->force / scales->time,
-                                      !at->mode->ground_force_rising);
+static double armed(const tdmf_evaluation *at, double rate, bool rising) {
+    const double scaled = rate / (at->model->scales.force / at->model->scales.time);
+    return (rising ? scaled : -scaled) + TDMF_DEAD_BAND;
+}
+
+double tdmf_armed_force_peak(const tdmf_evaluation *at) {
+    return armed(at, tdmf_force_rate(at).normal, at->mode->ground_force_rising);
 }
 
 /* On level ground it is the same force, and is not watched twice. */
-static double vertical_force_rate(const tdmf_evaluation *at) {
-    const tdmf_scales *scales = &at->model->scales;
+double tdmf_armed_vertical_force_peak(const tdmf_evaluation *at) {
     const tdmf_ground_line *ground = &at->mode->ground;
     return ground->sine == 0.0
                ? 1.0
-               : tdmf_armed_against_turning(tdmf_vertical_force(ground, tdmf_force_rate(at)),
-                                            scales->force / scales->time, !at->mode->vertical_force_rising);
+               : armed(at, tdmf_vertical_force(ground, tdmf_force_rate(at)), at->mode->vertical_force_rising);
 }
-
-const tdmf_event_kind tdmf_force_peak = {.guard = force_rate};
-const tdmf_event_kind tdmf_vertical_force_peak = {.guard = vertical_force_rate};
 
 void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
                   tdmf_mode *mode, tdmf_record *record) {

@@ -2,18 +2,8 @@
  * then until flight begins, once in a stance. */
 #include "greatest_compression.h"
 
+#include "event_declarations.h"
 #include "record.h"
-
-static double shortening(const tdmf_evaluation *at) {
-    return at->mode->thrusts ? 1.0 : tdmf_armed(-at->leg.length_rate, at->model->scales.speed);
-}
-
-static double vary_shortening(const tdmf_evaluation *at, const tdmf_direction *d,
-                              const tdmf_evaluation *d_at) {
-    (void)at;
-    (void)d_at;
-    return -d->state[TDMF_LEG_LENGTH_RATE];
-}
 
 void tdmf_account_for_rest_length(tdmf_run *run) {
     const double rest_length = tdmf_rest_length(run->model, run->inputs, run->mode);
@@ -25,7 +15,7 @@ void tdmf_account_for_rest_length(tdmf_run *run) {
 }
 
 /* A thrust of 0 changes nothing and is not counted. */
-static void begin_thrust(tdmf_run *run) {
+void tdmf_take_greatest_compression(tdmf_run *run) {
     const double before = run->mode->rest_length;
     run->mode->thrusts = true;
     tdmf_account_for_rest_length(run);
@@ -36,7 +26,7 @@ static void begin_thrust(tdmf_run *run) {
 
 void tdmf_thrust_if_due(tdmf_run *run) {
     if (!run->mode->thrusts && run->state[TDMF_LEG_LENGTH_RATE] >= 0.0) {
-        begin_thrust(run);
+        tdmf_take_greatest_compression(run);
     }
 }
 
@@ -44,5 +34,3 @@ void tdmf_end_thrust(tdmf_run *run) {
     run->mode->thrusts = false;
     tdmf_account_for_rest_length(run);
 }
-
-const tdmf_event_kind tdmf_greatest_compression = {shortening, vary_shortening, begin_thrust, NULL};

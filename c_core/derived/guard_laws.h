@@ -1,0 +1,350 @@
+/* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_GUARD_LAWS_H
+#define TDMF_DERIVED_GUARD_LAWS_H
+
+#include "evaluation.h"
+
+#include <math.h>
+
+/* -d, the depth of the foot below a line that waits to be in force. */
+static inline double tdmf_new_ground_guard(const tdmf_evaluation *at, const tdmf_ground_line *line) {
+    return -(line->cosine * (at->state[TDMF_FOOT_Y] - line->height) - line->sine * at->state[TDMF_FOOT_X]);
+}
+
+/* Its change. */
+static inline double tdmf_vary_new_ground_guard(const tdmf_evaluation *at, const tdmf_ground_line *line,
+                                                const tdmf_evaluation *d_at, const tdmf_ground_line *d_line) {
+    return -(line->cosine * (d_at->state[TDMF_FOOT_Y] - d_line->height) -
+             line->sine * d_line->slope * (at->state[TDMF_FOOT_Y] - line->height) -
+             (line->cosine * d_line->slope * at->state[TDMF_FOOT_X] + line->sine * d_at->state[TDMF_FOOT_X]));
+}
+
+/* d + r cos theta', the height of the body over the ground: a fall. */
+static inline double tdmf_body_down_guard(const tdmf_evaluation *at) {
+    const double foot = at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
+                        at->mode->ground.sine * at->state[TDMF_FOOT_X];
+    return foot + at->leg.length * at->leg.ground_cosine;
+}
+
+/* r less the least length: a fall. */
+static inline double tdmf_leg_too_short_guard(const tdmf_evaluation *at) {
+    return at->leg.length - at->model->parameters.leg.min_length;
+}
+
+/* vy_c, at which the centre of mass rises; where it does not rise yet, -vy_c. */
+static inline double tdmf_apex_guard(const tdmf_evaluation *at) {
+    if (at->mode->rises) {
+        const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+        const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+        return at->state[TDMF_FOOT_VY] + at->model->body_share * vy;
+    }
+    const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+    const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+    const double rate = at->state[TDMF_FOOT_VY] + at->model->body_share * vy;
+    return -rate;
+}
+
+/* Its change. */
+static inline double tdmf_vary_apex_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    if (at->mode->rises) {
+        const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+        const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+        const double d_across = d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
+                                at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE];
+        const double d_vy = d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
+                            at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
+                            (d_across * at->leg.sine + across * d_at->leg.sine);
+        return d_at->state[TDMF_FOOT_VY] + (d_at->model->body_share * vy + at->model->body_share * d_vy);
+    }
+    const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+    const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+    const double d_across = d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
+                            at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE];
+    const double d_vy = d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
+                        at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
+                        (d_across * at->leg.sine + across * d_at->leg.sine);
+    const double d_rate =
+        d_at->state[TDMF_FOOT_VY] + (d_at->model->body_share * vy + at->model->body_share * d_vy);
+    return -d_rate;
+}
+
+/* d, the height of the foot over the ground. */
+static inline double tdmf_touchdown_guard(const tdmf_evaluation *at) {
+    return at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
+           at->mode->ground.sine * at->state[TDMF_FOOT_X];
+}
+
+/* Its change. */
+static inline double tdmf_vary_touchdown_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    return at->mode->ground.cosine * (d_at->state[TDMF_FOOT_Y] - d_at->mode->ground.height) -
+           at->mode->ground.sine * d_at->mode->ground.slope *
+               (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
+           (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_X] +
+            at->mode->ground.sine * d_at->state[TDMF_FOOT_X]);
+}
+
+/* The servo's torque, which closes the clamp of (12) by falling through 0, and opens it by rising. */
+static inline double tdmf_clamp_guard(const tdmf_evaluation *at) {
+    if (at->mode->clamp_closed) {
+        const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+        return -servo;
+    }
+    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+    return at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+           at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+}
+
+/* Its change. */
+static inline double tdmf_vary_clamp_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    if (at->mode->clamp_closed) {
+        const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+        const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                                at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
+        const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+                               at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+                               (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
+        return -d_servo;
+    }
+    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+    const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                            at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
+    return d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+           at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+           (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+            at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
+}
+
+/* -rdot, of a leg that has not been compressed most in this stance. */
+static inline double tdmf_greatest_compression_guard(const tdmf_evaluation *at) {
+    return -at->leg.length_rate;
+}
+
+/* Its change. */
+static inline double tdmf_vary_greatest_compression_guard(const tdmf_evaluation *at,
+                                                          const tdmf_evaluation *d_at) {
+    (void)at;
+    return -d_at->leg.length_rate;
+}
+
+/* theta: the leg falls through the vertical. */
+static inline double tdmf_mid_stance_guard(const tdmf_evaluation *at) {
+    return at->state[TDMF_LEG_ANGLE];
+}
+
+/* Its change. */
+static inline double tdmf_vary_mid_stance_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    (void)at;
+    return d_at->state[TDMF_LEG_ANGLE];
+}
+
+/* f_n, the ground's normal force (10). */
+static inline double tdmf_lift_off_guard(const tdmf_evaluation *at) {
+    return at->force.normal;
+}
+
+/* Its change. */
+static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    (void)at;
+    return d_at->force.normal;
+}
+
+/* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
+static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
+    return at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+               at->force.normal +
+           at->force.tangential;
+}
+
+/* Its change. */
+static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *at,
+                                                         const tdmf_evaluation *d_at) {
+    return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
+            at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
+               at->force.normal +
+           at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+               d_at->force.normal +
+           d_at->force.tangential;
+}
+
+/* rho mu f_n - f_t: the same, and the foot slips backward. */
+static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
+    return at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+               at->force.normal -
+           at->force.tangential;
+}
+
+/* Its change. */
+static inline double tdmf_vary_slip_onset_negative_guard(const tdmf_evaluation *at,
+                                                         const tdmf_evaluation *d_at) {
+    return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
+            at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
+               at->force.normal +
+           at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+               d_at->force.normal -
+           d_at->force.tangential;
+}
+
+/* sgn(v_t) v_t, the speed of a foot that slips. */
+static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at, double sign) {
+    return sign * (at->mode->ground.cosine * at->state[TDMF_FOOT_VX] +
+                   at->mode->ground.sine * at->state[TDMF_FOOT_VY]);
+}
+
+/* Its change. */
+static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at, double sign,
+                                                        const tdmf_evaluation *d_at) {
+    return sign * (at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] -
+                   at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
+                   (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
+                    at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
+}
+
+/* -N of the stance law: it loads the foot again. */
+static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
+    if (at->mode->mid_stance_pending) {
+        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
+        const double torque = at->inputs->hip.external_torque - drive;
+        const double across = torque * at->leg.inverse_length;
+        const double off = at->leg.axial_force * at->leg.ground_cosine - at->leg.ground_sine * across;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        const double normal = off + weight * at->mode->ground.cosine;
+        return -normal;
+    }
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    return -(at->leg.axial_force * at->leg.ground_cosine -
+             at->leg.ground_sine * (at->inputs->hip.external_torque * at->leg.inverse_length) +
+             weight * at->mode->ground.cosine);
+}
+
+/* Its change. */
+static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
+                                                      const tdmf_evaluation *d_at) {
+    if (at->mode->mid_stance_pending) {
+        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
+        const double torque = at->inputs->hip.external_torque - drive;
+        const double across = torque * at->leg.inverse_length;
+        const double d_drive =
+            d_at->model->parameters.hip.stance_torque + d_at->inputs->control.stance_torque;
+        const double d_torque = d_at->inputs->hip.external_torque - d_drive;
+        const double d_across = d_torque * at->leg.inverse_length + torque * d_at->leg.inverse_length;
+        const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
+                             at->leg.axial_force * d_at->leg.ground_cosine -
+                             (d_at->leg.ground_sine * across + at->leg.ground_sine * d_across);
+        const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                                at->model->parameters.foot.mass * d_at->model->parameters.gravity;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        const double d_normal = d_off + (d_weight * at->mode->ground.cosine -
+                                         at->mode->ground.sine * d_at->mode->ground.slope * weight);
+        return -d_normal;
+    }
+    const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                            at->model->parameters.foot.mass * d_at->model->parameters.gravity;
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    return -(
+        d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine -
+        (d_at->leg.ground_sine * (at->inputs->hip.external_torque * at->leg.inverse_length) +
+         at->leg.ground_sine * (d_at->inputs->hip.external_torque * at->leg.inverse_length +
+                                at->inputs->hip.external_torque * d_at->leg.inverse_length)) +
+        (d_weight * at->mode->ground.cosine - at->mode->ground.sine * d_at->mode->ground.slope * weight));
+}
+
+/* N of the flight law: it lifts the foot. */
+static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
+    if (at->mode->phase == TDMF_PHASE_PLACE) {
+        const double target = at->model->parameters.hip.touchdown_angle +
+                              at->inputs->control.touchdown_angle -
+                              at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] -
+                             at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
+        const double off = at->leg.axial_force * at->leg.ground_cosine - at->leg.ground_sine * across;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        return off + weight * at->mode->ground.cosine;
+    }
+    const double clamped =
+        ((at->model->parameters.hip.kp *
+              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+               at->state[TDMF_LEG_ANGLE]) -
+          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (at->model->parameters.hip.kp *
+                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                     at->state[TDMF_LEG_ANGLE]) -
+                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
+             : 0.0);
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    return at->leg.axial_force * at->leg.ground_cosine -
+           at->leg.ground_sine * ((clamped + at->inputs->hip.external_torque) * at->leg.inverse_length) +
+           weight * at->mode->ground.cosine;
+}
+
+/* Its change. */
+static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
+    if (at->mode->phase == TDMF_PHASE_PLACE) {
+        const double target = at->model->parameters.hip.touchdown_angle +
+                              at->inputs->control.touchdown_angle -
+                              at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] -
+                             at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
+        const double d_target =
+            d_at->model->parameters.hip.touchdown_angle + d_at->inputs->control.touchdown_angle -
+            (d_at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME] +
+             at->model->parameters.hip.retraction_rate * d_at->state[TDMF_HIP_PLACE_TIME]);
+        const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+                               at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+                               (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) -
+                               (d_at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate +
+                                at->model->parameters.hip.kd * d_at->model->parameters.hip.retraction_rate);
+        const double d_across = (d_servo + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
+                                (servo + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
+        const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
+                             at->leg.axial_force * d_at->leg.ground_cosine -
+                             (d_at->leg.ground_sine * across + at->leg.ground_sine * d_across);
+        const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                                at->model->parameters.foot.mass * d_at->model->parameters.gravity;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        return d_off + (d_weight * at->mode->ground.cosine -
+                        at->mode->ground.sine * d_at->mode->ground.slope * weight);
+    }
+    const double clamped =
+        ((at->model->parameters.hip.kp *
+              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+               at->state[TDMF_LEG_ANGLE]) -
+          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (at->model->parameters.hip.kp *
+                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                     at->state[TDMF_LEG_ANGLE]) -
+                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
+             : 0.0);
+    const double d_clamped =
+        ((at->model->parameters.hip.kp *
+              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+               at->state[TDMF_LEG_ANGLE]) -
+          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (d_at->model->parameters.hip.kp *
+                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                     at->state[TDMF_LEG_ANGLE]) +
+                at->model->parameters.hip.kp *
+                    (d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                     at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle -
+                     d_at->state[TDMF_LEG_ANGLE]) -
+                (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                 at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]))
+             : 0.0);
+    const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                            at->model->parameters.foot.mass * d_at->model->parameters.gravity;
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    return d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine -
+           (d_at->leg.ground_sine * ((clamped + at->inputs->hip.external_torque) * at->leg.inverse_length) +
+            at->leg.ground_sine * ((d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
+                                   (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length)) +
+           (d_weight * at->mode->ground.cosine - at->mode->ground.sine * d_at->mode->ground.slope * weight);
+}
+
+#endif

@@ -1,0 +1,167 @@
+"""Events: what ends a motion or turns it into another, in one table.
+
+An event is due where its guard, positive while the event is to come, has fallen to zero. A guard is a law of
+the runner `at` an instant: model, inputs, mode, state, leg, torque and force. The table below says by which
+scale it is divided, which modes watch it and in what order events are taken that are due at one instant. What
+an event makes of the run is its reset; resets decide, and are written by hand in c_core/model/events.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from . import coordinates, friction, graze, ground_line, hip
+from .functions import Record
+
+
+def _direction(leg):
+    return Record(sine=leg.sine, cosine=leg.cosine)
+
+
+def touchdown(at):
+    """d, the height of the foot over the ground."""
+    return ground_line.height_over(at.mode.ground, at.state.foot_x, at.state.foot_y)
+
+
+def new_ground(at, line):
+    """-d, the depth of the foot below a line that waits to be in force."""
+    return -ground_line.height_over(line, at.state.foot_x, at.state.foot_y)
+
+
+def apex(at):
+    """vy_c, at which the centre of mass rises; where it does not rise yet, -vy_c."""
+    rate = coordinates.center_of_mass(at.model, at.state, _direction(at.leg)).vy
+    return rate if at.mode.rises else -rate
+
+
+def clamp(at):
+    """The servo's torque, which closes the clamp of (12) by falling through 0, and opens it by rising."""
+    servo = hip.servo_torque(at.model, at.inputs, at.state, "retract", at.mode.liftoff_angle)
+    return -servo if at.mode.clamp_closed else servo
+
+
+def lift_off(at):
+    """f_n, the ground's normal force  (10)."""
+    return at.force.normal
+
+
+def slip_onset_positive(at):
+    """rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward."""
+    return friction.room(friction.static(at.model, at.inputs), 1, at.force)
+
+
+def slip_onset_negative(at):
+    """rho mu f_n - f_t: the same, and the foot slips backward."""
+    return friction.room(friction.static(at.model, at.inputs), -1, at.force)
+
+
+def slip_velocity_zero(at, sign):
+    """sgn(v_t) v_t, the speed of a foot that slips."""
+    return sign * ground_line.along(at.mode.ground, at.state.foot_vx, at.state.foot_vy)
+
+
+def mid_stance(at):
+    """theta: the leg falls through the vertical."""
+    return at.state.leg_angle
+
+
+def greatest_compression(at):
+    """-rdot, of a leg that has not been compressed most in this stance."""
+    return -at.leg.length_rate
+
+
+def graze_to_contact(at):
+    """-N of the stance law: it loads the foot again."""
+    return -graze.force_in_stance(at.model, at.inputs, at.mode, at.state, at.leg).normal
+
+
+def graze_to_flight(at):
+    """N of the flight law: it lifts the foot."""
+    return graze.force_in_flight(at.model, at.inputs, at.mode, at.state, at.leg).normal
+
+
+def body_down(at):
+    """d + r cos theta', the height of the body over the ground: a fall."""
+    foot = ground_line.height_over(at.mode.ground, at.state.foot_x, at.state.foot_y)
+    return foot + at.leg.length * at.leg.ground_cosine
+
+
+def leg_too_short(at):
+    """r less the least length: a fall."""
+    return at.leg.length - at.model.parameters.leg.min_length
+
+
+class Event(NamedTuple):
+    """A row of the table.
+
+    `law` is the guard (None: only C has it), `scale` what divides it; `watched` tells for each contact the
+    phases in which it is watched, `only_while` a flag of the mode that must be set, or with "not" must not.
+    `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex" for either,
+    "by hand" where C arms it. `slack` is what C adds to the guard, `width` a
+    further scale that it asks for, `arguments` are further ones of the law,
+    with what C hands in. `takes` names the reset where it has not the event's name; it is "" where the record
+    alone knows of the event. `jumps` tells that a variation of the state jumps. `varied` is False where no
+    variation outlives the event, and "by hand" where C has the change of the guard.
+    """
+
+    name: str
+    law: Callable[..., Any] | None
+    scale: str
+    watched: dict[str, tuple[str, ...]]
+    only_while: str = ""
+    band: str = ""
+    slack: str = ""
+    width: str = ""
+    arguments: tuple[tuple[str, str], ...] = ()
+    takes: str | None = None
+    jumps: bool = False
+    is_impact: bool = False
+    varied: bool | str = True
+
+
+ALL = ("drive", "coast", "retract", "place")
+ANYWHERE = {"flight": ALL, "stick": ALL, "slip": ALL, "graze": ALL}
+ON_GROUND = {"stick": ALL, "slip": ALL, "graze": ALL}
+CONTACT = {"stick": ALL, "slip": ALL}
+FLIGHT, STICK, SLIP, GRAZE = ({mode: ALL} for mode in ("flight", "stick", "slip", "graze"))
+CONE = "tdmf_cone_width(at->model, at->inputs)"
+
+# In the order in which those are taken that are due at one instant.
+EVENTS = [
+    Event("new_ground", new_ground, "length", FLIGHT, band="by hand", arguments=(("line", "&line"),)),
+    Event("body_down", body_down, "length", ANYWHERE, takes="fall", varied=False),
+    Event("leg_too_short", leg_too_short, "length", ANYWHERE, takes="fall", varied=False),
+    Event(
+        "apex",
+        apex,
+        "speed",
+        {"flight": ("retract", "place"), "graze": ("retract",)},
+        band="apex",
+        jumps=True,
+    ),
+    Event(
+        "touchdown",
+        touchdown,
+        "length",
+        FLIGHT,
+        slack="tdmf_rounding_at_foot(at)",
+        jumps=True,
+        is_impact=True,
+    ),
+    Event("clamp", clamp, "energy", {"flight": ("retract",)}, band="dead"),
+    Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not thrusts"),
+    Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mid_stance_pending"),
+    Event("lift_off", lift_off, "force", CONTACT),
+    Event("slip_onset_positive", slip_onset_positive, "force", STICK, width=CONE),
+    Event("slip_onset_negative", slip_onset_negative, "force", STICK, width=CONE),
+    Event(
+        "slip_velocity_zero",
+        slip_velocity_zero,
+        "speed",
+        SLIP,
+        arguments=(("sign", "tdmf_sign_of_slip(at->mode)"),),
+    ),
+    Event("force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
+    Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
+    Event("graze_to_contact", graze_to_contact, "force", GRAZE),
+    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand"),
+]

@@ -1,0 +1,74 @@
+/* Resets of the events that hardly more than change the mode. */
+#include "contact_change.h"
+#include "event_declarations.h"
+#include "kinematics.h"
+#include "record.h"
+
+/* ---- the hip ------------------------------------------------------------------------------------------- */
+
+/* The servo of retract changes its sign, and the clamp of (12) opens or closes. Neither a contact nor a phase
+ * changes, so that it is not counted. */
+void tdmf_take_clamp(tdmf_run *run) {
+    run->mode->clamp_closed = !run->mode->clamp_closed;
+}
+
+/* The leg falls through the vertical, and drive turns into coast. In graze the drive waits, for the foot to
+ * be loaded again, and ends alike. */
+void tdmf_take_mid_stance(tdmf_run *run) {
+    run->mode->mid_stance_pending = false;
+    if (tdmf_in_contact(run->mode)) {
+        run->mode->phase = TDMF_PHASE_COAST;
+    }
+    tdmf_record_event(run->record, run->time);
+}
+
+/* ---- the foot ------------------------------------------------------------------------------------------ */
+
+/* The ground force vanishes; flight or graze begins. */
+void tdmf_take_lift_off(tdmf_run *run) {
+    tdmf_unload_foot(run);
+    tdmf_record_event(run->record, run->time);
+}
+
+static void slip(tdmf_run *run, tdmf_contact_mode entered) {
+    tdmf_enter_contact_mode(run, entered);
+    tdmf_record_event(run->record, run->time);
+}
+
+void tdmf_take_slip_onset_positive(tdmf_run *run) {
+    slip(run, TDMF_CONTACT_SLIP_POSITIVE);
+}
+
+void tdmf_take_slip_onset_negative(tdmf_run *run) {
+    slip(run, TDMF_CONTACT_SLIP_NEGATIVE);
+}
+
+/* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted.
+ */
+void tdmf_take_slip_velocity_zero(tdmf_run *run) {
+    tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->state);
+    const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run);
+    if (entered != run->mode->contact) {
+        tdmf_enter_contact_mode(run, entered);
+        tdmf_record_event(run->record, run->time);
+    }
+}
+
+/* The stance law loads a grazing foot again. */
+void tdmf_take_graze_to_contact(tdmf_run *run) {
+    tdmf_load_foot(run);
+    tdmf_record_event(run->record, run->time);
+}
+
+/* The flight law lifts it. */
+void tdmf_take_graze_to_flight(tdmf_run *run) {
+    tdmf_fly_on(run);
+    tdmf_record_event(run->record, run->time);
+}
+
+/* ---- falls --------------------------------------------------------------------------------------------- */
+
+/* The body reaches the ground, or the leg its minimum: the run is over. */
+void tdmf_take_fall(tdmf_run *run) {
+    run->mode->fallen = true;
+}
