@@ -6,19 +6,22 @@
 
 #include <math.h>
 
-/* The leg's and the hip's law by the mobility 1/m + 1/m_f, of flight as seen from the centre of mass. */
+/* Leg, hip and the push on the body, of flight as seen from the centre of mass. */
 static inline flight_coefficients tdmf_flight_coefficients_of(const tdmf_model *model,
-                                                              const tdmf_hip_law *law, double rest_length) {
+                                                              const tdmf_hip_law *law, double rest_length,
+                                                              tdmf_vector push) {
     const flight_coefficients result = {
         .mobility = model->mobility,
-        .stiffness = model->mobility * model->parameters.leg.stiffness,
-        .damping = model->mobility * model->parameters.leg.damping,
+        .stiffness = model->parameters.leg.stiffness,
+        .damping = model->parameters.leg.damping,
         .rest_length = rest_length,
-        .gain = model->mobility * law->gain,
-        .rate_gain = model->mobility * law->rate_gain,
+        .gain = law->gain,
+        .rate_gain = law->rate_gain,
         .target = law->target,
-        .torque = model->mobility * law->torque,
-        .torque_rate = model->mobility * (law->torque_rate + law->gain * law->target_rate),
+        .torque = law->torque,
+        .torque_rate = law->torque_rate + law->gain * law->target_rate,
+        .push_x = push.x,
+        .push_y = push.y,
     };
     return result;
 }
@@ -26,22 +29,23 @@ static inline flight_coefficients tdmf_flight_coefficients_of(const tdmf_model *
 /* Its change. */
 static inline flight_coefficients
 tdmf_vary_flight_coefficients_of(const tdmf_model *model, const tdmf_hip_law *law, double rest_length,
-                                 const tdmf_model *d_model, const tdmf_hip_law *d_law, double d_rest_length) {
+                                 tdmf_vector push, const tdmf_model *d_model, const tdmf_hip_law *d_law,
+                                 double d_rest_length, tdmf_vector d_push) {
+    (void)model;
     (void)rest_length;
+    (void)push;
     const flight_coefficients result = {
         .mobility = d_model->mobility,
-        .stiffness = d_model->mobility * model->parameters.leg.stiffness +
-                     model->mobility * d_model->parameters.leg.stiffness,
-        .damping = d_model->mobility * model->parameters.leg.damping +
-                   model->mobility * d_model->parameters.leg.damping,
+        .stiffness = d_model->parameters.leg.stiffness,
+        .damping = d_model->parameters.leg.damping,
         .rest_length = d_rest_length,
-        .gain = d_model->mobility * law->gain + model->mobility * d_law->gain,
-        .rate_gain = d_model->mobility * law->rate_gain + model->mobility * d_law->rate_gain,
+        .gain = d_law->gain,
+        .rate_gain = d_law->rate_gain,
         .target = d_law->target,
-        .torque = d_model->mobility * law->torque + model->mobility * d_law->torque,
-        .torque_rate = d_model->mobility * (law->torque_rate + law->gain * law->target_rate) +
-                       model->mobility * (d_law->torque_rate +
-                                          (d_law->gain * law->target_rate + law->gain * d_law->target_rate)),
+        .torque = d_law->torque,
+        .torque_rate = d_law->torque_rate + (d_law->gain * law->target_rate + law->gain * d_law->target_rate),
+        .push_x = d_push.x,
+        .push_y = d_push.y,
     };
     return result;
 }
@@ -90,10 +94,10 @@ static inline ground_coefficients tdmf_vary_ground_coefficients_of(
         .inverse_body_mass = d_model->inverse_body_mass,
         .inverse_foot_mass = d_model->inverse_foot_mass,
         .foot_weight_x = d_weight * line->sine + weight * (line->cosine * d_line->slope),
-        .foot_weight_y = d_weight * line->cosine - line->sine * d_line->slope * weight,
-        .gravity_x = -(line->cosine * d_push.x - line->sine * d_line->slope * push.x +
+        .foot_weight_y = d_weight * line->cosine + weight * (-line->sine * d_line->slope),
+        .gravity_x = -(-line->sine * d_line->slope * push.x + line->cosine * d_push.x +
                        (line->cosine * d_line->slope * y + line->sine * d_y)),
-        .gravity_y = -(line->cosine * d_y - line->sine * d_line->slope * y -
+        .gravity_y = -(-line->sine * d_line->slope * y + line->cosine * d_y -
                        (line->cosine * d_line->slope * push.x + line->sine * d_push.x)),
         .torque = d_law->torque,
         .torque_rate = d_law->torque_rate,

@@ -11,9 +11,9 @@ static inline tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT
                                              tdmf_leg_direction direction) {
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const tdmf_point result = {
-        .x = -(state[TDMF_LEG_LENGTH] * direction.sine),
+        .x = -state[TDMF_LEG_LENGTH] * direction.sine,
         .y = state[TDMF_LEG_LENGTH] * direction.cosine,
-        .vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine,
+        .vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine,
         .vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine,
     };
     return result;
@@ -27,15 +27,15 @@ static inline tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const tdmf_point result = {
-        .x = -(d_state[TDMF_LEG_LENGTH] * direction.sine +
-               state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
-        .y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
-             direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH],
-        .vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
-              (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across),
-        .vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
-              direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+        .x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
+             -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]),
+        .y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
+             state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]),
+        .vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+              -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
+              (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE])),
+        .vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
+              state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
               (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
     };
     return result;
@@ -43,12 +43,13 @@ static inline tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_
 
 /* The body (7). */
 static inline tdmf_point tdmf_body_along(const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const tdmf_point result = {
-        .x = state[TDMF_FOOT_X] - state[TDMF_LEG_LENGTH] * direction.sine,
+        .x = state[TDMF_FOOT_X] + x,
         .y = state[TDMF_FOOT_Y] + y,
         .vx = state[TDMF_FOOT_VX] + vx,
         .vy = state[TDMF_FOOT_VY] + vy,
@@ -60,20 +61,21 @@ static inline tdmf_point tdmf_body_along(const double state[TDMF_STATE_COUNT], t
 static inline tdmf_point tdmf_vary_body_along(const double state[TDMF_STATE_COUNT],
                                               tdmf_leg_direction direction,
                                               const double d_state[TDMF_STATE_COUNT]) {
-    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
-                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double d_x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
+                       -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
+                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
-                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
-    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
-                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                        -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
+                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
+                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
-        .x = d_state[TDMF_FOOT_X] - (d_state[TDMF_LEG_LENGTH] * direction.sine +
-                                     state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
+        .x = d_state[TDMF_FOOT_X] + d_x,
         .y = d_state[TDMF_FOOT_Y] + d_y,
         .vx = d_state[TDMF_FOOT_VX] + d_vx,
         .vy = d_state[TDMF_FOOT_VY] + d_vy,
@@ -85,12 +87,13 @@ static inline tdmf_point tdmf_vary_body_along(const double state[TDMF_STATE_COUN
 static inline tdmf_point tdmf_center_of_mass_along(const tdmf_model *model,
                                                    const double state[TDMF_STATE_COUNT],
                                                    tdmf_leg_direction direction) {
+    const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const tdmf_point result = {
-        .x = state[TDMF_FOOT_X] - state[TDMF_LEG_LENGTH] * direction.sine * model->body_share,
+        .x = state[TDMF_FOOT_X] + model->body_share * x,
         .y = state[TDMF_FOOT_Y] + model->body_share * y,
         .vx = state[TDMF_FOOT_VX] + model->body_share * vx,
         .vy = state[TDMF_FOOT_VY] + model->body_share * vy,
@@ -104,25 +107,25 @@ static inline tdmf_point tdmf_vary_center_of_mass_along(const tdmf_model *model,
                                                         tdmf_leg_direction direction,
                                                         const tdmf_model *d_model,
                                                         const double d_state[TDMF_STATE_COUNT]) {
+    const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
+    const double d_x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
+                       -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
-    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
-                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
+                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
-                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                        -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
+                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
-    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
-                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
+                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
-        .x = d_state[TDMF_FOOT_X] - ((d_state[TDMF_LEG_LENGTH] * direction.sine +
-                                      state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) *
-                                         model->body_share +
-                                     state[TDMF_LEG_LENGTH] * direction.sine * d_model->body_share),
+        .x = d_state[TDMF_FOOT_X] + (d_model->body_share * x + model->body_share * d_x),
         .y = d_state[TDMF_FOOT_Y] + (d_model->body_share * y + model->body_share * d_y),
         .vx = d_state[TDMF_FOOT_VX] + (d_model->body_share * vx + model->body_share * d_vx),
         .vy = d_state[TDMF_FOOT_VY] + (d_model->body_share * vy + model->body_share * d_vy),
@@ -133,12 +136,13 @@ static inline tdmf_point tdmf_vary_center_of_mass_along(const tdmf_model *model,
 /* The foot of a leg whose centre of mass is there and moves so. */
 static inline tdmf_point tdmf_foot_below(const tdmf_model *model, tdmf_point center,
                                          const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+    const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const tdmf_point result = {
-        .x = center.x + state[TDMF_LEG_LENGTH] * direction.sine * model->body_share,
+        .x = center.x - model->body_share * x,
         .y = center.y - model->body_share * y,
         .vx = center.vx - model->body_share * vx,
         .vy = center.vy - model->body_share * vy,
@@ -152,25 +156,25 @@ static inline tdmf_point tdmf_vary_foot_below(const tdmf_model *model, tdmf_poin
                                               tdmf_leg_direction direction, const tdmf_model *d_model,
                                               tdmf_point d_center, const double d_state[TDMF_STATE_COUNT]) {
     (void)center;
+    const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
+    const double d_x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
+                       -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
-    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
-                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
+                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
-                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                        -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
+                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
-    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
-                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
+                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
-        .x = d_center.x + ((d_state[TDMF_LEG_LENGTH] * direction.sine +
-                            state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) *
-                               model->body_share +
-                           state[TDMF_LEG_LENGTH] * direction.sine * d_model->body_share),
+        .x = d_center.x - (d_model->body_share * x + model->body_share * d_x),
         .y = d_center.y - (d_model->body_share * y + model->body_share * d_y),
         .vx = d_center.vx - (d_model->body_share * vx + model->body_share * d_vx),
         .vy = d_center.vy - (d_model->body_share * vy + model->body_share * d_vy),
@@ -199,9 +203,9 @@ static inline tdmf_standing tdmf_standing_of(const tdmf_ground_line *line,
     const double cosine = direction.cosine * line->cosine + direction.sine * line->sine;
     const double foot_vx = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * sine) - across * cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * sine - across * cosine;
     const tdmf_standing result = {
-        .x = -(state[TDMF_LEG_LENGTH] * sine),
+        .x = -state[TDMF_LEG_LENGTH] * sine,
         .y = state[TDMF_LEG_LENGTH] * cosine,
         .vx = foot_vx + vx,
         .vy = state[TDMF_LEG_LENGTH_RATE] * cosine - across * sine,
@@ -218,30 +222,30 @@ static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
                                                   const tdmf_ground_line *d_line,
                                                   const double d_state[TDMF_STATE_COUNT]) {
     const double sine = direction.sine * line->cosine - direction.cosine * line->sine;
-    const double d_sine = direction.cosine * d_state[TDMF_LEG_ANGLE] * line->cosine -
-                          line->sine * d_line->slope * direction.sine -
-                          (direction.cosine * (line->cosine * d_line->slope) -
-                           direction.sine * d_state[TDMF_LEG_ANGLE] * line->sine);
+    const double d_sine = direction.cosine * d_state[TDMF_LEG_ANGLE] * line->cosine +
+                          direction.sine * (-line->sine * d_line->slope) -
+                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * line->sine +
+                           direction.cosine * (line->cosine * d_line->slope));
     const double cosine = direction.cosine * line->cosine + direction.sine * line->sine;
-    const double d_cosine = -(direction.sine * d_state[TDMF_LEG_ANGLE] * line->cosine) -
-                            line->sine * d_line->slope * direction.cosine +
+    const double d_cosine = -direction.sine * d_state[TDMF_LEG_ANGLE] * line->cosine +
+                            direction.cosine * (-line->sine * d_line->slope) +
                             (direction.cosine * d_state[TDMF_LEG_ANGLE] * line->sine +
                              direction.sine * (line->cosine * d_line->slope));
     const double d_foot_vx =
-        line->cosine * d_state[TDMF_FOOT_VX] - line->sine * d_line->slope * state[TDMF_FOOT_VX] +
+        -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * sine + state[TDMF_LEG_LENGTH_RATE] * d_sine) -
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * sine + -state[TDMF_LEG_LENGTH_RATE] * d_sine -
                         (d_across * cosine + across * d_cosine);
     const tdmf_standing result = {
-        .x = -(d_state[TDMF_LEG_LENGTH] * sine + state[TDMF_LEG_LENGTH] * d_sine),
+        .x = -d_state[TDMF_LEG_LENGTH] * sine + -state[TDMF_LEG_LENGTH] * d_sine,
         .y = d_state[TDMF_LEG_LENGTH] * cosine + state[TDMF_LEG_LENGTH] * d_cosine,
         .vx = d_foot_vx + d_vx,
         .vy = d_state[TDMF_LEG_LENGTH_RATE] * cosine + state[TDMF_LEG_LENGTH_RATE] * d_cosine -
               (d_across * sine + across * d_sine),
-        .foot_x = line->cosine * d_state[TDMF_FOOT_X] - line->sine * d_line->slope * state[TDMF_FOOT_X] +
+        .foot_x = -line->sine * d_line->slope * state[TDMF_FOOT_X] + line->cosine * d_state[TDMF_FOOT_X] +
                   (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                    line->sine * (d_state[TDMF_FOOT_Y] - d_line->height)),
         .foot_vx = d_foot_vx,
@@ -271,13 +275,13 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
                                                double written[TDMF_STATE_COUNT]) {
     (void)turns;
     const double d_length = (2.0 * at->x * d_at->x + 2.0 * at->y * d_at->y) / (2.0 * state[TDMF_LEG_LENGTH]);
-    written[TDMF_FOOT_X] = line->cosine * d_at->foot_x - line->sine * d_line->slope * at->foot_x;
+    written[TDMF_FOOT_X] = -line->sine * d_line->slope * at->foot_x + line->cosine * d_at->foot_x;
     written[TDMF_FOOT_Y] =
         d_line->height + (line->cosine * d_line->slope * at->foot_x + line->sine * d_at->foot_x);
     written[TDMF_LEG_LENGTH] = d_length;
     written[TDMF_LEG_ANGLE] =
-        (at->x * d_at->y - d_at->x * at->y) / (at->x * at->x + at->y * at->y) + d_line->slope;
-    written[TDMF_FOOT_VX] = line->cosine * d_at->foot_vx - line->sine * d_line->slope * at->foot_vx;
+        (at->y * -d_at->x - -at->x * d_at->y) / (-at->x * -at->x + at->y * at->y) + d_line->slope;
+    written[TDMF_FOOT_VX] = -line->sine * d_line->slope * at->foot_vx + line->cosine * d_at->foot_vx;
     written[TDMF_FOOT_VY] = line->cosine * d_line->slope * at->foot_vx + line->sine * d_at->foot_vx;
     written[TDMF_LEG_LENGTH_RATE] =
         (d_at->x * (at->vx - at->foot_vx) + at->x * (d_at->vx - d_at->foot_vx) +

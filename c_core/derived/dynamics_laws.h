@@ -28,7 +28,7 @@ static inline tdmf_vector tdmf_acceleration_of_foot(const tdmf_model *model, con
         return result;
     }
     const double across = torque * leg->inverse_length;
-    const double along = -(leg->ground_sine * leg->axial_force) - across * leg->ground_cosine;
+    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double tangential = along + weight * line->sine;
     const tdmf_vector result = {
@@ -69,19 +69,19 @@ tdmf_vary_acceleration_of_foot(const tdmf_model *model, const tdmf_ground_line *
     }
     const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
     const double across = torque * leg->inverse_length;
-    const double d_along = -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
+    const double d_along = d_leg->axial_force * -leg->ground_sine + leg->axial_force * -d_leg->ground_sine -
                            (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double d_tangential = d_along + (d_weight * line->sine + weight * (line->cosine * d_line->slope));
-    const double along = -(leg->ground_sine * leg->axial_force) - across * leg->ground_cosine;
+    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
     const double tangential = along + weight * line->sine;
     const tdmf_vector result = {
         .x = ((d_force.tangential - d_tangential) * model->inverse_foot_mass +
               (force.tangential - tangential) * d_model->inverse_foot_mass) *
-                 line->cosine -
-             line->sine * d_line->slope * ((force.tangential - tangential) * model->inverse_foot_mass),
+                 line->cosine +
+             (force.tangential - tangential) * model->inverse_foot_mass * (-line->sine * d_line->slope),
         .y = ((d_force.tangential - d_tangential) * model->inverse_foot_mass +
               (force.tangential - tangential) * d_model->inverse_foot_mass) *
                  line->sine +
@@ -168,7 +168,7 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
     derivatives[TDMF_LEG_WORK] = 0.0;
     derivatives[TDMF_ENERGY_DAMPER_LOSS] =
         model->parameters.leg.damping * leg->length_rate * leg->length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -(force.tangential * slip_velocity);
+    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.tangential * slip_velocity;
     derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
     derivatives[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
 }
@@ -206,7 +206,7 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
             leg->length_rate +
         model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
     derivatives[TDMF_ENERGY_FRICTION_LOSS] =
-        -(d_force.tangential * slip_velocity + force.tangential * d_slip_velocity);
+        -d_force.tangential * slip_velocity + -force.tangential * d_slip_velocity;
     derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
     derivatives[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
 }

@@ -10,7 +10,7 @@
 static inline tdmf_energy tdmf_energy_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                            tdmf_leg_direction direction, double rest_length) {
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const double body_square = (state[TDMF_FOOT_VX] + vx) * (state[TDMF_FOOT_VX] + vx) +
                                (state[TDMF_FOOT_VY] + vy) * (state[TDMF_FOOT_VY] + vy);
@@ -40,17 +40,17 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
                                                 const double d_state[TDMF_STATE_COUNT],
                                                 double d_rest_length) {
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -(state[TDMF_LEG_LENGTH_RATE] * direction.sine) - across * direction.cosine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const double body_square = (state[TDMF_FOOT_VX] + vx) * (state[TDMF_FOOT_VX] + vx) +
                                (state[TDMF_FOOT_VY] + vy) * (state[TDMF_FOOT_VY] + vy);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -(d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                          state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE])) -
-                        (d_across * direction.cosine - direction.sine * d_state[TDMF_LEG_ANGLE] * across);
-    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine -
-                        direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH_RATE] -
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
+                        -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
+                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
+                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const double d_body_square = 2.0 * (state[TDMF_FOOT_VX] + vx) * (d_state[TDMF_FOOT_VX] + d_vx) +
                                  2.0 * (state[TDMF_FOOT_VY] + vy) * (d_state[TDMF_FOOT_VY] + d_vy);
@@ -62,8 +62,8 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
         0.5 * (d_model->parameters.body.mass * body_square + model->parameters.body.mass * d_body_square +
                (d_model->parameters.foot.mass * foot_square + model->parameters.foot.mass * d_foot_square));
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
-    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine -
-                       direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_LEG_LENGTH];
+    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
+                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double d_potential =
         d_model->parameters.gravity * (model->parameters.body.mass * (state[TDMF_FOOT_Y] + y) +
                                        model->parameters.foot.mass * state[TDMF_FOOT_Y]) +

@@ -10,9 +10,9 @@
 static inline tdmf_ground_force tdmf_force_under(const tdmf_model *model, const tdmf_ground_line *line,
                                                  const tdmf_leg *leg, double torque) {
     const double across = torque * leg->inverse_length;
-    const double along = -(leg->ground_sine * leg->axial_force) - across * leg->ground_cosine;
+    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
-    const double off = leg->axial_force * leg->ground_cosine - leg->ground_sine * across;
+    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const tdmf_ground_force result = {
         .tangential = along + weight * line->sine,
         .normal = off + weight * line->cosine,
@@ -28,16 +28,16 @@ static inline tdmf_ground_force tdmf_vary_force_under(const tdmf_model *model, c
                                                       double d_torque) {
     const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
     const double across = torque * leg->inverse_length;
-    const double d_along = -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
+    const double d_along = d_leg->axial_force * -leg->ground_sine + leg->axial_force * -d_leg->ground_sine -
                            (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
-    const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine -
-                         (d_leg->ground_sine * across + leg->ground_sine * d_across);
+    const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
+                         (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
     const tdmf_ground_force result = {
         .tangential = d_along + (d_weight * line->sine + weight * (line->cosine * d_line->slope)),
-        .normal = d_off + (d_weight * line->cosine - line->sine * d_line->slope * weight),
+        .normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope)),
     };
     return result;
 }
@@ -62,9 +62,9 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdm
     }
     if (contact == TDMF_CONTACT_STICK) {
         const double across = torque * leg->inverse_length;
-        const double along = -(leg->ground_sine * leg->axial_force) - across * leg->ground_cosine;
+        const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
-        const double off = leg->axial_force * leg->ground_cosine - leg->ground_sine * across;
+        const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
         const tdmf_ground_force result = {
             .tangential = along + weight * line->sine,
             .normal = off + weight * line->cosine,
@@ -72,11 +72,11 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdm
         return result;
     }
     const double across = torque * leg->inverse_length;
-    const double off = leg->axial_force * leg->ground_cosine - leg->ground_sine * across;
+    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double normal = off + weight * line->cosine;
     const tdmf_ground_force result = {
-        .tangential = -(sign * inputs->ground.friction * normal),
+        .tangential = -sign * inputs->ground.friction * normal,
         .normal = normal,
     };
     return result;
@@ -106,31 +106,31 @@ static inline tdmf_ground_force tdmf_vary_force_in(const tdmf_model *model, cons
     if (contact == TDMF_CONTACT_STICK) {
         const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
         const double across = torque * leg->inverse_length;
-        const double d_along =
-            -(d_leg->ground_sine * leg->axial_force + leg->ground_sine * d_leg->axial_force) -
-            (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
+        const double d_along = d_leg->axial_force * -leg->ground_sine +
+                               leg->axial_force * -d_leg->ground_sine -
+                               (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
         const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                                 model->parameters.foot.mass * d_model->parameters.gravity;
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
         const double d_off = d_leg->axial_force * leg->ground_cosine +
-                             leg->axial_force * d_leg->ground_cosine -
-                             (d_leg->ground_sine * across + leg->ground_sine * d_across);
+                             leg->axial_force * d_leg->ground_cosine +
+                             (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
         const tdmf_ground_force result = {
             .tangential = d_along + (d_weight * line->sine + weight * (line->cosine * d_line->slope)),
-            .normal = d_off + (d_weight * line->cosine - line->sine * d_line->slope * weight),
+            .normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope)),
         };
         return result;
     }
     const double across = torque * leg->inverse_length;
-    const double off = leg->axial_force * leg->ground_cosine - leg->ground_sine * across;
+    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double normal = off + weight * line->cosine;
     const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
-    const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine -
-                         (d_leg->ground_sine * across + leg->ground_sine * d_across);
+    const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
+                         (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
-    const double d_normal = d_off + (d_weight * line->cosine - line->sine * d_line->slope * weight);
+    const double d_normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope));
     const tdmf_ground_force result = {
         .tangential =
             -(sign * d_inputs->ground.friction * normal + sign * inputs->ground.friction * d_normal),
@@ -164,16 +164,16 @@ static inline double tdmf_vary_graze_torque(const tdmf_model *model, const tdmf_
             d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
             ((d_model->parameters.foot.mass * model->parameters.gravity +
               model->parameters.foot.mass * d_model->parameters.gravity) *
-                 line->cosine -
-             line->sine * d_line->slope * (model->parameters.foot.mass * model->parameters.gravity));
+                 line->cosine +
+             model->parameters.foot.mass * model->parameters.gravity * (-line->sine * d_line->slope));
         return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
     }
     const double d_load =
         d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
         ((d_model->parameters.foot.mass * model->parameters.gravity +
           model->parameters.foot.mass * d_model->parameters.gravity) *
-             line->cosine -
-         line->sine * d_line->slope * (model->parameters.foot.mass * model->parameters.gravity));
+             line->cosine +
+         model->parameters.foot.mass * model->parameters.gravity * (-line->sine * d_line->slope));
     return (d_load -
             torque * (d_leg->ground_sine * leg->inverse_length + leg->ground_sine * d_leg->inverse_length)) /
            (leg->ground_sine * leg->inverse_length);

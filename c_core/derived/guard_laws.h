@@ -14,8 +14,8 @@ static inline double tdmf_new_ground_guard(const tdmf_evaluation *at, const tdmf
 /* Its change. */
 static inline double tdmf_vary_new_ground_guard(const tdmf_evaluation *at, const tdmf_ground_line *line,
                                                 const tdmf_evaluation *d_at, const tdmf_ground_line *d_line) {
-    return -(line->cosine * (d_at->state[TDMF_FOOT_Y] - d_line->height) -
-             line->sine * d_line->slope * (at->state[TDMF_FOOT_Y] - line->height) -
+    return -(-line->sine * d_line->slope * (at->state[TDMF_FOOT_Y] - line->height) +
+             line->cosine * (d_at->state[TDMF_FOOT_Y] - d_line->height) -
              (line->cosine * d_line->slope * at->state[TDMF_FOOT_X] + line->sine * d_at->state[TDMF_FOOT_X]));
 }
 
@@ -76,9 +76,9 @@ static inline double tdmf_touchdown_guard(const tdmf_evaluation *at) {
 
 /* Its change. */
 static inline double tdmf_vary_touchdown_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    return at->mode->ground.cosine * (d_at->state[TDMF_FOOT_Y] - d_at->mode->ground.height) -
-           at->mode->ground.sine * d_at->mode->ground.slope *
-               (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
+    return -at->mode->ground.sine * d_at->mode->ground.slope *
+               (at->state[TDMF_FOOT_Y] - at->mode->ground.height) +
+           at->mode->ground.cosine * (d_at->state[TDMF_FOOT_Y] - d_at->mode->ground.height) -
            (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_X] +
             at->mode->ground.sine * d_at->state[TDMF_FOOT_X]);
 }
@@ -196,8 +196,8 @@ static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at, do
 /* Its change. */
 static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at, double sign,
                                                         const tdmf_evaluation *d_at) {
-    return sign * (at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] -
-                   at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
+    return sign * (-at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
+                   at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
                    (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
                     at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
 }
@@ -208,14 +208,14 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
         const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
         const double torque = at->inputs->hip.external_torque - drive;
         const double across = torque * at->leg.inverse_length;
-        const double off = at->leg.axial_force * at->leg.ground_cosine - at->leg.ground_sine * across;
+        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         const double normal = off + weight * at->mode->ground.cosine;
         return -normal;
     }
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return -(at->leg.axial_force * at->leg.ground_cosine -
-             at->leg.ground_sine * (at->inputs->hip.external_torque * at->leg.inverse_length) +
+    return -(at->leg.axial_force * at->leg.ground_cosine +
+             at->inputs->hip.external_torque * at->leg.inverse_length * -at->leg.ground_sine +
              weight * at->mode->ground.cosine);
 }
 
@@ -223,32 +223,33 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
 static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
                                                       const tdmf_evaluation *d_at) {
     if (at->mode->mid_stance_pending) {
-        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
-        const double torque = at->inputs->hip.external_torque - drive;
-        const double across = torque * at->leg.inverse_length;
         const double d_drive =
             d_at->model->parameters.hip.stance_torque + d_at->inputs->control.stance_torque;
         const double d_torque = d_at->inputs->hip.external_torque - d_drive;
+        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
+        const double torque = at->inputs->hip.external_torque - drive;
         const double d_across = d_torque * at->leg.inverse_length + torque * d_at->leg.inverse_length;
+        const double across = torque * at->leg.inverse_length;
         const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                             at->leg.axial_force * d_at->leg.ground_cosine -
-                             (d_at->leg.ground_sine * across + at->leg.ground_sine * d_across);
+                             at->leg.axial_force * d_at->leg.ground_cosine +
+                             (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
         const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                                 at->model->parameters.foot.mass * d_at->model->parameters.gravity;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        const double d_normal = d_off + (d_weight * at->mode->ground.cosine -
-                                         at->mode->ground.sine * d_at->mode->ground.slope * weight);
+        const double d_normal = d_off + (d_weight * at->mode->ground.cosine +
+                                         weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
         return -d_normal;
     }
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                             at->model->parameters.foot.mass * d_at->model->parameters.gravity;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     return -(
-        d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine -
-        (d_at->leg.ground_sine * (at->inputs->hip.external_torque * at->leg.inverse_length) +
-         at->leg.ground_sine * (d_at->inputs->hip.external_torque * at->leg.inverse_length +
-                                at->inputs->hip.external_torque * d_at->leg.inverse_length)) +
-        (d_weight * at->mode->ground.cosine - at->mode->ground.sine * d_at->mode->ground.slope * weight));
+        d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine +
+        ((d_at->inputs->hip.external_torque * at->leg.inverse_length +
+          at->inputs->hip.external_torque * d_at->leg.inverse_length) *
+             -at->leg.ground_sine +
+         at->inputs->hip.external_torque * at->leg.inverse_length * -d_at->leg.ground_sine) +
+        (d_weight * at->mode->ground.cosine + weight * (-at->mode->ground.sine * d_at->mode->ground.slope)));
 }
 
 /* N of the flight law: it lifts the foot. */
@@ -257,11 +258,11 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
         const double target = at->model->parameters.hip.touchdown_angle +
                               at->inputs->control.touchdown_angle -
                               at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+        const double torque = -at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
         const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] -
-                             at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] + torque;
         const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
-        const double off = at->leg.axial_force * at->leg.ground_cosine - at->leg.ground_sine * across;
+        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         return off + weight * at->mode->ground.cosine;
     }
@@ -276,8 +277,8 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
                 at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
              : 0.0);
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return at->leg.axial_force * at->leg.ground_cosine -
-           at->leg.ground_sine * ((clamped + at->inputs->hip.external_torque) * at->leg.inverse_length) +
+    return at->leg.axial_force * at->leg.ground_cosine +
+           (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -at->leg.ground_sine +
            weight * at->mode->ground.cosine;
 }
 
@@ -287,41 +288,32 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
         const double target = at->model->parameters.hip.touchdown_angle +
                               at->inputs->control.touchdown_angle -
                               at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
-        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] -
-                             at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
-        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
         const double d_target =
             d_at->model->parameters.hip.touchdown_angle + d_at->inputs->control.touchdown_angle -
             (d_at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME] +
              at->model->parameters.hip.retraction_rate * d_at->state[TDMF_HIP_PLACE_TIME]);
+        const double d_torque = -d_at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate +
+                                -at->model->parameters.hip.kd * d_at->model->parameters.hip.retraction_rate;
         const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
                                at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
                                (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) -
-                               (d_at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate +
-                                at->model->parameters.hip.kd * d_at->model->parameters.hip.retraction_rate);
+                                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) +
+                               d_torque;
+        const double torque = -at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] + torque;
         const double d_across = (d_servo + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
                                 (servo + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
+        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
         const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                             at->leg.axial_force * d_at->leg.ground_cosine -
-                             (d_at->leg.ground_sine * across + at->leg.ground_sine * d_across);
+                             at->leg.axial_force * d_at->leg.ground_cosine +
+                             (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
         const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                                 at->model->parameters.foot.mass * d_at->model->parameters.gravity;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        return d_off + (d_weight * at->mode->ground.cosine -
-                        at->mode->ground.sine * d_at->mode->ground.slope * weight);
+        return d_off + (d_weight * at->mode->ground.cosine +
+                        weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
     }
-    const double clamped =
-        ((at->model->parameters.hip.kp *
-              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-               at->state[TDMF_LEG_ANGLE]) -
-          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
-             ? (at->model->parameters.hip.kp *
-                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                     at->state[TDMF_LEG_ANGLE]) -
-                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
-             : 0.0);
     const double d_clamped =
         ((at->model->parameters.hip.kp *
               (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
@@ -337,14 +329,26 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
                 (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
                  at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]))
              : 0.0);
+    const double clamped =
+        ((at->model->parameters.hip.kp *
+              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+               at->state[TDMF_LEG_ANGLE]) -
+          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
+             ? (at->model->parameters.hip.kp *
+                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                     at->state[TDMF_LEG_ANGLE]) -
+                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
+             : 0.0);
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                             at->model->parameters.foot.mass * d_at->model->parameters.gravity;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine -
-           (d_at->leg.ground_sine * ((clamped + at->inputs->hip.external_torque) * at->leg.inverse_length) +
-            at->leg.ground_sine * ((d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
-                                   (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length)) +
-           (d_weight * at->mode->ground.cosine - at->mode->ground.sine * d_at->mode->ground.slope * weight);
+    return d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine +
+           (((d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
+             (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length) *
+                -at->leg.ground_sine +
+            (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -d_at->leg.ground_sine) +
+           (d_weight * at->mode->ground.cosine +
+            weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
 }
 
 #endif

@@ -79,7 +79,7 @@ static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs
             .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
                       model->parameters.hip.retraction_rate * place_time,
             .target_rate = -model->parameters.hip.retraction_rate,
-            .torque = -(model->parameters.hip.kd * model->parameters.hip.retraction_rate),
+            .torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate,
         };
         return result;
     }
@@ -105,8 +105,8 @@ static inline tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_i
                       (d_model->parameters.hip.retraction_rate * place_time +
                        model->parameters.hip.retraction_rate * d_place_time),
             .target_rate = -d_model->parameters.hip.retraction_rate,
-            .torque = -(d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                        model->parameters.hip.kd * d_model->parameters.hip.retraction_rate),
+            .torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                      -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate,
         };
         return result;
     }
@@ -124,14 +124,14 @@ static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_i
                                            const tdmf_inputs *rates, const tdmf_mode *mode,
                                            double place_time) {
     if (mode->phase == TDMF_PHASE_PLACE) {
+        const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
         const tdmf_hip_law result = {
             .gain = model->parameters.hip.kp,
             .rate_gain = model->parameters.hip.kd,
             .target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
                       model->parameters.hip.retraction_rate * place_time,
             .target_rate = -model->parameters.hip.retraction_rate,
-            .torque = inputs->hip.external_torque -
-                      model->parameters.hip.kd * model->parameters.hip.retraction_rate,
+            .torque = torque + inputs->hip.external_torque,
             .torque_rate = rates->hip.external_torque,
         };
         return result;
@@ -162,6 +162,8 @@ static inline tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const t
     (void)inputs;
     (void)rates;
     if (mode->phase == TDMF_PHASE_PLACE) {
+        const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                                -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
         const tdmf_hip_law result = {
             .gain = d_model->parameters.hip.kp,
             .rate_gain = d_model->parameters.hip.kd,
@@ -169,9 +171,7 @@ static inline tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const t
                       (d_model->parameters.hip.retraction_rate * place_time +
                        model->parameters.hip.retraction_rate * d_place_time),
             .target_rate = -d_model->parameters.hip.retraction_rate,
-            .torque = d_inputs->hip.external_torque -
-                      (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                       model->parameters.hip.kd * d_model->parameters.hip.retraction_rate),
+            .torque = d_torque + d_inputs->hip.external_torque,
             .torque_rate = d_rates->hip.external_torque,
         };
         return result;
@@ -215,9 +215,9 @@ static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_input
     if (mode->phase == TDMF_PHASE_PLACE) {
         const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
                               model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+        const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
         return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] -
-               model->parameters.hip.kd * model->parameters.hip.retraction_rate;
+               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + torque;
     }
     return model->parameters.hip.kp *
                (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
@@ -235,12 +235,13 @@ static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_
         const double d_target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
                                 (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
                                  model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
+        const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                                -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
         return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
                model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
                (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) -
-               (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                model->parameters.hip.kd * d_model->parameters.hip.retraction_rate);
+                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
+               d_torque;
     }
     return d_model->parameters.hip.kp *
                (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) +
@@ -269,10 +270,10 @@ static inline double tdmf_torque_in(const tdmf_model *model, const tdmf_inputs *
         if (mode->phase == TDMF_PHASE_PLACE) {
             const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
                                   model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
+            const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
             return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
                    model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                   (inputs->hip.external_torque -
-                    model->parameters.hip.kd * model->parameters.hip.retraction_rate);
+                   (torque + inputs->hip.external_torque);
         }
         if (mode->clamp_closed) {
             return inputs->hip.external_torque;
@@ -301,18 +302,18 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
                                   leg->axial_force * d_leg->ground_cosine +
                                   ((d_model->parameters.foot.mass * model->parameters.gravity +
                                     model->parameters.foot.mass * d_model->parameters.gravity) *
-                                       mode->ground.cosine -
-                                   mode->ground.sine * d_mode->ground.slope *
-                                       (model->parameters.foot.mass * model->parameters.gravity));
+                                       mode->ground.cosine +
+                                   model->parameters.foot.mass * model->parameters.gravity *
+                                       (-mode->ground.sine * d_mode->ground.slope));
             return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
         }
         const double d_load = d_leg->axial_force * leg->ground_cosine +
                               leg->axial_force * d_leg->ground_cosine +
                               ((d_model->parameters.foot.mass * model->parameters.gravity +
                                 model->parameters.foot.mass * d_model->parameters.gravity) *
-                                   mode->ground.cosine -
-                               mode->ground.sine * d_mode->ground.slope *
-                                   (model->parameters.foot.mass * model->parameters.gravity));
+                                   mode->ground.cosine +
+                               model->parameters.foot.mass * model->parameters.gravity *
+                                   (-mode->ground.sine * d_mode->ground.slope));
         return (d_load - torque * (d_leg->ground_sine * leg->inverse_length +
                                    leg->ground_sine * d_leg->inverse_length)) /
                (leg->ground_sine * leg->inverse_length);
@@ -325,13 +326,13 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
                                     d_inputs->control.touchdown_angle -
                                     (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
                                      model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
+            const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
+                                    -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
             return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
                    model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
                    (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
                     model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-                   (d_inputs->hip.external_torque -
-                    (d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                     model->parameters.hip.kd * d_model->parameters.hip.retraction_rate));
+                   (d_torque + d_inputs->hip.external_torque);
         }
         if (mode->clamp_closed) {
             return d_inputs->hip.external_torque;

@@ -60,32 +60,32 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                       bool sticks, const tdmf_model *d_model, const tdmf_inputs *d_inputs,
                       const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT]) {
     if (sticks) {
-        const double d_place = line->cosine * d_state[TDMF_FOOT_X] -
-                               line->sine * d_line->slope * state[TDMF_FOOT_X] +
-                               (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
-                                line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double place =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+        const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+                               line->cosine * d_state[TDMF_FOOT_X] +
+                               (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                                line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
         const double d_along =
-            line->cosine * d_state[TDMF_FOOT_VX] - line->sine * d_line->slope * state[TDMF_FOOT_VX] +
+            -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
             (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
         const double d_off =
-            line->cosine * d_state[TDMF_FOOT_VY] - line->sine * d_line->slope * state[TDMF_FOOT_VY] -
+            -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
         const tdmf_after_impact result = {
-            .foot_x = line->cosine * d_place - line->sine * d_line->slope * place,
+            .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
             .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
             .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
-                               (direction.cosine * d_state[TDMF_FOOT_VY] -
-                                direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VY] -
+                               (-direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VY] +
+                                direction.cosine * d_state[TDMF_FOOT_VY] -
                                 (direction.cosine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VX] +
                                  direction.sine * d_state[TDMF_FOOT_VX])),
             .leg_angle_rate =
                 d_state[TDMF_LEG_ANGLE_RATE] -
-                (direction.cosine * d_state[TDMF_FOOT_VX] -
-                 direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VX] +
+                (-direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VX] +
+                 direction.cosine * d_state[TDMF_FOOT_VX] +
                  (direction.cosine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VY] +
                   direction.sine * d_state[TDMF_FOOT_VY]) -
                  (direction.cosine * state[TDMF_FOOT_VX] + direction.sine * state[TDMF_FOOT_VY]) /
@@ -96,41 +96,41 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
         };
         return result;
     }
-    const double d_place = line->cosine * d_state[TDMF_FOOT_X] -
-                           line->sine * d_line->slope * state[TDMF_FOOT_X] +
+    const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+    const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+                           line->cosine * d_state[TDMF_FOOT_X] +
                            (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                             line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
-    const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-    const double d_along =
-        line->cosine * d_state[TDMF_FOOT_VX] - line->sine * d_line->slope * state[TDMF_FOOT_VX] +
-        (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
+    const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
+    const double along_after = along + sign * inputs->ground.friction * off;
+    const double d_along =
+        -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+        (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_off =
-        line->cosine * d_state[TDMF_FOOT_VY] - line->sine * d_line->slope * state[TDMF_FOOT_VY] -
+        -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
     const double d_along_after =
         d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off);
-    const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
-    const double along_after = along + sign * inputs->ground.friction * off;
-    const double d_vx = line->cosine * d_along_after - line->sine * d_line->slope * along_after;
+    const double d_vx = -line->sine * d_line->slope * along_after + line->cosine * d_along_after;
     const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
-    const double d_lost_y = d_state[TDMF_FOOT_VY] - d_vy;
     const double vy = line->sine * along_after;
     const double lost_y = state[TDMF_FOOT_VY] - vy;
+    const double d_lost_y = d_state[TDMF_FOOT_VY] - d_vy;
     const double vx = line->cosine * along_after;
     const double lost_x = state[TDMF_FOOT_VX] - vx;
     const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
     const tdmf_after_impact result = {
-        .foot_x = line->cosine * d_place - line->sine * d_line->slope * place,
+        .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
         .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
         .foot_vx = d_vx,
         .foot_vy = d_vy,
         .leg_length_rate =
             d_state[TDMF_LEG_LENGTH_RATE] +
-            (direction.cosine * d_lost_y - direction.sine * d_state[TDMF_LEG_ANGLE] * lost_y -
+            (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.cosine * d_lost_y -
              (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.sine * d_lost_x)),
         .leg_angle_rate = d_state[TDMF_LEG_ANGLE_RATE] -
-                          (direction.cosine * d_lost_x - direction.sine * d_state[TDMF_LEG_ANGLE] * lost_x +
+                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.cosine * d_lost_x +
                            (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.sine * d_lost_y) -
                            (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH] *
                                d_state[TDMF_LEG_LENGTH]) /

@@ -84,19 +84,21 @@ static inline tdmf_leg tdmf_vary_leg_with(const tdmf_model *model, const tdmf_gr
     (void)direction;
     const tdmf_leg result = {
         .length = d_state[TDMF_LEG_LENGTH],
-        .inverse_length = -(leg->inverse_length * leg->inverse_length *
-                            (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
-                                 ? d_state[TDMF_LEG_LENGTH]
-                                 : 0.5 * d_model->parameters.leg.min_length)),
+        .inverse_length = -leg->inverse_length * leg->inverse_length *
+                          (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                               ? d_state[TDMF_LEG_LENGTH]
+                               : 0.5 * d_model->parameters.leg.min_length),
         .length_rate = d_state[TDMF_LEG_LENGTH_RATE],
         .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
         .sine = leg->cosine * d_state[TDMF_LEG_ANGLE],
-        .cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]),
-        .ground_sine =
-            leg->cosine * d_state[TDMF_LEG_ANGLE] * line->cosine - line->sine * d_line->slope * leg->sine -
-            (leg->cosine * (line->cosine * d_line->slope) - leg->sine * d_state[TDMF_LEG_ANGLE] * line->sine),
+        .cosine = -leg->sine * d_state[TDMF_LEG_ANGLE],
+        .ground_sine = leg->cosine * d_state[TDMF_LEG_ANGLE] * line->cosine +
+                       leg->sine * (-line->sine * d_line->slope) -
+                       (-leg->sine * d_state[TDMF_LEG_ANGLE] * line->sine +
+                        leg->cosine * (line->cosine * d_line->slope)),
         .ground_cosine =
-            -(leg->sine * d_state[TDMF_LEG_ANGLE] * line->cosine) - line->sine * d_line->slope * leg->cosine +
+            -leg->sine * d_state[TDMF_LEG_ANGLE] * line->cosine +
+            leg->cosine * (-line->sine * d_line->slope) +
             (leg->cosine * d_state[TDMF_LEG_ANGLE] * line->sine + leg->sine * (line->cosine * d_line->slope)),
         .rest_length = d_rest_length,
         .axial_force = d_model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) +

@@ -200,8 +200,8 @@ static void read_series(const integration *integration, batch_kind kind, int lan
     const ground_series *g = &integration->series.ground;
     const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST;
     const real *const of_flight[] = {f->momentum, f->angle, f->rate_square, f->push_moment};
-    const real *const of_ground[] = {g->normal_force, slips ? g->friction : g->tangential_push, g->moment,
-                                     g->torque, g->power};
+    const real *const of_ground[] = {g->normal_force, slips ? g->friction_force : g->tangential_push,
+                                     g->moment, g->torque, g->power};
     const int count =
         in_flight(kind) ? sizeof of_flight / sizeof *of_flight : sizeof of_ground / sizeof *of_ground;
     for (int series = 0; series < count; ++series) {

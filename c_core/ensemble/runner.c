@@ -165,7 +165,7 @@ static double read_ground_step(const tdmf_lane_step *lane, tdmf_step *step) {
     const standing_member *after = (const standing_member *)lane->after;
     ground_series *ground = &step->series.ground;
     take_series(ground->normal_force, lane, TDMF_NOTED_NORMAL_FORCE);
-    take_series(tdmf_step_ground_case(step).slips ? ground->friction : ground->tangential_push, lane,
+    take_series(tdmf_step_ground_case(step).slips ? ground->friction_force : ground->tangential_push, lane,
                 TDMF_NOTED_TANGENTIAL);
     take_series(ground->moment, lane, TDMF_NOTED_MOMENT);
     take_series(ground->torque, lane, TDMF_NOTED_TORQUE);

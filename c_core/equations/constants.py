@@ -1,22 +1,24 @@
 """What is constant while a mode lasts, in its motion's own coordinates."""
 
-from . import free_fall, ground_force, ground_line
+from . import free_fall, ground_force, ground_line, hip
 from .functions import Record
 
 
-def of_flight(model, law, rest_length):
-    """The leg's and the hip's law by the mobility 1/m + 1/m_f, of flight as seen from the centre of mass."""
+def of_flight(model, law, rest_length, push):
+    """Leg, hip and the push on the body, of flight as seen from the centre of mass."""
     leg = model.parameters.leg
     return Record(
         mobility=model.mobility,
-        stiffness=model.mobility * leg.stiffness,
-        damping=model.mobility * leg.damping,
+        stiffness=leg.stiffness,
+        damping=leg.damping,
         rest_length=rest_length,
-        gain=model.mobility * law.gain,
-        rate_gain=model.mobility * law.rate_gain,
+        gain=law.gain,
+        rate_gain=law.rate_gain,
         target=law.target,
-        torque=model.mobility * law.torque,
-        torque_rate=model.mobility * (law.torque_rate + law.gain * law.target_rate),
+        torque=law.torque,
+        torque_rate=hip.drift(law),
+        push_x=push.x,
+        push_y=push.y,
     )
 
 

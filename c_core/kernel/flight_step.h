@@ -15,13 +15,11 @@ typedef struct {
 typedef struct {
     mode_constants mode;
     flight_coefficients law;
-    real inverse_mobility;
     real body_share;     /* of the mass */
     real slope;          /* of the ground */
     real normal_gravity; /* away from it */
     hip_law servo;       /* retract: its torque is what the clamp is decided by, with its sign now */
     real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
-    flight_forcing forcing;
 } flight_constants;
 
 /* Which events and terms there are. A leg that is retracted rises. */
@@ -53,15 +51,10 @@ static inline height_above fall_on(height_above from, real gravity, real elapsed
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, bool forced,
                                       int order, double tolerance, flight_series *f, real *longest) {
-    const real start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
+    const flight_start start = {at->length, at->angle, at->length_rate, at->angle_rate};
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    if (forced) {
-        expand_flight(&c->law, &c->forcing, start, order, f);
-        *longest = longest_flight_step(&c->law, &c->forcing, at->length, order);
-    } else {
-        expand_flight(&c->law, NULL, start, order, f);
-        *longest = longest_flight_step(&c->law, NULL, at->length, order);
-    }
+    expand_flight_by_case(&c->law, &start, order, forced, f);
+    *longest = longest_flight_step(&c->law, at->length, order, forced);
     note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
     return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
@@ -82,7 +75,7 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
         const real t = elapsed->power[1];
         work += law->torque_rate * (t * (start->angle + turned) - integral_to(f->angle, elapsed, order));
     }
-    return c->inverse_mobility * work;
+    return work;
 }
 
 /* Goes on to a time within the step. */

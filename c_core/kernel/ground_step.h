@@ -35,9 +35,9 @@ static inline bool foot_is_free(ground_case is) {
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_ground_step(const ground_constants *c, const ground_coordinates *at, ground_case is,
                                       int order, double tolerance, ground_series *g, real *longest) {
-    const real start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
+    const ground_start start = {at->x, at->y, at->vx, at->vy, at->foot_vx};
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    expand_ground_by_case(&c->law, start, order, is, g);
+    expand_ground(&c->law, &start, order, is, g);
     note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, c->mode.speed_scale);

@@ -2,8 +2,8 @@
 #ifndef TDMF_KERNEL_MOTION_SERIES_H
 #define TDMF_KERNEL_MOTION_SERIES_H
 
-#include "flight_series.h"
-#include "ground_series.h"
+#include "flight_motion.h"
+#include "ground_motion.h"
 
 typedef union {
     flight_variation flight;

@@ -1,10 +1,97 @@
-/* Coefficients of products and quotients of series, and of their variations: d_ stands for the variation of
- * what follows. `real` has been defined. */
+/* Coefficients of products, quotients and functions of series, and of their variations: d_ stands for the
+ * variation of what follows. `real` has been defined. */
 #ifndef TDMF_KERNEL_SERIES_PRODUCTS_H
 #define TDMF_KERNEL_SERIES_PRODUCTS_H
 
 #include "series.h"
 #include "width.h"
+
+/* ---- coefficient k of what is constant but for a ramp, alone or beside what moves ---------------------- */
+
+KERNEL real constant_of(int k, real value) {
+    return k == 0 ? value : real_of(0.0);
+}
+
+KERNEL real ramp_of(int k, real value, real rate) {
+    return k == 0 ? value : INPUTS_RAMP && k == 1 ? rate : real_of(0.0);
+}
+
+KERNEL real with_constant(int k, real moving, real value) {
+    return k == 0 ? moving + value : moving;
+}
+
+/* Where inputs ramp. */
+KERNEL real with_ramp(int k, real moving, real value, real rate) {
+    return k == 0 ? moving + value : INPUTS_RAMP && k == 1 ? moving + rate : moving;
+}
+
+/* Whether inputs ramp or not. */
+KERNEL real with_drift(int k, real moving, real value, real rate) {
+    return k == 0 ? moving + value : k == 1 ? moving + rate : moving;
+}
+
+KERNEL real ramp_times(int k, real value, real rate, const real *a) {
+    return INPUTS_RAMP && k > 0 ? value * a[k] + rate * a[k - 1] : value * a[k];
+}
+
+KERNEL real vary_ramp_times(int k, real value, real rate, real d_value, real d_rate, const real *a,
+                            const real *d_a) {
+    const real now = value * d_a[k] + d_value * a[k];
+    return INPUTS_RAMP && k > 0 ? now + rate * d_a[k - 1] + d_rate * a[k - 1] : now;
+}
+
+/* ---- coefficient k from its inner terms: those without coefficient 0 of a factor, of squares half ------ */
+
+KERNEL real product_of(int k, real inner, const real *a, const real *b) {
+    return k == 0 ? a[0] * b[0] : inner + a[k] * b[0] + a[0] * b[k];
+}
+
+KERNEL real square_of(int k, real half_inner, const real *a) {
+    return k == 0 ? a[0] * a[0] : 2.0 * (half_inner + a[0] * a[k]);
+}
+
+/* Of q, where q b = p, up to k - 1. */
+KERNEL real quotient_of(int k, real inner, real p, const real *q, const real *b, real inverse_b) {
+    return k == 0 ? p * inverse_b : (p - inner - q[0] * b[k]) * inverse_b;
+}
+
+/* Of q, where q q = p; coefficient 0 stands already. */
+KERNEL real root_of(int k, real half_inner, real p, const real *q, real inverse_q) {
+    return k == 0 ? q[0] : (0.5 * p - half_inner) * inverse_q;
+}
+
+/* ---- coefficient k of a function of a series, by its rate ---------------------------------------------- */
+
+/* k times coefficient k of the integral of a' b. */
+static inline real product_with_rate(const real *a, const real *b, int k) {
+    real sum = real_of(0.0);
+    for (int i = 1; i <= k; ++i) {
+        sum += (double)i * a[i] * b[k - i];
+    }
+    return sum;
+}
+
+/* Of sin(a), by cos(a) up to k - 1. */
+static inline real sin_of(int k, const real *a, const real *cosine) {
+    real sine, unused;
+    if (k == 0) {
+        sine_and_cosine(a[0], &sine, &unused);
+        return sine;
+    }
+    return product_with_rate(a, cosine, k) * series_reciprocal[k];
+}
+
+/* Of cos(a), by sin(a) up to k - 1. */
+static inline real cos_of(int k, const real *a, const real *sine) {
+    real unused, cosine;
+    if (k == 0) {
+        sine_and_cosine(a[0], &unused, &cosine);
+        return cosine;
+    }
+    return -product_with_rate(a, sine, k) * series_reciprocal[k];
+}
+
+/* ---- whole sums --------------------------------------------------------------------------------------- */
 
 /* Coefficient k of a b. */
 static inline real product(const real *a, const real *b, int k) {
@@ -32,6 +119,11 @@ static inline real vary_product(const real *a, const real *d_a, const real *b, c
 static inline real vary_quotient(const real *q, const real *d_q, const real *b, const real *d_b, real d_p,
                                  int k) {
     return (d_p - product(q, d_b, k) - product_so_far(d_q, b, k)) / b[0];
+}
+
+/* Of q, where q q = p. */
+static inline real vary_root(const real *q, const real *d_q, real d_p, int k) {
+    return (0.5 * d_p - product_so_far(d_q, q, k)) / q[0];
 }
 
 #endif

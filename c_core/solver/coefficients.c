@@ -7,7 +7,12 @@
 #include <math.h>
 
 flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations) {
-    return tdmf_flight_coefficients_of(equations->model, &equations->law, equations->rest_length);
+    flight_coefficients coefficients = tdmf_flight_coefficients_of(equations->model, &equations->law,
+                                                                   equations->rest_length, equations->push);
+    coefficients.rest_length_rate = equations->rest_length_rate;
+    coefficients.push_x_rate = equations->push_rate.x;
+    coefficients.push_y_rate = equations->push_rate.y;
+    return coefficients;
 }
 
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
@@ -18,26 +23,12 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
         tdmf_vary_flight_law(model, inputs, &tdmf_held_inputs, mode, equations->place_time, &d->model,
                              &d->inputs, &tdmf_held_inputs, &d->mode, d->state[TDMF_HIP_PLACE_TIME]);
     flight_coefficients varied = tdmf_vary_flight_coefficients_of(
-        model, &equations->law, equations->rest_length, &d->model, &d_law,
-        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode));
+        model, &equations->law, equations->rest_length, equations->push, &d->model, &d_law,
+        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_push(equations, d));
     if (tdmf_clamp_has_no_derivative(model, mode, d)) {
         varied.gain = NAN;
     }
-    return varied;
-}
-
-flight_forcing tdmf_flight_forcing(const tdmf_mode_equations *equations) {
-    const flight_forcing forcing = {.push_x = equations->push.x,
-                                    .push_y = equations->push.y,
-                                    .push_x_rate = equations->push_rate.x,
-                                    .push_y_rate = equations->push_rate.y,
-                                    .rest_length_rate = equations->rest_length_rate};
-    return forcing;
-}
-
-flight_forcing tdmf_vary_flight_forcing(const tdmf_mode_equations *equations, const tdmf_direction *d) {
-    const tdmf_vector d_push = tdmf_vary_push(equations, d);
-    const flight_forcing varied = {.push_x = d_push.x, .push_y = d_push.y};
     return varied;
 }
 

@@ -9,13 +9,9 @@
 flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equations);
 ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations);
 
-/* Of a flight that is forced. */
-flight_forcing tdmf_flight_forcing(const tdmf_mode_equations *equations);
-
 /* Changes along a direction. Not a number where the clamp has no derivative. */
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d);
-flight_forcing tdmf_vary_flight_forcing(const tdmf_mode_equations *equations, const tdmf_direction *d);
 ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                                   const tdmf_direction *d);
 

@@ -139,7 +139,7 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
                                   const tdmf_mode_variation *varied_mode, motion_variation *tangent) {
     const tdmf_scales *scales = &step->equations->model->scales;
     const int order = step->order;
-    const tdmf_mode_coordinates *at = &varied_mode->at;
+    const tdmf_mode_coordinates *from = &step->equations->start, *at = &varied_mode->at;
     tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
     const tdmf_direction d = tdmf_direction_of(step->equations->model, change, &variation);
@@ -148,11 +148,10 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         flight_variation *flight = &tangent->flight;
         const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
         const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
-        const double start[4] = {at->length, at->angle, at->length_rate, at->angle_rate};
-        const flight_forcing varied_forcing = tdmf_vary_flight_forcing(step->equations, &d);
-        const flight_forcing *forcing = step->equations->is_forced ? &step->constants.flight.forcing : NULL;
-        vary_flight(&coefficients, forcing, &step->series.flight, &varied, &varied_forcing, start, order,
-                    flight);
+        const flight_start varied_start = {at->length, at->angle, at->length_rate, at->angle_rate};
+        const flight_start start = {from->length, from->angle, from->length_rate, from->angle_rate};
+        vary_flight_by_case(&coefficients, &start, &step->series.flight, &varied, &varied_start, order,
+                            step->equations->is_forced, flight);
         add_sizes(flight->length, scales->length, order, sizes);
         add_sizes(flight->length_rate, scales->speed, order, sizes);
         add_sizes(flight->angle, 1.0, order, sizes);
@@ -161,9 +160,10 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         ground_variation *ground = &tangent->ground;
         const ground_coefficients coefficients = tdmf_ground_coefficients(step->equations);
         const ground_coefficients varied = tdmf_vary_ground_coefficients(step->equations, mode, &d);
-        const double start[GROUND_START_COUNT] = {at->x, at->y, at->vx, at->vy, at->foot_vx};
-        vary_ground(&coefficients, &step->series.ground, &varied, start, order, tdmf_step_ground_case(step),
-                    ground);
+        const ground_start varied_start = {at->x, at->y, at->vx, at->vy, at->foot_vx};
+        const ground_start start = {from->x, from->y, from->vx, from->vy, from->foot_vx};
+        vary_ground(&coefficients, &start, &step->series.ground, &varied, &varied_start, order,
+                    tdmf_step_ground_case(step), ground);
         add_sizes(ground->x, scales->length, order, sizes);
         add_sizes(ground->y, scales->length, order, sizes);
         add_sizes(ground->vx, scales->speed, order, sizes);

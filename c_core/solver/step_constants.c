@@ -52,7 +52,6 @@ static void set_forcing(const tdmf_mode_equations *equations, flight_constants *
     constants->mode.gravity = -fall.y;
     constants->normal_gravity = -tdmf_off_line(&equations->ground, fall);
     constants->new_normal_gravity = -tdmf_off_line(&equations->new_ground, fall);
-    constants->forcing = tdmf_flight_forcing(equations);
 }
 
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
@@ -61,7 +60,6 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
     flight_constants constants = {
         .mode = mode_constants_of(equations->model, margin_factor),
         .law = tdmf_flight_coefficients(equations),
-        .inverse_mobility = 1.0 / equations->model->mobility,
         .body_share = equations->model->body_share,
         .slope = equations->ground.slope,
         .normal_gravity = gravity * equations->ground.cosine,

@@ -104,7 +104,7 @@ static tdmf_peak largest_peak(const tdmf_step *step, const double *series, doubl
 static void write_vertical_force(const tdmf_step *step, double series[SERIES_TERMS]) {
     const ground_series *g = &step->series.ground;
     const tdmf_ground_line *ground = &step->equations->ground;
-    const double *against = tdmf_step_ground_case(step).slips ? g->friction : g->tangential_push;
+    const double *against = tdmf_step_ground_case(step).slips ? g->friction_force : g->tangential_push;
     for (int k = 0; k < step->order; ++k) {
         series[k] = ground->cosine * g->normal_force[k] - ground->sine * against[k];
     }

@@ -63,7 +63,7 @@ def test_parentheses_are_those_that_are_needed(expressions):
 
     assert text(k - (c - rest)) == "k - (c - l)"
     assert text(k / (c / rest) * (r + v)) == "k / (c / l) * (r + v)"
-    assert text(-(k + c) * rest) == "-((k + c) * l)"
+    assert text(-(k + c) * rest) == "-(k + c) * l"
     assert text(k / 2 + c / 3) == "0.5 * k + 1.0 / 3.0 * c"
 
 

@@ -26,6 +26,8 @@ class Expression:
             made = super().__new__(cls)
             made.operation, made.operands, made.value, made.marks = operation, operands, value, marks
             made.name, made.number = None, len(cls.table)
+            given = operation != "symbol" or bool(marks.get("constant"))
+            made.is_constant = given and all(operand.is_constant for operand in operands)
             cls.table[key] = made
         return cls.table[key]
 
@@ -35,6 +37,7 @@ class Expression:
     marks: dict[str, Any]  # of a symbol, for whoever made it
     name: str | None
     number: int
+    is_constant: bool  # it holds no symbol but those marked so
 
     def named(self, name: str) -> "Expression":
         """Give it a name, unless it has one or another has that."""
@@ -46,13 +49,6 @@ class Expression:
     def is_number(self, value: float | None = None) -> bool:
         """Whether it is a number, or this one."""
         return self.operation == "number" and (value is None or self.value == value)
-
-    @property
-    def is_constant(self) -> bool:
-        """Whether it holds no symbol but those marked constant."""
-        if self.operation == "symbol":
-            return bool(self.marks.get("constant"))
-        return all(operand.is_constant for operand in self.operands)
 
     def __neg__(self) -> "Expression":
         if self.is_number():
@@ -90,9 +86,8 @@ class Expression:
                 return b if a.is_number(1) else a
             if a.is_number(-1):
                 return -b
-            if a.operation == "negative":
-                return -(a.operands[0] * b)
-        return Expression("*", other, self) if other.is_number() else Expression("*", self, other)
+        swaps = other.is_number() or (other.is_constant and not self.is_constant)
+        return Expression("*", other, self) if swaps else Expression("*", self, other)
 
     def __truediv__(self, other: Any) -> "Expression":
         other = lift(other)
@@ -102,8 +97,6 @@ class Expression:
             return self
         if other.is_number():
             return self * number(1 / Fraction(other.value))
-        if self.operation == "negative":
-            return -(self.operands[0] / other)
         return Expression("/", self, other)
 
     def __radd__(self, other: Any) -> "Expression":
@@ -159,13 +152,14 @@ def forget() -> None:
     Expression.names.clear()
 
 
-def ordered(roots: Iterable[Expression]) -> list[Expression]:
-    """Give expressions and all that they are made of, operands first."""
+def ordered(roots: Iterable[Expression], known: Iterable[Expression] = ()) -> list[Expression]:
+    """Give expressions and all that they are made of, operands first; what is known is not looked into."""
     found: dict[Expression, None] = {}
+    closed = set(known)
 
     def visit(expression: Expression) -> None:
         if expression not in found:
-            for operand in expression.operands:
+            for operand in expression.operands if expression not in closed else ():
                 visit(operand)
             found[expression] = None
 
@@ -205,9 +199,9 @@ def name_members(record: Any) -> None:
 
 
 def derivative(expression: Expression, changes: dict[Expression, Any]) -> Expression:
-    """Give the first variation, where `changes` has that of each leaf that varies."""
+    """Give the first variation, where `changes` has that of each leaf, or other part, that varies."""
     found = {leaf: lift(change) for leaf, change in changes.items()}
-    for node in ordered([expression]):
+    for node in ordered([expression], found):
         if node not in found:
             found[node] = change_of(node, [found[operand] for operand in node.operands])
             if node.name and node.operation not in LEAVES:
@@ -256,7 +250,11 @@ def c_number(value: Any) -> str:
     return f"{float(value.numerator)!r} / {float(value.denominator)!r}"
 
 
-def c_text(expression: Expression, text_of: Callable[[Expression], str | None], functions: str = "") -> str:
+def c_text(
+    expression: Expression,
+    text_of: Callable[[Expression], str | None] = lambda node: None,
+    functions: str = "",
+) -> str:
     """Write an expression in C with the fewest parentheses.
 
     `text_of` gives the text of what has a name of its own, else None; `functions` begins those of C.
@@ -274,7 +272,8 @@ def c_text(expression: Expression, text_of: Callable[[Expression], str | None], 
                 c_number(node.value),
             )
         elif node.operation == "negative":
-            strength, text = 2, f"-{write(node.operands[0], 2)}"
+            strength = 1 if node.operands[0].operation in "*/" else 2
+            text = f"-{write(node.operands[0], strength)}"
         elif node.operation in UNARY:
             strength, text = 3, f"{functions}{node.operation}({write(node.operands[0], 0)})"
         elif node.operation == "atan2":

@@ -315,7 +315,8 @@ def constant_laws() -> str:
         "constant",
         [
             Function(
-                f"flight_coefficients tdmf_flight_coefficients_of({MODEL}, {LAW}, double rest_length)",
+                f"flight_coefficients tdmf_flight_coefficients_of({MODEL}, {LAW}, double rest_length, "
+                "tdmf_vector push)",
                 constants.of_flight,
             ),
             Function(

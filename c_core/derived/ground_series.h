@@ -1,0 +1,102 @@
+/* Derived from c_core/equations/ground.py by equations/derive: edit that. */
+#ifndef TDMF_DERIVED_GROUND_SERIES_H
+#define TDMF_DERIVED_GROUND_SERIES_H
+
+#include "series_products.h"
+
+/* What the motions depend on, and its rates where it changes in time. */
+typedef struct {
+    real stiffness;
+    real damping;
+    real inverse_body_mass;
+    real inverse_foot_mass;
+    real foot_weight_x;
+    real foot_weight_y;
+    real rest_length;
+    real gravity_x;
+    real gravity_y;
+    real friction;
+    real torque;
+    real rest_length_rate;
+    real gravity_x_rate;
+    real gravity_y_rate;
+    real friction_rate;
+    real torque_rate;
+} ground_coefficients;
+
+/* Series of the states and of what is made of them, up to the order or one less. */
+typedef struct {
+    real length[SERIES_TERMS];
+    real length_rate[SERIES_TERMS];
+    real normal_force[SERIES_TERMS];
+    real tangential_push[SERIES_TERMS];
+    real torque[SERIES_TERMS];
+    real power[SERIES_TERMS];
+    real speed_square[SERIES_TERMS];
+    real square[SERIES_TERMS];
+    real turning[SERIES_TERMS];
+    real along[SERIES_TERMS];
+    real off[SERIES_TERMS];
+    real x[SERIES_TERMS];
+    real y[SERIES_TERMS];
+    real vx[SERIES_TERMS];
+    real vy[SERIES_TERMS];
+    real foot_vx[SERIES_TERMS];
+    real moment[SERIES_TERMS];
+    real axial[SERIES_TERMS];
+    real friction_power[SERIES_TERMS];
+    real friction_force[SERIES_TERMS];
+    real foot_acceleration[SERIES_TERMS];
+    real angle_rate[SERIES_TERMS];
+    real axial_y[SERIES_TERMS];
+} ground_series;
+
+/* The first variations of some. */
+typedef struct {
+    real power[SERIES_TERMS];
+    real x[SERIES_TERMS];
+    real y[SERIES_TERMS];
+    real vx[SERIES_TERMS];
+    real vy[SERIES_TERMS];
+    real foot_vx[SERIES_TERMS];
+    real moment[SERIES_TERMS];
+    real length[SERIES_TERMS];
+    real axial[SERIES_TERMS];
+    real square[SERIES_TERMS];
+    real turning[SERIES_TERMS];
+    real normal_force[SERIES_TERMS];
+    real foot_acceleration[SERIES_TERMS];
+} ground_variation;
+
+/* What a motion starts with. */
+typedef struct {
+    real x;
+    real y;
+    real vx;
+    real vy;
+    real foot_vx;
+} ground_start;
+
+/* The states, where (vx, vy) is the body's velocity, not seen from the foot. */
+static inline void begin_ground(const ground_start *start, ground_series *s) {
+    s->x[0] = start->x;
+    s->y[0] = start->y;
+    s->vx[0] = start->vx - start->foot_vx;
+    s->vy[0] = start->vy;
+    s->foot_vx[0] = start->foot_vx;
+    s->moment[0] = start->x * start->vy - start->y * (start->vx - start->foot_vx);
+}
+
+/* Their variation, where what it starts with varies by d. */
+static inline void begin_ground_variation(const ground_start *start, const ground_start *d,
+                                          ground_variation *t) {
+    t->x[0] = d->x;
+    t->y[0] = d->y;
+    t->vx[0] = d->vx - d->foot_vx;
+    t->vy[0] = d->vy;
+    t->foot_vx[0] = d->foot_vx;
+    t->moment[0] = d->x * start->vy + start->x * d->vy -
+                   (d->y * (start->vx - start->foot_vx) + start->y * (d->vx - d->foot_vx));
+}
+
+#endif

@@ -1,0 +1,56 @@
+"""Which motions are expanded into series, in which cases, and what of them is noted: a header a mode."""
+
+from functools import partial
+
+from .. import flight, ground
+from .series import Family, header
+
+GROUND = Family(
+    "ground",
+    ground,
+    constants="stiffness damping inverse_body_mass inverse_foot_mass foot_weight_x foot_weight_y",
+    ramps={"rest_length": False, "gravity_x": False, "gravity_y": False, "friction": False, "torque": False},
+    rates={"length_rate": "length"},
+    noted="length length_rate normal_force tangential_push torque power speed_square",
+    varied="power",
+    cases={
+        # Without a torque the leg does not turn, but a torque that varies would turn it.
+        "stick": {"contact": "stick", "turns": False, "noted": "square turning along off"},
+        "stick_turning": {"contact": "stick", "turns": True},
+        "slip": {"contact": "slip", "turns": False, "noted": "square turning along off friction_power"},
+        "slip_turning": {"contact": "slip", "turns": True, "noted": "friction_power"},
+        "graze": {"contact": "graze", "turns": True, "noted": "angle_rate axial_y"},
+    },
+)
+
+FLIGHT = Family(
+    "flight",
+    flight,
+    constants="mobility stiffness damping gain rate_gain target",
+    ramps={"torque": True, "rest_length": False, "push_x": False, "push_y": False},
+    rates={},
+    noted="square angle_rate rate_square speed_square",
+    varied="torque power",
+    cases={
+        "flight": {"pushed": False, "ramp": False},
+        "pushed_flight": {"pushed": True, "noted": "push_moment"},
+    },
+)
+
+
+def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> str:
+    """Write a header of some cases; without a torque variations are those of a leg that turns."""
+    lines = [line for case in cases for line in family.motion(case).source()]
+    lines += [line for case in varied for line in family.motion(case).variation()]
+    if mode == family.name:
+        return header(f"{mode}_series", mode, "series_products.h", [*family.structs(), *lines])
+    return header(f"{mode}_series", family.name, f"{family.name}_series.h", lines)
+
+
+FILES = {
+    "ground_series.h": lambda: header("ground_series", "ground", "series_products.h", GROUND.structs()),
+    "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_turning"], ["stick_turning"]),
+    "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_turning"], ["slip_turning"]),
+    "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),
+    "flight_series.h": partial(of_cases, "flight", FLIGHT, list(FLIGHT.cases), list(FLIGHT.cases)),
+}

@@ -1,0 +1,42 @@
+"""Flight: the centre of mass is exactly ballistic, so that only the leg moves, and gravity drops out.
+
+With M = 1/m + 1/m_f, v = rdot, w = thetadot and L = r^2 w. A force on the body, which gives it the
+acceleration p, does not drop out: vdot gains u.p and Ldot r t.p, with u = (-sin, cos) along the leg and
+t = (-cos, -sin) across it.
+"""
+
+from . import hip, leg
+from .functions import Record, cos, sin
+
+
+def start(length, angle, length_rate, angle_rate):
+    """The states."""
+    return Record(length=length, angle=angle, length_rate=length_rate, momentum=length * length * angle_rate)
+
+
+def motion(c, s, pushed):
+    """vdot = r w^2 + M F_s,  Ldot = M tau,  w = L/r^2, and what the push on the body adds."""
+    square = s.length * s.length
+    angle_rate = s.momentum / square
+    rate_square = angle_rate * angle_rate
+    axial_force = leg.axial_force(c.stiffness, c.damping, c.rest_length, s.length, s.length_rate)
+    torque = hip.torque(c, s.angle, angle_rate)
+    sine, cosine = (sin(s.angle), cos(s.angle)) if pushed else (0, 0)
+    push_along = c.push_y * cosine - c.push_x * sine
+    push_across = -(c.push_x * cosine + c.push_y * sine)
+    push_moment = s.length * push_across
+    return Record(
+        rates=Record(
+            length=s.length_rate,
+            length_rate=s.length * rate_square + c.mobility * axial_force + push_along,
+            angle=angle_rate,
+            momentum=c.mobility * torque + push_moment,
+        ),
+        square=square,
+        angle_rate=angle_rate,
+        rate_square=rate_square,
+        speed_square=s.length_rate * s.length_rate,
+        push_moment=push_moment,
+        torque=torque,
+        power=torque * angle_rate,
+    )

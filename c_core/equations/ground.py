@@ -1,0 +1,75 @@
+"""Motion on the ground, in its own axes, X along the line and Y away from it.
+
+(X, Y) is the body's position as seen from the foot, so that no sine is needed; (U, V) its rate, u the foot's
+velocity, -(g_x, g_y) the acceleration that gravity and what pushes it from outside give the body.
+"""
+
+from . import friction, ground_force, leg
+from .functions import Record, sqrt
+
+
+def start(x, y, vx, vy, foot_vx):
+    """The states, where (vx, vy) is the body's velocity, not seen from the foot."""
+    away = vx - foot_vx
+    return Record(x=x, y=y, vx=away, vy=vy, foot_vx=foot_vx, moment=angular_momentum(x, y, away, vy))
+
+
+def angular_momentum(x, y, vx, vy):
+    """X V - Y U = r^2 thetadot, of the body about the foot and by its mass."""
+    return x * vy - y * vx
+
+
+def length_rate(x, y, vx, vy, length):
+    """The rate of r = sqrt(X^2 + Y^2)."""
+    return (x * vx + y * vy) / length
+
+
+def motion(c, s, contact, turns):
+    """Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
+
+    `turns` is whether a torque turns the leg, as it does in graze.
+    """
+    square = s.x * s.x + s.y * s.y
+    length = sqrt(square)
+    rate = length_rate(s.x, s.y, s.vx, s.vy, length)
+    axial = leg.axial_force(c.stiffness, c.damping, c.rest_length, length, rate) / length
+    if contact == "graze":
+        turning = ground_force.grazing_across(axial, s.x, s.y, c.foot_weight_y)
+        torque = turning * square
+    else:
+        torque = c.torque if turns else 0
+        turning = torque / square
+    push = ground_force.leg_push(axial, turning, s.x, s.y)
+    force = ground_force.holding_force(axial, turning, s.x, s.y, c.foot_weight_x, c.foot_weight_y)
+    off = push.off if contact != "graze" else -c.foot_weight_y
+    normal_force = force.normal if contact != "graze" else 0
+    tangential_push = -force.tangential
+    friction_force = friction.sliding_force(c.friction, normal_force) if contact == "slip" else 0
+    foot_acceleration = 0 if contact == "stick" else (tangential_push - friction_force) * c.inverse_foot_mass
+    return Record(
+        rates=Record(
+            x=s.vx,
+            y=s.vy,
+            vx=push.along * c.inverse_body_mass - c.gravity_x - foot_acceleration,
+            vy=off * c.inverse_body_mass - c.gravity_y,
+            foot_vx=foot_acceleration,
+            moment=torque * c.inverse_body_mass
+            - c.gravity_y * s.x
+            + c.gravity_x * s.y
+            + s.y * foot_acceleration,
+        ),
+        square=square,
+        length=length,
+        length_rate=rate,
+        axial_y=axial * s.y,
+        along=push.along,
+        off=off,
+        turning=turning,
+        torque=torque,
+        normal_force=normal_force,
+        tangential_push=tangential_push,
+        angle_rate=s.moment / square,
+        power=turning * s.moment,
+        speed_square=rate * rate,
+        friction_power=friction_force * s.foot_vx,
+    )

@@ -1,0 +1,52 @@
+/* Motion on the ground in any case, and how far its series may be trusted. */
+#ifndef TDMF_KERNEL_GROUND_MOTION_H
+#define TDMF_KERNEL_GROUND_MOTION_H
+
+#include "graze_series.h"
+#include "slip_series.h"
+#include "stick_series.h"
+
+/* Which terms there are. The foot is free unless it sticks; slip and graze exclude each other. Where there is
+ * no torque, nothing turns the leg. */
+typedef struct {
+    bool slips, grazes, turns;
+} ground_case;
+
+static inline void expand_ground(const ground_coefficients *c, const ground_start *start, int order,
+                                 ground_case is, ground_series *g) {
+    begin_ground(start, g);
+    if (is.grazes) {
+        expand_graze(c, order, g);
+    } else if (is.slips && is.turns) {
+        expand_slip_turning(c, order, g);
+    } else if (is.slips) {
+        expand_slip(c, order, g);
+    } else if (is.turns) {
+        expand_stick_turning(c, order, g);
+    } else {
+        expand_stick(c, order, g);
+    }
+}
+
+/* The first variation, of what the motion starts with by `d_start` and of the coefficients by `d`. */
+static inline void vary_ground(const ground_coefficients *c, const ground_start *start,
+                               const ground_series *g, const ground_coefficients *d,
+                               const ground_start *d_start, int order, ground_case is, ground_variation *t) {
+    begin_ground_variation(start, d_start, t);
+    if (is.grazes) {
+        vary_graze(c, g, d, order, t);
+    } else if (is.slips) {
+        vary_slip_turning(c, g, d, order, t);
+    } else {
+        vary_stick_turning(c, g, d, order, t);
+    }
+}
+
+/* As longest_flight_step. */
+static inline real longest_ground_step(const ground_coefficients *c, bool free, int order) {
+    const real mobility = free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
+    const real springs_back = real_sqrt(mobility * c->stiffness);
+    return (double)order / larger(springs_back, mobility * c->damping);
+}
+
+#endif
