@@ -25,6 +25,7 @@ from .optimization.pareto import Front, pareto_front
 from .paper.validation import Validation, validate
 from .proof.proof import Proof
 from .proof.prove import prove
+from .proof.prove_border import BorderProof, prove_border
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
 from .unit.profile import Profile, simulate_over
@@ -35,6 +36,7 @@ from .version import __version__
 
 __all__ = [
     "AffineLaw",
+    "BorderProof",
     "Branch",
     "Controllability",
     "Curve",
@@ -71,6 +73,7 @@ __all__ = [
     "pareto_front",
     "place_poles",
     "prove",
+    "prove_border",
     "read_parameters",
     "run_batch",
     "run_ensemble",

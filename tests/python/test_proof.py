@@ -138,3 +138,30 @@ def test_the_command_prints_the_proof():
     assert told["word"] == "0+"
     assert agree(told["period"], GAITS["10"]["period"])
     assert told["parameters"]["ground.friction"] == "10"
+
+
+def check_border(proof, known):
+    assert proof.proved
+    assert agree(proof.as_json()["value"], known["friction"])
+    assert proof.value.rad() < 1e-8
+    assert (proof.kind, proof.word_continued) == (known["kind"], known["word_continued"])
+
+
+def test_a_border_is_proved_where_another_program_proved_it():
+    check_border(tdmf_slip.prove_border(0.26585156, digits=8, sides=False), PROVED["borders"][0])
+
+
+@LONG
+@pytest.mark.parametrize("known", PROVED["borders"], ids=lambda known: known["kind"])
+def test_every_border_is_proved_with_a_gait_on_each_side(known):
+    proof = tdmf_slip.prove_border(float(arb(known["friction"]).mid()), digits=25)
+    check_border(proof, known)
+    assert len(set(proof.words)) == 2
+    assert all(side.proved for side in proof.sides)
+    assert known["word_continued"] in proof.words
+
+
+def test_no_border_is_proved_where_there_is_none():
+    proof = tdmf_slip.prove_border(0.6, digits=5, sides=False)
+    assert not proof.proved
+    assert "same" in proof.undecided["guard"]

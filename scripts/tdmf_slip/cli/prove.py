@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..errors import RunError
+from ..errors import InputError, RunError
+from ..library.runner import Runner
 from ..terminal.text import columns
 from ..unit.parameters import read_parameters
 from ..unit.unit import FRICTION, load
-from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, Command, values_given
+from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, Command, refuse_given, values_given
 from .output import json_text
+from .ranges import ends_of
 from .runner import runner_of
 
 if TYPE_CHECKING:
@@ -32,6 +34,12 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
 @click.option(
     "--digits", type=int, default=20, show_default=True, metavar="N", help="That enclosures are to have."
 )
+@click.option(
+    "--border",
+    metavar="A:B",
+    help="Instead of a gait, the borders between gait words from one friction to another, and a gait on each "
+    "side of each.",
+)
 @JSON_OPTION
 def prove_command(
     friction: str | None,
@@ -39,6 +47,7 @@ def prove_command(
     parameters: str | None,
     box: str | None,
     digits: int,
+    border: str | None,
     as_json_object: bool,
 ) -> None:
     """A periodic gait, proved: there is exactly one in a box, with its word, stability and enclosures.
@@ -47,16 +56,46 @@ def prove_command(
     not decide, the answer is "undecided", with the guard and the time, and the status is 1; it says nothing
     against the gait. Needs python-flint, the extra `proof`.
     """
-    from ..proof.prove import prove  # FLINT is slow to load
-
-    given = values_given(None, settings if friction is None else (f"{FRICTION}={friction}", *settings))
+    given = values_given(None, settings)
     if friction is not None:
         given[FRICTION] = "--friction", friction
-    runner_of(load(), parameters, given)
+    if border is not None:
+        refuse_given(given, FRICTION, "--border")
+        if box is not None:
+            raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
+    runner = runner_of(load(), parameters, given)
     told = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
-    proof = prove({**told, **{name: value for name, (_, value) in given.items()}}, box=box, digits=digits)
+    told |= {name: value for name, (_, value) in given.items()}
+    if border is not None:
+        _prove_borders(runner, told, border, digits, as_json_object)
+        return
+    from ..proof.prove import prove  # FLINT is slow to load
+
+    proof = prove(told, box=box, digits=digits)
     print(json_text(proof.as_json()) if as_json_object else _text(proof))
-    if not proof.proved:
+    _end(proof.proved)
+
+
+def _prove_borders(
+    runner: Runner, told: dict[str, object], border: str, digits: int, as_json_object: bool
+) -> None:
+    from ..analysis.sweep import sweep
+    from ..proof.prove_border import prove_border
+
+    ends = ends_of(border, load().variables[FRICTION], "--border")
+    borders = sweep(runner, list(ends)).borders
+    if not borders:
+        raise RunError(f"--border {border}: the gaits at both ends have the same word")
+    proofs = [prove_border(one, told, digits=digits) for one in borders]
+    if as_json_object:
+        print(json_text({"borders": [proof.as_json() for proof in proofs]}))
+    else:
+        print("\n\n".join(proof.sentence for proof in proofs))
+    _end(all(proof.proved for proof in proofs))
+
+
+def _end(proved: bool) -> None:
+    if not proved:
         sys.stdout.flush()
         raise RunError("undecided")
 

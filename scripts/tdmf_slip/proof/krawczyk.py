@@ -1,6 +1,6 @@
 """Fixed points of the stride: found, and proved by Krawczyk's operator.
 
-With G(x) = x - P(x) and a point matrix Y near the inverse of its derivative,
+With G(x) = P(x) - x and a point matrix Y near the inverse of its derivative,
 
     K(X) = m - Y G(m) + (I - Y DG(X)) (X - m)
 
@@ -15,9 +15,11 @@ import numpy as np
 from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
+from .forced import Forced
 from .matrices import identity
 from .parameters import Parameters
-from .stride import Fineness, Starts, Stride, Traveller
+from .starts import Fineness, Starts
+from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 from .undecided import UndecidedError
 
@@ -28,9 +30,10 @@ SHARPENINGS = 12
 def refined(
     parameters: Parameters,
     apex: Sequence[arb],
-    jacobian: NDArray[np.float64],
+    jacobian: NDArray[Any],
     fineness: Fineness,
     nearness: float,
+    forced: Forced | None = None,
 ) -> list[arb]:
     """A point near the fixed point, by Newton's method with one Jacobian; nothing is proved.
 
@@ -39,33 +42,40 @@ def refined(
     parameters : Parameters
         Whose stride.
     apex : sequence of arb, shape (6,) or (7,)
-        Near it, with the value of what is varied, which stays.
-    jacobian : ndarray of float, shape (6, 6)
-        Of the stride, about.
+        Near it, with the value of what is varied, which stays unless an event is forced.
+    jacobian : ndarray of float, shape (n, n)
+        Of what is to vanish, about: six rows, and a seventh for the margin of an event that is forced.
     fineness : Fineness
         Of the motion.
     nearness : float
         How near is near enough.
+    forced : Forced, optional
+        Of a border.
 
     Returns
     -------
     list of arb
         Points.
     """
-    inverse = np.linalg.inv(np.eye(6) - jacobian)
+    unknowns = len(jacobian)
     found = list(apex)
     with ctx.workprec(fineness.bits):
-        points = point_matrix(inverse)
+        points = point_matrix(np.linalg.inv(jacobian))
         last = float("inf")
         for _ in range(MOST_STEPS):
-            stride = Traveller(parameters, found, fineness).stride()
-            step = points * arb_mat(6, 1, [after - x for after, x in zip(stride.centre, found, strict=False)])
-            found[:6] = [(x + dx).mid() for x, dx in zip(found, step.entries(), strict=False)]
+            left = residual(Traveller(parameters, found, fineness, forced).stride(), found)[:unknowns]
+            step = points * arb_mat(unknowns, 1, left)
+            found[:unknowns] = [(x - dx).mid() for x, dx in zip(found, step.entries(), strict=False)]
             size = float(max(abs(dx).upper() for dx in step.entries()))
             if not size < 0.5 * last or size < nearness:
                 break
             last = size
     return found
+
+
+def residual(stride: Stride, centre: Sequence[arb]) -> list[arb]:
+    """What vanishes at a fixed point, and on a border: the way from apex to apex, and the margin."""
+    return [*(after - x for after, x in zip(stride.centre, centre, strict=False)), stride.margin]
 
 
 def point_matrix(matrix: NDArray[Any]) -> arb_mat:
@@ -74,9 +84,41 @@ def point_matrix(matrix: NDArray[Any]) -> arb_mat:
     return arb_mat(rows, columns, [arb(float(x)) for x in matrix.ravel()])
 
 
-def proved_stride(parameters: Parameters, starts: Starts, fineness: Fineness, coarseness: Fineness) -> Stride:
+def slopes_of(stride: Stride) -> arb_mat:
+    """Of what vanishes, by the start: six rows, and one for the margin of an event that is forced."""
+    assert stride.derivative is not None
+    columns = stride.derivative.ncols()
+    rows = stride.derivative.tolist()
+    for i in range(6):
+        rows[i][i] -= 1
+    if stride.margin_slopes:
+        rows.append(stride.margin_slopes)
+    return arb_mat(len(rows), columns, [x for row in rows for x in row])
+
+
+def middle_of(matrix: arb_mat) -> NDArray[np.float64]:
+    """Its midpoints as doubles.
+
+    Raises
+    ------
+    UndecidedError
+        One is not finite.
+    """
+    middle = np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])
+    if not np.all(np.isfinite(middle)):
+        raise UndecidedError("the derivative of the stride")
+    return middle
+
+
+def proved_stride(
+    parameters: Parameters,
+    starts: Starts,
+    fineness: Fineness,
+    coarseness: Fineness,
+    forced: Forced | None = None,
+) -> Stride:
     """The stride of all starts of a box, with its derivative."""
-    return SetTraveller(parameters, starts, fineness, coarseness).stride()
+    return SetTraveller(parameters, starts, fineness, coarseness, forced).stride()
 
 
 class Inclusion:
@@ -88,7 +130,8 @@ class Inclusion:
         Parameters
         ----------
         starts : Starts
-            The box, without what is varied or with it as a seventh coordinate.
+            The box. What is varied is an unknown where an event is forced, else a range, for each value of
+            which there is a fixed point.
         stride : Stride
             Of it, with derivative.
         fineness : Fineness
@@ -99,27 +142,24 @@ class Inclusion:
         UndecidedError
             The operator does not map the box into itself.
         """
-        assert stride.derivative is not None
         with ctx.workprec(fineness.bits):
-            self._solve(starts, stride.centre, stride.derivative)
+            self._solve(starts, residual(stride, starts.centre), slopes_of(stride))
 
-    def _solve(self, starts: Starts, after: list[arb], derivative: arb_mat) -> None:
-        square = arb_mat(6, 6, [derivative[i, j] for i in range(6) for j in range(6)])
-        middle = np.array([[float(x.mid()) for x in row] for row in square.tolist()])
-        if not np.all(np.isfinite(middle)):
-            raise UndecidedError("the derivative of the stride")
-        inverse = point_matrix(np.linalg.inv(np.eye(6) - middle))
-        left = arb_mat(6, 1, [y - x for y, x in zip(after, starts.centre, strict=False)])
-        shift = inverse * left
-        if derivative.ncols() > 6:  # P(m, q) lies in P(m, middle of q) + DP (q - middle)
-            by = arb_mat(6, 1, [derivative[i, 6] for i in range(6)])
-            shift = shift + inverse * by * arb_mat(1, 1, [arb(0, starts.radii[6])])
-        rest = identity(6) - inverse * (identity(6) - square)
-        radii = arb_mat(6, 1, [arb(0, r) for r in starts.radii[:6]])
+    def _solve(self, starts: Starts, left: list[arb], slopes: arb_mat) -> None:
+        unknowns = slopes.nrows()
+        square = arb_mat(unknowns, unknowns, [slopes[i, j] for i in range(unknowns) for j in range(unknowns)])
+        inverse = point_matrix(np.linalg.inv(middle_of(square)))
+        shift = -(inverse * arb_mat(unknowns, 1, left[:unknowns]))
+        if slopes.ncols() > unknowns:  # G(m, q) lies in G(m, middle of q) + DG (q - middle)
+            by = arb_mat(unknowns, 1, [slopes[i, unknowns] for i in range(unknowns)])
+            shift = shift - inverse * by * arb_mat(1, 1, [arb(0, starts.radii[unknowns])])
+        rest = identity(unknowns) - inverse * square
+        radii = arb_mat(unknowns, 1, [arb(0, r) for r in starts.radii[:unknowns]])
         image = shift + rest * radii
         for of_image, radius in zip(image.entries(), starts.radii, strict=False):
             if not (of_image.is_finite() and abs(of_image) < radius):
                 raise UndecidedError("the inclusion of the fixed point in the box")
         for _ in range(SHARPENINGS):
             image = shift + rest * image
-        self.apex = [x + dx for x, dx in zip(starts.centre, image.entries(), strict=False)]
+        self.solution = [x + dx for x, dx in zip(starts.centre, image.entries(), strict=False)]
+        """Enclosed, shape (6,) or (7,)."""

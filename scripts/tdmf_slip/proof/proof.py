@@ -8,10 +8,10 @@ from fractions import Fraction
 import flint
 from flint import acb, arb
 
-from ..unit.unit import load
+from ..unit.unit import FRICTION, load
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
-from .stride import Starts
+from .starts import Starts
 
 QUANTITIES = (
     "period",
@@ -200,13 +200,12 @@ def short(value: Fraction) -> str:
     return f"1e{exponent}" if value == Fraction(10) ** exponent else decimal(value)
 
 
-def told(values: Mapping[str, Exact]) -> str:
-    """The runner as a sentence has it: what differs from Table 1."""
+def told(values: Mapping[str, Exact], varied: str | None = None) -> str:
+    """The runner as a sentence has it: what differs from Table 1, and what is varied."""
     table = {name: default_value(load().variables[name]) for name in values}
-    others = [f"{name} = {value}" for name, value in values.items() if value != table[name]]
-    runner = "the runner of Or and Moravia's Table 1 with ground.friction = 3/5"
-    if not others:
-        return runner
-    if all(text.startswith("ground.friction") for text in others):
-        return f"the runner of Or and Moravia's Table 1 with {others[0]}"
-    return f"{runner}, but for {', '.join(others)}"
+    others = [f"{name} = {v}" for name, v in values.items() if name != varied and v != table[name]]
+    if varied is not None:
+        others.append(f"any {varied}")
+    if not any(FRICTION in text for text in others):
+        others.append(f"{FRICTION} = {values[FRICTION]}")
+    return f"the runner of Or and Moravia's Table 1 with {', '.join(others)}"

@@ -3,7 +3,9 @@
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
+import numpy as np
 from flint import arb, ctx
 
 from ..analysis.search import find_orbit
@@ -18,7 +20,7 @@ from .exact import Exact, exact_values
 from .krawczyk import Inclusion, proved_stride, refined
 from .parameters import Parameters
 from .proof import Box, Proof
-from .stride import Fineness, Starts
+from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
 DEFAULT_DIGITS = 20
@@ -35,7 +37,11 @@ Given = Orbit | Runner | Mapping[str, object] | None
 
 
 def prove(
-    gait: Given = None, *, box: float | str | Fraction | None = None, digits: int = DEFAULT_DIGITS
+    gait: Given = None,
+    *,
+    box: float | str | Fraction | None = None,
+    digits: int = DEFAULT_DIGITS,
+    exact: Mapping[str, Exact] | None = None,
 ) -> Proof:
     """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
 
@@ -51,6 +57,8 @@ def prove(
         proved of some that are tried.
     digits : int, default 20
         That the enclosures are to have, from 5 to 200.
+    exact : mapping of str to Exact, optional
+        The parameters of a gait's runner, where they are known exactly.
 
     Returns
     -------
@@ -72,6 +80,7 @@ def prove(
     (True, '+0-0+', True)
     """
     orbit, values = gait_of(gait)
+    values |= exact or {}
     digits = checked_whole("digits", digits, 5, MOST_DIGITS)
     asked = None if box is None else radius_of(box)
     return _Prover(orbit, values, digits, isinstance(gait, Orbit)).proof(asked)
@@ -121,6 +130,34 @@ def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
     return orbit, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
 
 
+def gait_near(given: Mapping[str, object]) -> dict[str, Any]:
+    """Start values as floats, near those that are meant.
+
+    Parameters
+    ----------
+    given : mapping of str to value
+        Floats, fractions and texts, by the unit's names.
+
+    Returns
+    -------
+    dict of str to float
+        What is no variable's is left as it is.
+
+    Raises
+    ------
+    InputError
+        A value is none.
+    """
+    unit = load()
+    exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
+    return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
+
+
+def bits_for(places: int) -> int:
+    """Of the working precision, for a box of so many decimal places."""
+    return round(3.33 * places) + GUARD_BITS
+
+
 def radius_of(box: float | str | Fraction) -> Fraction:
     """A radius that is asked for.
 
@@ -161,11 +198,15 @@ class _Prover:
         """With a box, or the largest that is proved."""
         smallest = 0 if box is None else math.ceil(-math.log10(box))
         self.narrow = max(self.digits + BEYOND, smallest + 3)
-        self.fine = Fineness(round(3.33 * self.narrow) + GUARD_BITS)
+        self.fine = Fineness(bits_for(self.narrow))
         tried = self._box(self.start, BOXES[0] if box is None else box)
         try:
             near = refined(
-                self.parameters, self.start, self.orbit.jacobian, self.fine, 10.0 ** -(self.narrow + 1)
+                self.parameters,
+                self.start,
+                self.orbit.jacobian - np.eye(6),
+                self.fine,
+                10.0 ** -(self.narrow + 1),
             )
             tried = self._unique(self.start if self.given else near, box)
             return self._enclosed(tried, near)
@@ -202,7 +243,7 @@ class _Prover:
         stride = proved_stride(self.parameters, small, self.fine, self.fine)
         inside = Inclusion(small, stride, self.fine)
         with ctx.workprec(self.fine.bits):
-            if not box.holds(inside.apex):
+            if not box.holds(inside.solution):
                 raise UndecidedError("whether the gait lies in the box")
             assert stride.derivative is not None
             found = eigenvalues(stride.derivative, stride.rank)
@@ -213,7 +254,7 @@ class _Prover:
             digits=self.digits,
             word=stride.word,
             stable=found.stable,
-            apex=inside.apex,
+            apex=inside.solution,
             quantities=stride.quantities,
             eigenvalues=found.discs,
             events=[(event.name, event.time) for event in stride.events],

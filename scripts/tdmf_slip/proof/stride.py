@@ -1,7 +1,7 @@
 """A stride from apex to apex, in steps and events; each event is proved to be the first of its step."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import SimpleNamespace as Record
 from typing import Any
 
@@ -9,18 +9,18 @@ from flint import arb, arb_mat, ctx
 
 from .dual import slope_of
 from .flow import Flow, Values, speeds, with_direction
+from .forced import Forced
 from .guards import FUNCTIONS, watched
 from .ledger import Ledger
 from .modes import Mode, names_of
 from .parameters import Parameters
 from .roots import Guard
 from .section import COORDINATES, apex_of, motion_at, seeds
+from .starts import Fineness
 from .transitions import Entered, Transition
 from .undecided import UndecidedError
 
 MOST_STEPS = 5000
-DEGREE_PER_BIT = 0.36
-"""The best degree grows with the precision: N^2 10^(d/N) is least at N = 1.15 d for d digits."""
 
 
 @dataclass(frozen=True)
@@ -48,41 +48,24 @@ class Stride:
     events: list[Event]
     rank: int
     """Of the map's derivative, at the most: each mode ends on a surface in its own few numbers."""
-    quantities: dict[str, arb] = field(default_factory=dict)
+    quantities: dict[str, arb]
     """Over all starts."""
-
-
-@dataclass(frozen=True)
-class Fineness:
-    """How finely a motion is followed."""
-
-    bits: int
-    """Of the working precision."""
-
-    @property
-    def degree(self) -> int:
-        """Of a step's polynomials: where the work of a stride is least."""
-        return max(12, round(DEGREE_PER_BIT * self.bits))
-
-
-@dataclass(frozen=True)
-class Starts:
-    """A set of apexes, and of values of what is varied."""
-
-    centre: Sequence[arb]
-    """Points, shape (6,) or with what is varied (7,)."""
-    radii: Sequence[arb]
-    """Around them."""
-
-    def balls(self) -> list[arb]:
-        """All of them."""
-        return [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]
+    margin: arb
+    """Of the event that is forced, at the centre."""
+    margin_slopes: list[arb]
+    """By the start, over all starts, shape (6,) or (7,)."""
 
 
 class Traveller:
     """A single start on its way, not proved; `SetTraveller` proves."""
 
-    def __init__(self, parameters: Parameters, centre: Sequence[arb], fineness: Fineness) -> None:
+    def __init__(
+        self,
+        parameters: Parameters,
+        centre: Sequence[arb],
+        fineness: Fineness,
+        forced: Forced | None = None,
+    ) -> None:
         """From an apex.
 
         Parameters
@@ -93,8 +76,12 @@ class Traveller:
             An apex, and the value of what is varied.
         fineness : Fineness
             Of the motion.
+        forced : Forced, optional
+            An event that is taken as on one side of a border.
         """
-        self.fine, self.parameters = fineness, parameters
+        self.fine, self.parameters, self.forced = fineness, parameters, forced
+        self.margin = arb(0)
+        self.margin_slopes: list[arb] = []
         self.varied = parameters.varied is not None
         with ctx.workprec(fineness.bits):
             self.thin = parameters.balls(centre[6] if self.varied else None)
@@ -168,7 +155,9 @@ class Traveller:
         open_ones = [(guard, until) for guard, until in reached if until is not None]
         if not open_ones:
             return None, None
-        first, from_here = min(open_ones, key=lambda pair: float(pair[1]))
+        rival = self._rival()
+        candidates = [pair for pair in open_ones if pair[0].name != rival] or open_ones
+        first, from_here = min(candidates, key=lambda pair: float(pair[1]))
         times = first.zero_after(from_here, end)
         if times is None or not self._falls(first, flow, from_here.union(times)):
             sooner = (from_here * arb("0.75")).mid()
@@ -177,9 +166,25 @@ class Traveller:
             return None, sooner
         latest = arb(times.upper().mid())
         for guard in guards:
-            if guard is not first and not guard.is_positive(begin, latest):
+            if guard is first or guard.is_positive(begin, latest):
+                continue
+            if guard.name != rival or not self._vanishes_with(guard, flow, latest):
                 raise UndecidedError(f"{first.name} or {guard.name}, which is first")
         return first, times
+
+    def _now(self) -> Forced | None:
+        """What is forced of the next event."""
+        forced = self.forced
+        return forced if forced is not None and forced.index == len(self.events) else None
+
+    def _rival(self) -> str:
+        forced = self._now()
+        return forced.rival if forced is not None else ""
+
+    def _vanishes_with(self, guard: Guard, flow: Flow, latest: arb) -> bool:
+        """Whether it is positive before an event at which it is zero: it falls from where it is positive."""
+        until = guard.reached(arb(0), latest)
+        return until is None or self._falls(guard, flow, until.union(latest))
 
     def _falls(self, guard: Guard, flow: Flow, times: arb) -> bool:
         """Whether it is proved to fall all the time: a zero is then the only one."""
@@ -194,13 +199,14 @@ class Traveller:
         """Take the event; whether it ends the stride."""
         self.ledger.add(flow, times)
         at_event = flow.at(times)
-        entered = Transition(self.wide, self.mode, at_event).take(guard.name)
+        forced = self._now()
+        entered = Transition(self.wide, self.mode, at_event, forced).take(guard.name)
         self.time = self.time + times
         self._note(guard.name, entered)
         before, self.mode, self.zeros = self.mode, entered.mode, entered.zeros
         self.rank = min(self.rank, len(self.names) - self.varied - 1)
         self.names = names_of(self.wide, self.mode)
-        self._land(guard, thin, flow, times, at_event, before, entered)
+        self._land(guard, thin, flow, times, at_event, before, entered, forced)
         return entered.closes
 
     def _land(
@@ -212,7 +218,10 @@ class Traveller:
         at_event: Values,
         before: Mode,
         entered: Entered,
+        forced: Forced | None,
     ) -> None:
+        if entered.margin is not None:
+            self.margin = arb(entered.margin)
         self.centre = self.set = {name: arb(entered.values[name]).mid() for name in self.names}
 
     def _note(self, name: str, entered: Entered) -> None:
@@ -234,8 +243,17 @@ class Traveller:
             return self._closed(centre, centre, None)
 
     def _closed(self, centre: list[arb], after: list[arb], derivative: arb_mat | None) -> Stride:
-        word, quantities = "".join(self.letters), self.ledger.quantities(self.time)
-        return Stride(centre, after, derivative, word, self.events, self.rank, quantities)
+        return Stride(
+            centre,
+            after,
+            derivative,
+            "".join(self.letters),
+            self.events,
+            self.rank,
+            self.ledger.quantities(self.time),
+            self.margin,
+            self.margin_slopes,
+        )
 
 
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:

@@ -15,6 +15,7 @@ from flint import arb
 from . import laws
 from .dual import Number, value_of
 from .flow import with_direction
+from .forced import Forced
 from .guards import cone_backwards, cone_forwards, holding, normal_force, servo
 from .modes import PARAMETER, Mode
 from .signs import absolute, foot_rests, positive
@@ -37,14 +38,21 @@ class Entered:
     """A stride ends here, at an apex in flight."""
     impact: bool = False
     """The foot came down."""
+    margin: Number | None = None
+    """Of an event that is forced: zero on the border."""
 
 
 class Transition:
     """The model's rules at one instant, for numbers of a motion that are balls or duals of balls."""
 
-    def __init__(self, runner: Any, mode: Mode, values: Mapping[str, Number]) -> None:
+    def __init__(
+        self, runner: Any, mode: Mode, values: Mapping[str, Number], forced: Forced | None = None
+    ) -> None:
         """At the event, in the mode that ends."""
         self.runner, self.mode = runner, mode
+        self.kind = forced.kind if forced is not None else ""
+        self.forced_sign = forced.sign if forced is not None else 0
+        self.margin: Number | None = None
         self.at = Record(**with_direction(runner, mode, values))
         self.speed: Number = arb(0)
         self.zeros: dict[str, int] = {}
@@ -72,7 +80,7 @@ class Transition:
         entered = steps[event]()
         if self.runner.varied:
             entered.values[PARAMETER] = self.at.parameter
-        entered.impact = self.touched
+        entered.impact, entered.margin = self.touched, self.margin
         return entered
 
     # ---- contact ---------------------------------------------------------------------------------------
@@ -84,10 +92,17 @@ class Transition:
         if positive(foot.off, "the foot's velocity into the ground"):
             raise UndecidedError("touchdown")
         fall = -foot.off
-        slides = not foot_rests(foot.along) and positive(
-            absolute(foot.along, "the foot's velocity along the ground", runner, fall)
-            - laws.sticking_speed(runner, fall),
-            "whether the impact sticks",
+        if self.kind == "impact at the limit of the cone":
+            sign = 1 if positive(foot.along, "the foot's velocity along the ground") else -1
+            self.margin = foot.along * sign - laws.sticking_speed(runner, fall)
+        slides = (
+            self.margin is None
+            and not foot_rests(foot.along)
+            and positive(
+                absolute(foot.along, "the foot's velocity along the ground", runner, fall)
+                - laws.sticking_speed(runner, fall),
+                "whether the impact sticks",
+            )
         )
         if slides:
             sign = 1 if positive(foot.along, "the foot's velocity along the ground") else -1
@@ -122,6 +137,8 @@ class Transition:
         if moves:
             sign = 1 if positive(self.speed, "the foot's speed") else -1
             return self._enter(replace(stands, contact="slip", sign=sign))
+        if self.kind == "rest at the limit of the cone":
+            return self._slip_on(stands)
         forwards = positive(cone_forwards(self.runner, stands, self.at), "the cone of a foot at rest")
         backwards = positive(cone_backwards(self.runner, stands, self.at), "the cone of a foot at rest")
         if forwards and backwards:
@@ -129,6 +146,14 @@ class Transition:
         self.speed = arb(0)
         self.zeros["end of slip"] = 1
         return self._enter(replace(stands, contact="slip", sign=-1 if forwards else 1))
+
+    def _slip_on(self, stands: Mode) -> Entered:
+        """At the limit of the cone, as at an onset, though the foot would rest there as well."""
+        sign = self.forced_sign
+        cone = cone_forwards if sign > 0 else cone_backwards
+        self.margin = cone(self.runner, stands, self.at)
+        self.mode = stands
+        return self._onset(sign)
 
     def _onset(self, sign: int) -> Entered:
         """At the edge of the cone the foot is at rest and not accelerated, if friction does not jump."""
@@ -192,6 +217,8 @@ class Transition:
     def _lift_off(self) -> Entered:
         mode = self._off(self._place_after_contact(), self.at.angle)
         runner = self.runner
+        if self.kind == "rest as it lifts off":
+            self.margin = self.speed
         if (
             mode.clamped or not runner.has_servo
         ) and not self.mode.drives:  # both laws are the torque from outside

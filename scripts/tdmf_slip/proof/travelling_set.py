@@ -6,12 +6,13 @@ derivative (set - centre), so that it does not grow by being wrapped in balls. T
 drift, which has all its errors.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from flint import arb, arb_mat, ctx
 
 from .dual import slope_of, value_of
 from .flow import Flow, Values, speeds
+from .forced import Forced
 from .guards import FUNCTIONS
 from .ledger import Ledger
 from .matrices import identity
@@ -20,7 +21,8 @@ from .parameters import Parameters
 from .roots import Guard
 from .section import COORDINATES, apex_of, motion_at, seeds
 from .spread import Drift, Spread, narrower
-from .stride import Fineness, Starts, Stride, Traveller, gradient_of_guard
+from .starts import Fineness, Starts
+from .stride import Stride, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 from .undecided import UndecidedError
 from .varied_flow import VariedFlow
@@ -30,7 +32,12 @@ class SetTraveller(Traveller):
     """All starts of a set on their way."""
 
     def __init__(
-        self, parameters: Parameters, starts: Starts, fineness: Fineness, coarseness: Fineness
+        self,
+        parameters: Parameters,
+        starts: Starts,
+        fineness: Fineness,
+        coarseness: Fineness,
+        forced: Forced | None = None,
     ) -> None:
         """From their apexes.
 
@@ -42,8 +49,10 @@ class SetTraveller(Traveller):
             Where from.
         fineness, coarseness : Fineness
             Of the centre, and of the set around it with its derivatives.
+        forced : Forced, optional
+            An event that is taken as on one side of a border.
         """
-        super().__init__(parameters, starts.centre, fineness)
+        super().__init__(parameters, starts.centre, fineness, forced)
         self.coarse = coarseness
         self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))
         with ctx.workprec(coarseness.bits):
@@ -69,7 +78,7 @@ class SetTraveller(Traveller):
             raise UndecidedError("whether the centre of mass falls in flight", 0.0)
 
     @staticmethod
-    def _slopes(numbers: dict[str, object], rows: Sequence[str], columns: Sequence[str]) -> arb_mat:
+    def _slopes(numbers: Mapping[str, object], rows: Sequence[str], columns: Sequence[str]) -> arb_mat:
         entries = [arb(slope_of(numbers[row], column)) for row in rows for column in columns]
         return arb_mat(len(rows), len(columns), entries)
 
@@ -121,15 +130,23 @@ class SetTraveller(Traveller):
         at_event: Values,
         before: Mode,
         entered: Entered,
+        forced: Forced | None,
     ) -> None:
         assert isinstance(flow, VariedFlow)
         flow.vary(self.dual)
         names, derivative = flow.names, flow.matrix(times)
         self._saltate(guard, before, derivative, at_event, names)
         numbers = dict(zip(names, seeds([at_event[name] for name in names], names), strict=True))
-        reset = Transition(self.dual, before, numbers).take(guard.name)
+        reset = Transition(self.dual, before, numbers, forced).take(guard.name)
+        landed = self._centre_after(guard, thin, times, before, forced)
+        if reset.margin is not None:
+            assert landed.margin is not None
+            slopes = self._slopes({"": reset.margin}, ("",), names) * derivative
+            drift = slopes * arb_mat(len(names), 1, self.drift.balls())
+            self.margin = arb(landed.margin) + drift[0, 0]
+            self.margin_slopes = list((slopes * self.spread.product).entries())
         derivative = self._slopes(reset.values, self.names, names) * derivative
-        self._begin_at(self._centre_after(guard, thin, times, before), derivative)
+        self._begin_at({name: arb(value_of(landed.values[name])) for name in self.names}, derivative)
         self.spread.follow(derivative)
         self.set = self._around({name: arb(value_of(entered.values[name])) for name in self.names})
 
@@ -148,14 +165,16 @@ class SetTraveller(Traveller):
             for i, name in enumerate(names):
                 derivative[i, j] = derivative[i, j] + rates[name] * delay
 
-    def _centre_after(self, guard: Guard, thin: Flow, times: arb, mode: Mode) -> Values:
+    def _centre_after(
+        self, guard: Guard, thin: Flow, times: arb, mode: Mode, forced: Forced | None
+    ) -> Entered:
         """The centre just after its own event."""
         with ctx.workprec(self.fine.bits):
             own = Guard(guard.name, FUNCTIONS[guard.name](self.thin, mode, thin.record()), guard.order)
             low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
             when = own.zero_after(low, high) if low < high else None
-            entered = Transition(self.thin, mode, thin.at(times if when is None else when)).take(guard.name)
-            return {name: arb(value_of(entered.values[name])) for name in self.names}
+            at = thin.at(times if when is None else when)
+            return Transition(self.thin, mode, at, forced).take(guard.name)
 
     def _close(self) -> Stride:
         with ctx.workprec(self.fine.bits):

@@ -1,0 +1,266 @@
+"""Proofs of borders between gait words."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from flint import arb, ctx
+
+from ..analysis.borders import Border
+from ..analysis.search import find_orbit
+from ..checks import check_kind, checked_whole
+from ..library.members import VARIED, check_varied
+from ..library.orbit import Orbit
+from ..library.runner import Runner
+from ..unit.unit import FRICTION, load
+from .exact import Exact, exact_values
+from .forced import Forced
+from .krawczyk import Inclusion, middle_of, proved_stride, refined, slopes_of
+from .parameters import Parameters
+from .proof import Box, Proof, assumptions, decimal, exactly, short, text_of, told
+from .prove import (
+    BEYOND,
+    COARSE_BITS,
+    DEFAULT_DIGITS,
+    MOST_DIGITS,
+    bits_for,
+    gait_near,
+    prove,
+)
+from .starts import Fineness, Starts
+from .stride import Stride, Traveller
+from .undecided import UndecidedError
+
+BESIDE = 1e-7
+"""How far from a border the gaits are that tell its kind, over the parameter."""
+BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
+"""Radii that are tried, in units of the scales."""
+ROUGH = 1e-12
+
+
+@dataclass(frozen=True)
+class BorderProof:
+    """A border between gait words, with enclosures, or what could not be decided."""
+
+    proved: bool
+    """False is undecided: it says nothing against the border."""
+    name: str
+    """Of the parameter that is varied."""
+    values: Mapping[str, Exact] = field(repr=False)
+    """The runner's other parameters, exactly."""
+    digits: int
+    """That were asked for."""
+    kind: str = ""
+    """What happens at once there."""
+    word_continued: str = ""
+    """The gait word of the side along which the stride was continued across it."""
+    value: arb | None = None
+    """Of the parameter, enclosed."""
+    apex: list[arb] = field(default_factory=list, repr=False)
+    """Of the gait on the border, shape (6,)."""
+    box: Box | None = field(default=None, repr=False)
+    """Of apexes and of the parameter, in which there is exactly one."""
+    sides: tuple[Proof, ...] = field(default=(), repr=False)
+    """A gait on each side, proved."""
+    undecided: Mapping[str, object] = field(default_factory=dict)
+    """Where it ended: `guard` and `time`."""
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """On both sides, as they are proved."""
+        return tuple(side.word for side in self.sides)
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
+        return {
+            "proved": self.proved,
+            "sentence": self.sentence,
+            "assumptions": assumptions(),
+            "vary": self.name,
+            "value": None if self.value is None else text_of(self.value, self.digits),
+            "kind": self.kind or None,
+            "word_continued": self.word_continued or None,
+            "apex": [text_of(x, self.digits) for x in self.apex] or None,
+            "sides": [
+                {
+                    "value": decimal(side.values[self.name].rational),
+                    "word": side.word,
+                    "sentence": side.sentence,
+                }
+                for side in self.sides
+            ],
+            "undecided": dict(self.undecided) or None,
+        }
+
+    @property
+    def sentence(self) -> str:
+        """What is proved, or left open."""
+        of = told(self.values, self.name)
+        if not self.proved or self.value is None or self.box is None:
+            return f"Undecided for {of}: {self.undecided.get('guard')}."
+        text = (
+            f"Of {of}, exactly one gait whose stride is continued as {self.word_continued} has a {self.kind} "
+            f"within {short(max(self.box.radii))} of ({', '.join(decimal(x) for x in self.box.centre)}), its "
+            f"apex and {self.name}; its {self.name} lies in {text_of(self.value, self.digits)}."
+        )
+        if len(set(self.words)) < 2:
+            return text
+        at = " and ".join(f"{side.word} at {decimal(side.values[self.name].rational)}" for side in self.sides)
+        return f"{text} The word is {at}, both proved."
+
+
+def prove_border(
+    border: Border | float,
+    runner: Runner | Mapping[str, object] | None = None,
+    *,
+    vary: str = FRICTION,
+    digits: int = DEFAULT_DIGITS,
+    sides: bool = True,
+) -> BorderProof:
+    """A border between gait words, proved: where two events happen at once, and a gait on each side.
+
+    Parameters
+    ----------
+    border : Border or float
+        One of a sweep's `borders`, or its place.
+    runner : Runner or mapping of str to value, optional
+        Whose gaits; exact as in `prove`.
+    vary : str, default "ground.friction"
+        The parameter along which it is.
+    digits : int, default 20
+        That the enclosures are to have, from 5 to 200.
+    sides : bool, default True
+        A gait on each side is proved, too.
+
+    Returns
+    -------
+    BorderProof
+        Where `proved` is false, it is undecided.
+
+    Raises
+    ------
+    InputError
+        A value or a name is refused.
+    RunError
+        There is no gait beside it.
+    """
+    check_varied(vary, "vary")
+    digits = checked_whole("digits", digits, 5, MOST_DIGITS)
+    if not isinstance(border, Border):
+        check_kind(border, (float, int), "border", "one of a sweep's borders, or its place")
+    place = border.value if isinstance(border, Border) else float(border)
+    if not isinstance(runner, Runner):
+        check_kind(runner or {}, Mapping, "runner", "a Runner, or start values by name")
+    return _BorderProver(runner, vary, place, digits, sides).proof()
+
+
+class _BorderProver:
+    """One border."""
+
+    def __init__(
+        self, runner: Runner | Mapping[str, object] | None, name: str, place: float, digits: int, sides: bool
+    ) -> None:
+        self.given = {} if runner is None or isinstance(runner, Runner) else dict(runner)
+        floats = runner if isinstance(runner, Runner) else gait_near(self.given)
+        self.runner, self.name, self.place, self.digits = Runner.of(floats), name, place, digits
+        self.with_sides = sides
+        own = {of: self.runner.values[of] for of in VARIED}
+        told_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
+        self.values = exact_values(load(), own, told_exactly)
+        self.parameters = Parameters(self.values, name)
+        self.narrow = digits + BEYOND
+        self.fine = Fineness(bits_for(self.narrow))
+
+    def proof(self) -> BorderProof:
+        try:
+            return self._proof()
+        except UndecidedError as problem:
+            undecided = {"guard": problem.guard, "time": problem.time}
+            return BorderProof(False, self.name, self.values, self.digits, undecided=undecided)
+
+    def _proof(self) -> BorderProof:
+        step = BESIDE * max(abs(self.place), BESIDE)
+        sides = [find_orbit(self.runner.but(self.name, self.place + by)) for by in (-step, step)]
+        forced, orbit = _told_apart(*(self._seen(side) for side in sides))
+        scales = [*(float(scale) for scale in orbit.runner.scales), max(abs(self.place), 1.0)]
+        start = [*(arb(float(x)) for x in orbit.apex), arb(self.place)]
+        rough = Fineness(COARSE_BITS)
+        stride = proved_stride(self.parameters, self._starts(start, scales, arb(ROUGH)), rough, rough, forced)
+        jacobian = middle_of(slopes_of(stride))
+        near = refined(self.parameters, start, jacobian, self.fine, 10.0 ** -(self.narrow + 1), forced)
+        box = self._unique(near, scales, forced)
+        small = self._starts(near, scales, arb(10) ** -self.narrow)
+        stride = proved_stride(self.parameters, small, self.fine, self.fine, forced)
+        inside = Inclusion(small, stride, self.fine)
+        with ctx.workprec(self.fine.bits):
+            if not box.holds(inside.solution):
+                raise UndecidedError("whether the border lies in the box")
+        return BorderProof(
+            proved=True,
+            name=self.name,
+            values=self.values,
+            digits=self.digits,
+            kind=forced.kind,
+            word_continued=stride.word,
+            value=inside.solution[6],
+            apex=inside.solution[:6],
+            box=box,
+            sides=self._sides(inside.solution[6]) if self.with_sides else (),
+        )
+
+    def _unique(self, near: list[arb], scales: list[float], forced: Forced) -> Box:
+        """A box in which exactly one border is."""
+        for radius in BOXES:
+            box = Box.around(near, radius, scales)
+            fine = Fineness(COARSE_BITS + round(-math.log2(radius)))
+            with ctx.workprec(fine.bits):
+                starts = box.starts()
+            try:
+                Inclusion(starts, proved_stride(self.parameters, starts, fine, fine, forced), fine)
+                return box
+            except UndecidedError:
+                if radius == BOXES[-1]:
+                    raise
+        raise AssertionError("one box is tried at least")
+
+    def _starts(self, centre: list[arb], scales: list[float], radius: arb) -> Starts:
+        with ctx.workprec(self.fine.bits):
+            return Starts(centre, [(radius * scale).upper().mid() for scale in scales])
+
+    def _seen(self, orbit: Orbit) -> tuple[Orbit, Stride]:
+        value = arb(orbit.runner.values[self.name])
+        apex = [*(arb(float(x)) for x in orbit.apex), value]
+        return orbit, Traveller(self.parameters, apex, Fineness(COARSE_BITS)).stride()
+
+    def _sides(self, value: arb) -> tuple[Proof, ...]:
+        """Gaits at decimals below and above."""
+        places = 1 - math.floor(math.log10(BESIDE * max(abs(self.place), BESIDE)))
+        middle = Fraction(round(exactly(value) * 10**places), 10**places)
+        step = Fraction(20, 10**places)
+        return tuple(prove_at(self.values, self.name, middle + by, self.runner) for by in (-step, step))
+
+
+def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:
+    """The gait of a runner with exact values, at a value of one of them."""
+    orbit = find_orbit(runner.but(name, float(value)))
+    return prove(orbit, exact={**values, name: Exact(value)}, digits=6)
+
+
+def _told_apart(one: tuple[Orbit, Stride], other: tuple[Orbit, Stride]) -> tuple[Forced, Orbit]:
+    """What happens at once between two gaits, and the gait whose side is smooth across it."""
+    pairs = zip(one[1].events, other[1].events, strict=False)
+    for index, (first, second) in enumerate(pairs):
+        if (first.name, first.mode) == (second.name, second.mode):
+            continue
+        sides = ((first, one[0]), (second, other[0]))
+        names = {first.name, second.name}
+        for event, orbit in sides:
+            slips = event.mode.contact == "slip"
+            if names == {"end of slip", "lift-off"} and event.name == "lift-off":
+                return Forced(index, event.name, "rest as it lifts off"), orbit
+            if names == {"touchdown"} and not slips:
+                return Forced(index, event.name, "impact at the limit of the cone"), orbit
+            if len(names) == 1 and "touchdown" not in names and slips:
+                return Forced(index, event.name, "rest at the limit of the cone", event.mode.sign), orbit
+    raise UndecidedError("which two events happen at once: gaits beside the border have the same")
