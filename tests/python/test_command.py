@@ -173,7 +173,7 @@ def test_a_table_of_inputs_may_come_from_anywhere(command, tmp_path):
         ("time,ground.friction\n0,1\n3,-1\n", ["in.csv", "time 3", "ground.friction = -1"]),
         ('time,ground.friction\n0,"1', ["in.csv", "unexpected end"]),
         ("time,ground.friction\n5,1\n0,1\n", ["ascending"]),
-        ("time,ground.friction\n0," + "1" * 200_000, ["field"]),
+        ("time,ground.friction\n0," + "1" * 200_000, ["line 2, column 2", "allowed: 100"]),
     ],
 )
 def test_a_table_that_is_none_is_told(command, tmp_path, text, words):

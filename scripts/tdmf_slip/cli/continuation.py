@@ -14,7 +14,8 @@ from ..errors import InputError
 from ..files.whole import check_place
 from ..library.members import check_varied
 from ..library.runner import Runner
-from ..terminal.text import table
+from ..terminal.text import headed, table
+from ..unit.told import Told
 from ..unit.unit import Unit, load
 from .options import (
     FRICTION_OPTION,
@@ -28,7 +29,7 @@ from .options import (
     values_given,
 )
 from .output import json_text
-from .ranges import ends_of
+from .ranges import ends_of, ranges_given
 from .runner import runner_of
 
 
@@ -113,10 +114,11 @@ def continue_command(
 
         check_place(plot, overview.FORMATS, "--plot")
     runner = runner_of(unit, parameters, given, model)
+    told = Told(unit, ranges_given(ranges))
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --over")
-        _curves(runner, spans, points, plot, as_json_object, unit)
+        _curves(runner, spans, points, plot, as_json_object, unit, told)
         return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
@@ -137,8 +139,8 @@ def continue_command(
     if plot is not None:
         from ..pictures import branch_diagram
 
-        branch_diagram.draw(plot, branch, quantity)
-    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, unit))
+        branch_diagram.draw(plot, branch, quantity, told)
+    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, told))
 
 
 def _curves(
@@ -148,19 +150,22 @@ def _curves(
     plot: Path | None,
     as_json_object: bool,
     unit: Unit,
+    told: Told,
 ) -> None:
     found = continue_curves(runner, spans, most_points=points, show_progress=True, unit=unit)
     if plot is not None:
         from ..pictures import curve_diagram
 
-        curve_diagram.draw(plot, found, spans)
+        curve_diagram.draw(plot, found, spans, told)
     if as_json_object:
         print(json_text({"over": list(spans), "curves": [curve.as_json() for curve in found]}))
         return
     for curve in found:
         words = f" {' to '.join(curve.words)}" if curve.words else ""
         print(f"{curve.kind}{words}: {len(curve.points)} points ({curve.began}; {curve.ended})")
-        print(table(tuple(spans), [tuple(f"{v:.10g}" for v in pair) for pair in curve.points]))
+        header = tuple(headed(name, told.unit(name)) for name in spans)
+        scales = [told.factor(name) for name in spans]
+        print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
 def span_of(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
@@ -178,20 +183,20 @@ def span_of(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
     return name, ends_of(span, unit.variables[name], f"--over {name} =")
 
 
-def _branch_text(branch: Branch, unit: Unit) -> str:
+def _branch_text(branch: Branch, told: Told) -> str:
     """Special points as a table, and where the branch begins and ends; then the branches of more strides."""
-    variable = unit.variables[branch.name]
-    header = ("special point", f"{branch.name} ({variable.unit or '1'})", "word", "unstable beyond")
-    rows = [_row(branch, special) for special in branch.specials]
+    header = ("special point", headed(branch.name, told.unit(branch.name)), "word", "unstable beyond")
+    rows = [_row(branch, special, told) for special in branch.specials]
     stable = sum(orbit.stable for orbit in branch.orbits)
     strides = f"{branch.strides} stride{'s' if branch.strides > 1 else ''}"
-    ends = f"from {branch.values[0]:.8g} ({branch.began}) to {branch.values[-1]:.8g} ({branch.ended})"
+    first, last = (told.value(branch.name, value) for value in (branch.values[0], branch.values[-1]))
+    ends = f"from {first:.8g} ({branch.began}) to {last:.8g} ({branch.ended})"
     lines = [f"{len(branch.orbits)} gaits of {strides}, {stable} of them stable, {ends}"]
-    return "\n".join([*lines, table(header, rows), *(_branch_text(other, unit) for other in branch.branches)])
+    return "\n".join([*lines, table(header, rows), *(_branch_text(other, told) for other in branch.branches)])
 
 
-def _row(branch: Branch, special: Special) -> tuple[str, str, str, str]:
+def _row(branch: Branch, special: Special, told: Told) -> tuple[str, str, str, str]:
     words = " to ".join(special.words) if special.words else special.orbit.word
     after = branch.orbits[special.index + 1]
     kind = f"{special.kind} ({special.why})" if special.why else special.kind
-    return kind, f"{special.value:.10g}", words, str(after.unstable)
+    return kind, f"{told.value(branch.name, special.value):.10g}", words, str(after.unstable)

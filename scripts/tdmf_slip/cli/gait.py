@@ -10,6 +10,7 @@ from ..errors import InputError
 from ..library.orbit import TOLD, Orbit
 from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
+from ..unit.told import Told
 from ..unit.unit import Unit, load
 from .options import (
     FRICTION_OPTION,
@@ -19,6 +20,7 @@ from .options import (
     SET_OPTION,
     Command,
     ordering,
+    texts_of,
     values_given,
 )
 from .output import json_text
@@ -50,7 +52,8 @@ def gait_command(
     unit = load()
     order = {name: value for name, value in ordered.items() if value is not None}
     names = _names(free, order)
-    runner = runner_of(unit, parameters, values_given(friction, settings), model)
+    given = values_given(friction, settings)
+    runner = runner_of(unit, parameters, given, model)
     if not order:
         orbit = find_orbit(runner, unit=unit)
         print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
@@ -65,7 +68,7 @@ def gait_command(
     if as_json_object:
         print(json_text(_ordered_json(orbit, order, names)))
     else:
-        print(_orbit_text(orbit, unit, list(order), names))
+        print(_orbit_text(orbit, unit, list(order), names, Told(unit, texts_of(given))))
 
 
 def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
@@ -93,9 +96,13 @@ def _ordered_json(orbit: Orbit, order: Mapping[str, float], free: list[str]) -> 
     }
 
 
-def _orbit_text(orbit: Orbit, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = ()) -> str:
+def _orbit_text(
+    orbit: Orbit, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
+) -> str:
+    units = told_in or Told(unit)
+
     def of(name: str, value: float) -> str:
-        return quantity(value, unit.variables[name].unit, 12)
+        return quantity(units.value(name, value), units.unit(name), 12)
 
     told = dict.fromkeys([*TOLD, *(name for name in order if name in orbit.stride)])
     apex = dict(zip(orbit.runner.coordinates, orbit.apex, strict=True))

@@ -11,6 +11,7 @@ import sys
 
 import click
 
+from ..checks import near_matches, shown
 from ..errors import TdmfSlipError
 from ..terminal import encoding, interrupts
 
@@ -35,12 +36,39 @@ MODULES = {"continue": "continuation"}
 """Of commands whose name is a word of Python."""
 
 
+LONGEST = 1000
+"""Characters of a summary: more than any has."""
+
+
 class LazyGroup(click.Group):
     """A group that imports the module of a command when the command is asked for."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names of all commands."""
         return list(COMMANDS)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command that is asked for.
+
+        Raises
+        ------
+        UsageError
+            There is none; the message has the nearest names.
+        """
+        if args and not args[0].startswith("-") and args[0] not in COMMANDS:
+            near = near_matches(args[0], COMMANDS)
+            ctx.fail(f"{shown(args[0])} is no command{near}; allowed: {', '.join(COMMANDS)}")
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Each command with its whole first sentence."""
+        found = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
+        with formatter.section("Commands"):
+            formatter.write_dl(
+                [(name, of.get_short_help_str(LONGEST)) for name, of in found if of is not None]
+            )
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of a name, or None."""

@@ -10,7 +10,8 @@ from ..library.quantities import QUANTITIES
 from ..optimization.optimize import MOST_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, told
 from ..optimization.pareto import MOST_POINTS, POINTS, Front, pareto_front
-from ..terminal.text import table
+from ..terminal.text import headed, table
+from ..unit.told import Told
 from ..unit.unit import Unit, load
 from .continuation import span_of
 from .options import (
@@ -25,6 +26,7 @@ from .options import (
     values_given,
 )
 from .output import json_text
+from .ranges import ranges_given
 from .runner import runner_of
 
 UNITS = {"frequency": "Hz"}
@@ -103,6 +105,7 @@ def optimize_command(
     if len(over) != len(ranges):
         raise InputError("--over: a parameter is given twice; allowed: once")
     runner = runner_of(unit, parameters, given, model)
+    told_in = Told(unit, ranges_given(ranges))
     common: dict[str, Any] = {"at": _values(prescribed), "stable": stable, "starts": starts}
     common |= {"show_progress": True, "unit": unit}
     if len(minimize) + len(maximize) > 2:
@@ -110,7 +113,7 @@ def optimize_command(
     try:
         if len(minimize) + len(maximize) == 2:
             front = pareto_front(runner, over, minimize=minimize, maximize=maximize, points=points, **common)
-            print(json_text(front.as_json()) if as_json_object else _front_text(front))
+            print(json_text(front.as_json()) if as_json_object else _front_text(front, told_in))
             return
         least, most = (next(iter(names), None) for names in (minimize, maximize))
         best = optimize(runner, over, minimize=least, maximize=most, **common)
@@ -118,7 +121,7 @@ def optimize_command(
         if as_json_object:
             print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
         raise
-    print(json_text(best.as_json()) if as_json_object else _text(best, unit))
+    print(json_text(best.as_json()) if as_json_object else _text(best, unit, told_in))
 
 
 def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
@@ -141,15 +144,15 @@ def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
     return values
 
 
-def _text(best: Optimum, unit: Unit) -> str:
+def _text(best: Optimum, unit: Unit, told_in: Told) -> str:
     """A table before and after, and what the optimum is."""
     header = ("", "unit", "before", "after", "bound")
     rows = [
         (
             name,
-            unit.variables[name].unit,
-            f"{best.before.runner.values[name]:.9g}",
-            f"{value:.9g}",
+            told_in.unit(name),
+            f"{told_in.value(name, best.before.runner.values[name]):.9g}",
+            f"{told_in.value(name, value):.9g}",
             best.active_bounds.get(name, ""),
         )
         for name, value in best.parameters.items()
@@ -165,20 +168,21 @@ def _text(best: Optimum, unit: Unit) -> str:
     return f"{table(header, rows)}\n\n{_judgement(best)}"
 
 
-def _front_text(front: Front) -> str:
+def _front_text(front: Front, told_in: Told) -> str:
     """A row for each runner."""
     names = list(front.optima[0].parameters)
     rows = [
         (
             *(f"{told(best.gait)[name]:.9g}" for name in front.objectives),
-            *(f"{best.parameters[name]:.9g}" for name in names),
+            *(f"{told_in.value(name, best.parameters[name]):.9g}" for name in names),
             best.word,
             "yes" if best.stable else "no",
             best.why,
         )
         for best in front.optima
     ]
-    return table((*front.objectives, *names, "word", "stable", "not shown to be an optimum"), rows)
+    heads = [headed(name, told_in.unit(name)) for name in names]
+    return table((*front.objectives, *heads, "word", "stable", "not shown to be an optimum"), rows)
 
 
 def _judgement(best: Optimum) -> str:

@@ -148,6 +148,11 @@ def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str,
     return given
 
 
+def texts_of(given: Mapping[str, tuple[str, Given]]) -> dict[str, Given]:
+    """What single options give, by name alone, see `values_given`."""
+    return {name: value for name, (_, value) in given.items()}
+
+
 def start_values(
     unit: Unit, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
 ) -> dict[str, Value]:

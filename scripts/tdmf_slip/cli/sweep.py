@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
-from ..files.whole import check_place
+from ..files.whole import check_place, whole
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
+from ..unit.told import Told
 from ..unit.unit import FRICTION, Unit, load
 from .options import (
     JSON_OPTION,
@@ -25,9 +26,13 @@ from .options import (
     values_given,
 )
 from .output import json_text
-from .ranges import SPACINGS, values_of
+from .ranges import SPACINGS, ranges_given, values_of
 from .runner import runner_of
 
+NETCDF = ".nc"
+FORMATS = (NETCDF, ".json")
+"""Of --output."""
+STDOUT = Path("-")
 SPACING_OPTION = click.option(
     "--spacing",
     type=click.Choice(list(SPACINGS)),
@@ -55,7 +60,10 @@ SPACING_OPTION = click.option(
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write the gaits as NetCDF (.nc).",
+    help="Write the gaits as NetCDF (.nc) or JSON (.json); -: JSON to stdout, as --json.",
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the gaits: .png, .svg or .pdf."
 )
 @SCHEDULER_OPTION
 @WORKERS_OPTION
@@ -68,6 +76,7 @@ def sweep_command(
     over: str | None,
     spacing: str,
     output: Path | None,
+    plot: Path | None,
     scheduler: str | None,
     workers: int | None,
     settings: tuple[str, ...],
@@ -81,8 +90,14 @@ def sweep_command(
     fold ends a branch the sweep goes on with another, and says so. Where gaits are missing, those that were
     found are printed and written, and the exit status is 1. The rows of a grid are computed side by side.
     """
+    if output == STDOUT:
+        output, as_json_object = None, True
     if output is not None:
-        check_place(output, (".nc",), "--output")
+        check_place(output, FORMATS, "--output")
+    if plot is not None:
+        from ..pictures import overview  # matplotlib is slow to load
+
+        check_place(plot, overview.FORMATS, "--plot")
     unit = load()
     given = values_given(None, settings)
     if over is None and friction is None:
@@ -105,9 +120,13 @@ def sweep_command(
             runner,
             *_span(unit, str(span), spacing, "--over" if over else "--friction"),
             output,
+            plot,
             as_json_object,
+            Told(unit, ranges_given([str(span)])),
         )
         return
+    if plot is not None:
+        raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
     frictions = _span(unit, f"{FRICTION}={friction}", spacing, "--friction")[1]
     _grid(runner, frictions, over, spacing, output, scheduler, workers, as_json_object)
 
@@ -127,21 +146,36 @@ def _row(
     name: str,
     values: NDArray[np.float64],
     output: Path | None,
+    plot: Path | None,
     as_json_object: bool,
+    told: Told,
 ) -> None:
     unit = load()
-    if output is not None:
+    if output is not None and output.suffix.lower() == NETCDF:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
     found = sweep(runner, values, over=name, show_progress=True)
     if output is not None:
-        from ..files.netcdf import write_dataset
+        _write(output, found, unit)
+    if plot is not None:
+        from ..pictures import branch
 
-        write_dataset(output, found.to_xarray(unit))
-    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit))
+        branch.draw(plot, found, unit, told)
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit, told))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")
+
+
+def _write(path: Path, found: Sweep, unit: Unit) -> None:
+    """Into a file whose suffix is one of `FORMATS`."""
+    if path.suffix.lower() == NETCDF:
+        from ..files.netcdf import write_dataset  # xarray is slow to load
+
+        write_dataset(path, found.to_xarray(unit))
+        return
+    with whole(path) as beside:
+        beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
 
 
 def _grid(
@@ -156,7 +190,7 @@ def _grid(
 ) -> None:
     from ..analysis.grid import grid  # xarray is slow to load
 
-    if output is None:
+    if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
     unit = load()
     name, rows = _span(unit, over, spacing, "--over")
@@ -181,15 +215,14 @@ def _grid(
         raise RunError(f"{problems[0]}; {gaits} of {data['period'].size} gaits were found")
 
 
-def _headed(name: str, unit: Unit) -> str:
-    measure = unit.variables[name].unit
+def _headed(name: str, measure: str) -> str:
     return short(name) if measure in ("", "1") else f"{name} ({measure})"
 
 
-def _sweep_text(found: Sweep, unit: Unit) -> str:
+def _sweep_text(found: Sweep, unit: Unit, told: Told) -> str:
     rows = [
         (
-            f"{value:.6g}",
+            f"{told.value(found.name, value):.6g}",
             orbit.word,
             f"{orbit.stride['period']:.8g}",
             f"{orbit.stride['speed']:.8g}",
@@ -201,6 +234,16 @@ def _sweep_text(found: Sweep, unit: Unit) -> str:
         if orbit is not None
     ]
     with_units = [f"{name} ({unit.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
-    header = (_headed(found.name, unit), "word", *with_units, "cost of transport", "lambda_max", "stable")
-    borders = [f"{border.before} to {border.after} at {border.value:.10g}" for border in found.borders]
+    header = (
+        _headed(found.name, told.unit(found.name)),
+        "word",
+        *with_units,
+        "cost of transport",
+        "lambda_max",
+        "stable",
+    )
+    borders = [
+        f"{border.before} to {border.after} at {told.value(found.name, border.value):.10g}"
+        for border in found.borders
+    ]
     return "\n".join([table(header, rows), *borders])

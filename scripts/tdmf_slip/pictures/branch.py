@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,7 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from ..analysis.borders import Border
+from ..analysis.sweep import Sweep
 from ..library.orbit import Orbit
+from ..unit.told import Told
 from ..unit.unit import Unit
 from . import style
 
@@ -28,6 +31,7 @@ def figure_of(
     orbits: Sequence[Orbit],
     borders: Sequence[Border],
     unit: Unit,
+    told: Told | None = None,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed.
 
@@ -43,6 +47,8 @@ def figure_of(
         Where the word changes.
     unit : Unit
         For units.
+    told : Told, optional
+        In which unit the parameter is told; by default in its own.
 
     Returns
     -------
@@ -60,15 +66,39 @@ def figure_of(
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
-        if min(values) > 0 and max(values) > DECADES * min(values):
+        told = told or Told(unit)
+        label = style.tell_in(panels[-1].xaxis, name, told)
+        if told.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
             panels[-1].set_xscale("log")
             panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
             panels[-1].minorticks_off()
-        panels[-1].set_xlabel(style.with_unit(name, unit.variables[name].unit))
+        panels[-1].set_xlabel(label)
         figure.draw_without_rendering()  # lays out the axes
         _words(panels[0], values, orbits)
     return figure
+
+
+def draw(path: Path, found: Sweep, unit: Unit, told: Told | None = None) -> None:
+    """Draw a sweep into a file.
+
+    Parameters
+    ----------
+    path : Path
+        Of the picture.
+    found : Sweep
+        What is drawn.
+    unit : Unit
+        For units.
+    told : Told, optional
+        See `figure_of`.
+    """
+    style.save(figure_of(*drawn_of(found), unit, told), path)
+
+
+def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Orbit, ...], tuple[Border, ...]]:
+    """What `figure_of` draws of a sweep: name, values, gaits, borders."""
+    return found.name, [gait.runner.values[found.name] for gait in found.orbits], found.orbits, found.borders
 
 
 def _eigenvalues(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None:

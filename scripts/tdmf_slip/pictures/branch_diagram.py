@@ -21,6 +21,7 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..library.orbit import Orbit
 from ..library.section import COORDINATES
+from ..unit.told import Told
 from ..unit.unit import load
 from . import style
 
@@ -77,7 +78,7 @@ def values_of(orbit: Orbit, quantity: str) -> list[float]:
     return [numbers[quantity]]
 
 
-def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
+def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -> Figure:
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter.
 
     Parameters
@@ -86,6 +87,8 @@ def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
         What is drawn, with the branches of more strides that it gives rise to.
     quantity : str, default "com_speed"
         See `values_of`.
+    told : Told, optional
+        In which unit the parameter is told; by default in its own.
 
     Returns
     -------
@@ -99,6 +102,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
     """
     values_of(branch.orbits[0], quantity)
     unit = load()
+    told = told or Told(unit)
     with style.styled():
         figure, panels = plt.subplots(
             2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
@@ -108,8 +112,9 @@ def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, variable.unit if variable else ""))
         panels[1].set_ylabel("largest eigenvalue, size")
-        panels[1].set_xlabel(style.with_unit(branch.name, unit.variables[branch.name].unit))
-        panels[0].set_title(f"{branch.name} from {branch.values[0]:g}: {branch.ended}", wrap=True)
+        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, told))
+        begin = told.value(branch.name, branch.values[0])
+        panels[0].set_title(f"{branch.name} from {begin:g}: {branch.ended}", wrap=True)
         for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
             _draw(axes, branch, drawn, 0)
         panels[1].axhline(1.0, **style.LIMIT_LINE)
@@ -119,7 +124,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN) -> Figure:
     return figure
 
 
-def draw(path: Path, branch: Branch, quantity: str) -> None:
+def draw(path: Path, branch: Branch, quantity: str, told: Told | None = None) -> None:
     """Draw a branch into a file.
 
     Parameters
@@ -130,8 +135,10 @@ def draw(path: Path, branch: Branch, quantity: str) -> None:
         What is drawn.
     quantity : str
         See `values_of`.
+    told : Told, optional
+        See `figure_of`.
     """
-    style.save(figure_of(branch, quantity), path)
+    style.save(figure_of(branch, quantity, told), path)
 
 
 def _bound(axes: Axes) -> None:

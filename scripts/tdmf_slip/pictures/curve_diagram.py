@@ -10,12 +10,15 @@ from matplotlib.figure import Figure
 
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
+from ..unit.told import Told
 from ..unit.unit import load
 from . import style
 from .branch_diagram import ASLANT, BESIDE, MARKS
 
 
-def figure_of(curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) -> Figure:
+def figure_of(
+    curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], told: Told | None = None
+) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side.
 
     Parameters
@@ -24,15 +27,20 @@ def figure_of(curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) 
         What is drawn.
     over : mapping of str to pair of float
         By name of both parameters: the ends of their ranges, as the curves were followed from.
+    told : Told, optional
+        In which units the parameters are told; by default in their own.
 
     Returns
     -------
     Figure
         Of matplotlib.
     """
-    unit = load()
+    told = told or Told(load())
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
+        labels = [
+            style.tell_in(axis, name, told) for axis, name in zip((axes.xaxis, axes.yaxis), over, strict=True)
+        ]
         shown = set()
         for curve in curves:
             border = curve.kind == WORD_BORDER
@@ -43,7 +51,7 @@ def figure_of(curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) 
                 label="_" if curve.kind in shown else curve.kind,
             )
             shown.add(curve.kind)
-        style.label(axes, *(style.with_unit(name, unit.variables[name].unit) for name in over))
+        style.label(axes, *labels)
         if shown:
             axes.legend()
         begin, end = over[curves[0].names[0]] if curves else (0.0, 0.0)
@@ -80,7 +88,12 @@ def _write_words(axes: Axes, curve: Curve, rises: bool) -> None:
         )
 
 
-def draw(path: Path, curves: Sequence[Curve], over: Mapping[str, tuple[float, float]]) -> None:
+def draw(
+    path: Path,
+    curves: Sequence[Curve],
+    over: Mapping[str, tuple[float, float]],
+    told: Told | None = None,
+) -> None:
     """Draw the curves into a file.
 
     Parameters
@@ -91,5 +104,7 @@ def draw(path: Path, curves: Sequence[Curve], over: Mapping[str, tuple[float, fl
         What is drawn.
     over : mapping of str to pair of float
         See `figure_of`.
+    told : Told, optional
+        See `figure_of`.
     """
-    style.save(figure_of(curves, over), path)
+    style.save(figure_of(curves, over, told), path)

@@ -56,9 +56,7 @@ def _gait(result: Orbit) -> Figure:
 
 @_figure_of.register
 def _sweep(result: Sweep) -> Figure:
-    orbits = result.orbits
-    values = [orbit.runner.values[result.name] for orbit in orbits]
-    return branch.figure_of(result.name, values, orbits, result.borders, load())
+    return branch.figure_of(*branch.drawn_of(result), load())
 
 
 @_figure_of.register

@@ -16,10 +16,13 @@ if "MPLBACKEND" not in os.environ and "matplotlib.pyplot" not in sys.modules:
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import AutoLocator, FuncFormatter
 
 from ..files.whole import whole
 from ..unit.events import SLIPS
+from ..unit.told import Told
 
 LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
@@ -179,6 +182,43 @@ def label(axes: Axes, horizontal: str, vertical: str) -> None:
     """Name both axes."""
     axes.set_xlabel(horizontal)
     axes.set_ylabel(vertical)
+
+
+class _Scaled(AutoLocator):
+    """Places of marks that are round in another unit than that of what is drawn."""
+
+    def __init__(self, factor: float) -> None:
+        super().__init__()
+        self.factor = factor
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        """As of the values in that unit."""
+        marks = super().tick_values(vmin * self.factor, vmax * self.factor)
+        return [mark / self.factor for mark in marks]
+
+
+def tell_in(axis: Axis, name: str, told: Told) -> str:
+    """Have an axis, whose values are in a variable's own unit, marked in the one that it is told in.
+
+    Parameters
+    ----------
+    axis : Axis
+        Linear.
+    name : str
+        Of the variable.
+    told : Told
+        Units.
+
+    Returns
+    -------
+    str
+        The axis' label.
+    """
+    factor = told.factor(name)
+    if factor != 1.0:
+        axis.set_major_locator(_Scaled(factor))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
+    return with_unit(name, told.unit(name))
 
 
 def with_unit(name: str, unit: str) -> str:

@@ -16,6 +16,11 @@ def columns(rows: Mapping[str, str]) -> str:
     return "\n".join(f"{name:{width}}{value}" for name, value in rows.items())
 
 
+def headed(name: str, unit: str) -> str:
+    """The head of a column, with the unit of its numbers."""
+    return f"{name} ({unit or '1'})"
+
+
 def quantity(value: float, unit: str, digits: int) -> str:
     """A number with its unit, if it has one."""
     return f"{value:.{digits}g}{'' if unit in ('', '1') else f' {unit}'}"

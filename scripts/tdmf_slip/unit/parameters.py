@@ -2,14 +2,21 @@
 
 import json
 import os
+import re
 import tomllib
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..checks import check_kind
+from ..checks import check_kind, shown
 from ..errors import InputError, reason
 
+MOST_PARTS = 16
+"""Of a key, with dots between them; variables have three at the most."""
+_PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*"""
+DEEP_KEY = re.compile(rf"(?<![\w-]){_PART}(?:\.[ \t]*{_PART}){{{MOST_PARTS}}}")
+"""The beginning of one with more parts."""
 PRESETS = Path(__file__).parent / "presets"
 
 
@@ -42,7 +49,7 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     """
     check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
-    readers: Mapping[str, Callable[[str], object]] = {".toml": tomllib.loads, ".json": loads_json}
+    readers: Mapping[str, Callable[[str], object]] = {".toml": _loads_toml, ".json": loads_json}
     if path.is_dir():
         raise InputError(f"parameters {name}: is a folder; allowed: a .toml or .json file")
     if path.suffix not in readers:
@@ -52,6 +59,8 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     try:
         content = parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
         return _keys_once(list(_flat(content)))  # a name may be given whole and nested
+    except RecursionError:
+        raise InputError(f"parameters {path}: is nested too deeply; allowed: names with values") from None
     except (OSError, ValueError) as problem:
         raise InputError(f"parameters {path}: {reason(problem)}") from None
 
@@ -80,11 +89,19 @@ def loads_json(text: str) -> object:
     return json.loads(text, object_pairs_hook=_keys_once)
 
 
+def _loads_toml(text: str) -> object:
+    """As `tomllib`, which takes the square of the parts of a key, but not so many of them."""
+    long = DEEP_KEY.search(text)
+    if long is not None:
+        line = text.count("\n", 0, long.start()) + 1
+        raise ValueError(f"line {line}: a key of more than {MOST_PARTS} parts; allowed: names of variables")
+    return tomllib.loads(text)
+
+
 def _keys_once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    names = [name for name, _ in pairs]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise ValueError(f"{twice} is given twice; allowed: once")
+    for name, count in Counter(name for name, _ in pairs).items():
+        if count > 1:
+            raise ValueError(f"{shown(name)} is given twice; allowed: once")
     return dict(pairs)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from ..checks import check_size
+from ..checks import check_size, shown
 from ..contents import ByContents
 from ..errors import InputError
 
@@ -25,6 +25,21 @@ MOST_VALUES = 1_000_000
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
+
+
+OTHER_UNITS: Mapping[str, tuple[str, float]] = {
+    "cm": ("m", 100.0),
+    "mm": ("m", 1000.0),
+    "g": ("kg", 1000.0),
+    "ms": ("s", 1000.0),
+    "km/h": ("m/s", 3.6),
+    "kN": ("N", 0.001),
+    "kN/m": ("N/m", 0.001),
+    "degree": ("rad", 180.0 / math.pi),
+    "degrees": ("rad", 180.0 / math.pi),
+}
+"""Those that people write, beside those of the description: of which unit they are others, and how many make
+one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +100,30 @@ class Variable(ByContents):
             return ", ".join(f"{name} ({value})" for value, name in self.items.items())
         unit = f" {self.unit}" if self.unit not in ("", "1") else ""
         return f"{self.minimum:g} to {self.maximum:g}{unit}"
+
+    @property
+    def known_units(self) -> tuple[str, ...]:
+        """Units that a value of it may be given in, its own first."""
+        others = (
+            *self.display_units,
+            *(name for name, (unit, _) in OTHER_UNITS.items() if unit == self.unit),
+        )
+        return tuple(name for name in (self.unit, *others) if name)
+
+    def factor_of(self, unit: str) -> float | None:
+        """How many of a unit make one of the variable's own; None where it is of something else.
+
+        Parameters
+        ----------
+        unit : str
+            Its name; empty for the variable's own.
+        """
+        if unit in ("", self.unit):
+            return 1.0
+        own, factor = OTHER_UNITS.get(unit, ("", 1.0))
+        if own == self.unit and own:
+            return factor
+        return self.display_units.get(unit)
 
     def value_of(self, given: Given, where: str) -> Value:
         """A start value for this variable, checked against its range.
@@ -170,12 +209,14 @@ class Variable(ByContents):
         if text in self.items.values():
             return next(float(value) for value, name in self.items.items() if name == text)
         number, _, unit = text.strip().partition(" ")
-        factors = {"": 1.0, self.unit: 1.0, **self.display_units}
-        if unit.strip() not in factors:
-            known = ", ".join(u for u in factors if u)
-            raise InputError(f"{where}: {self.name} = {text}: unknown unit {unit.strip()!r}; known: {known}")
+        factor = self.factor_of(unit.strip())
+        if factor is None:
+            raise InputError(
+                f"{where}: {self.name} = {shown(text)}: unknown unit {shown(unit.strip())}; known: "
+                f"{', '.join(self.known_units) or 'none'}"
+            )
         hint = ", a unit after a space" if self.unit not in ("", "1") else ""
-        return self._number(number, text, where, hint) / factors[unit.strip()]
+        return self._number(number, text, where, hint) / factor
 
     def _number(self, number: Given, given: Given, where: str, hint: str = "") -> float:
         """A finite number, by what was given as one."""

@@ -1,0 +1,39 @@
+"""In which units values are told: in those that their user gave them in, else in the variables' own."""
+
+from collections.abc import Mapping
+
+from .unit import Unit
+
+
+class Told:
+    """Units of the unit's variables, some of them as they were given."""
+
+    def __init__(self, unit: Unit, given: Mapping[str, object] | None = None) -> None:
+        """With what was given, by the variables' names.
+
+        Parameters
+        ----------
+        unit : Unit
+            Whose variables.
+        given : mapping of str to object, optional
+            Values, or ranges with a colon, as they were written: of `40 deg` and `40 deg:60 deg` the unit is
+            deg.
+        """
+        self._variables = unit.variables
+        self._units = {name: _unit_in(text) for name, text in (given or {}).items() if isinstance(text, str)}
+
+    def factor(self, name: str) -> float:
+        """How many of the unit that it is told in make one of the variable's own."""
+        return self._variables[name].factor_of(self._units.get(name, "")) or 1.0
+
+    def unit(self, name: str) -> str:
+        """The unit that a variable is told in."""
+        return self._units.get(name) or self._variables[name].unit
+
+    def value(self, name: str, value: float) -> float:
+        """A value of it, in that unit."""
+        return value * self.factor(name)
+
+
+def _unit_in(text: str) -> str:
+    return text.split(":")[0].strip().partition(" ")[2].strip()

@@ -1,0 +1,201 @@
+"""Units as their user gave them: read in any spelling, and told again in tables and pictures."""
+
+import json
+import math
+import re
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import xarray
+from tdmf_slip import InputError, continue_branch, continue_curves, load, sweep
+from tdmf_slip.cli.main import COMMANDS
+from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
+from tdmf_slip.unit.told import Told
+
+ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
+OVER = f"{ANGLE}=40 deg:42 deg"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "value"),
+    [
+        ("leg.free_length", "100 cm", 1.0),
+        ("leg.free_length", "950 mm", 0.95),
+        ("foot.mass", "50 g", 0.05),
+        (ANGLE, "40 degrees", math.radians(40.0)),
+        (ANGLE, "1 degree", math.radians(1.0)),
+        (ANGLE, "40 deg", math.radians(40.0)),
+        ("leg.stiffness", "20 kN/m", 20e3),
+        ("foot.vx", "3.6 km/h", 1.0),
+        ("ground.friction", "0.5 1", 0.5),
+    ],
+)
+def test_units_are_read_as_people_write_them(name, text, value):
+    variable = load().variables[name]
+    assert variable.value_of(text, "here") == pytest.approx(value, rel=1e-14)
+    assert variable.factor_of(text.split()[1]) == pytest.approx(float(text.split()[0]) / value, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [(ANGLE, "1 cm"), ("leg.free_length", "1 deg"), (FRICTION, "1 mm")]
+)
+def test_units_of_something_else_are_refused_with_those_that_are_known(name, text):
+    variable = load().variables[name]
+    with pytest.raises(InputError, match="unknown unit") as caught:
+        variable.value_of(text, "here")
+    assert f"known: {', '.join(variable.known_units) or 'none'}" in str(caught.value)
+    assert variable.known_units[0] == (variable.unit or "none")
+
+
+def marks(axis):
+    """What is written along an axis, with where it is."""
+    axis.figure.draw_without_rendering()
+    low, high = sorted(axis.get_view_interval())
+    pairs = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
+    return [
+        (place, float(text.get_text().replace("−", "-"))) for place, text in pairs if low <= place <= high
+    ]
+
+
+def check_degrees(axis, label):
+    assert label == f"{ANGLE} (deg)"
+    found = marks(axis)
+    assert len(found) >= 3
+    for place, written in found:
+        assert written == pytest.approx(math.degrees(place), abs=1e-4)
+        assert written == pytest.approx(round(written, 2), abs=1e-9)  # round in degrees
+
+
+def test_pictures_are_marked_in_the_unit_that_was_given():
+    told, ends = Told(load(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
+    found = continue_branch({FRICTION: 0.6}, ANGLE, *ends, switch=False)
+    figure = branch_diagram.figure_of(found, told=told)
+    check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
+    assert f"{ANGLE} from 40:" in figure.axes[0].get_title("left")
+    (line, *_) = figure.axes[0].lines
+    assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
+    swept = sweep({FRICTION: 0.6}, np.linspace(*ends, 3), over=ANGLE)
+    figure = branch.figure_of(*branch.drawn_of(swept), load(), told)
+    check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
+    figure = branch_diagram.figure_of(found)
+    assert figure.axes[1].get_xlabel() == f"{ANGLE} (rad)"
+    plt.close("all")
+
+
+def test_curves_are_marked_in_the_units_that_were_given():
+    spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
+    told = Told(load(), {ANGLE: "40 deg:42 deg"})
+    figure = curve_diagram.figure_of(continue_curves({}, spans, most_points=3), spans, told)
+    axes = figure.axes[0]
+    check_degrees(axes.xaxis, axes.get_xlabel())
+    assert axes.get_ylabel() == FRICTION
+    plt.close("all")
+
+
+def test_tables_are_in_the_unit_that_was_given(command):
+    status, out, err = command("continue", "--over", OVER, "--no-switch", "--friction", "0.6")
+    assert status == 0, err
+    assert f"{ANGLE} (deg)" in out
+    first, last = re.search(r"from (\S+) \(.*\) to (\S+) \(", out.splitlines()[0]).groups()
+    assert (float(first), float(last)) == pytest.approx((40.0, 42.0), abs=1e-6)
+    status, out, err = command("sweep", "--over", f"{OVER}:3", "--set", "ground.friction=0.6")
+    assert status == 0, err
+    header, _, *rows = out.splitlines()
+    assert header.startswith(f"{ANGLE} (deg)")
+    assert [float(row.split()[0]) for row in rows[:3]] == pytest.approx([40.0, 41.0, 42.0])
+
+
+def test_what_an_order_frees_is_told_in_the_unit_that_it_was_given_in(command):
+    arguments = ("gait", "--speed", "1.05", "--free", ANGLE, "--friction", "0.6")
+    degrees, radians = (
+        re.search(rf"{ANGLE}\s+(\S+) (\S+)", command(*arguments, *more)[1]).groups()
+        for more in (("--set", f"{ANGLE}=40 deg"), ())
+    )
+    assert (degrees[1], radians[1]) == ("deg", "rad")
+    assert float(degrees[0]) == pytest.approx(math.degrees(float(radians[0])), rel=1e-8)
+
+
+def test_what_an_optimum_has_is_told_in_the_unit_that_it_was_given_in(command):
+    over = ("--over", f"{ANGLE}=38 deg:42 deg", "--minimize", "slip_distance", "--friction", "0.6")
+    status, out, err = command("optimize", *over, "--starts", "1")
+    assert status == 0, err
+    name, unit, before, after, *_ = next(line.split() for line in out.splitlines() if line.startswith(ANGLE))
+    assert (name, unit) == (ANGLE, "deg") and 37.9 < float(after) < 42.1 and 30.0 < float(before) < 50.0
+
+
+def test_a_sweep_is_drawn_and_written_as_any_result(command, tmp_path):
+    sweep_ = ("sweep", "--friction", "0.5:0.6:3")
+    status, printed, err = command(*sweep_, "--json")
+    assert status == 0, err
+    found = json.loads(printed)
+    assert command(*sweep_, "--output", "-")[1] == printed
+    assert command(*sweep_, "--output", "gaits.json", "--plot", "gaits.png")[0] == 0
+    assert json.loads((tmp_path / "gaits.json").read_text(encoding="utf-8")) == found
+    assert (tmp_path / "gaits.png").read_bytes().startswith(b"\x89PNG")
+    assert command(*sweep_, "--output", "gaits.nc")[0] == 0
+    assert xarray.load_dataset(tmp_path / "gaits.nc")[FRICTION].values == pytest.approx([0.5, 0.55, 0.6])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--friction", "0.5:0.6:3", "--output", "gaits.txt"), "allowed: .nc, .json"),
+        (("--friction", "0.5:0.6:3", "--plot", "gaits.txt"), "--plot"),
+        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--output", "g.json"), "FILE.nc"),
+        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--output", "-"), "FILE.nc"),
+        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--plot", "g.png"), "--plot"),
+    ],
+)
+def test_what_a_sweep_cannot_write_is_told_before_the_work(command, tmp_path, arguments, words):
+    status, out, said = command("sweep", *arguments)
+    assert (status, out) == (2, "") and words in said and len(said.strip().splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [("gate", "gait"), ("sweeep", "sweep"), ("simulat", "simulate"), ("animation", "animate")],
+)
+def test_a_mistyped_command_gets_a_suggestion(command, typed, meant):
+    status, out, said = command(typed)
+    assert (status, out) == (2, "") and len(said.strip().splitlines()) == 1
+    assert f"near matches: {meant}" in said and "validate" in said
+
+
+def test_the_help_has_whole_sentences(command):
+    status, out, _ = command("--help")
+    commands = out.split("Commands:\n")[1]
+    assert status == 0 and "..." not in commands
+    summaries = re.split(r"\n  (?=\S)", commands)
+    assert len(summaries) == len(COMMANDS)
+    assert all(summary.strip().endswith(".") for summary in summaries), summaries
+
+
+def test_a_key_of_twenty_thousand_dots_is_answered_at_once(command, tmp_path):
+    """The parser of TOML would take 25 s; the regular expression is linear in the text."""
+    path = tmp_path / "deep.toml"
+    for text in (".".join("x" * 20_001) + " = 1", "[" + " . ".join(['"x"'] * 20_001) + "]\ny = 1"):
+        path.write_text(f"# names\n{text}\n")
+        status, out, said = command("gait", "--parameters", str(path))
+        assert (status, out) == (2, "")
+        assert "line 2: a key of more than 16 parts" in said and len(said) < 300
+
+
+@pytest.mark.parametrize(
+    "text", ['{"a":' * 900 + "1" + "}" * 900, "{" + ", ".join(f'"n{k}": 1' for k in range(30_000)) + "}"]
+)
+def test_a_strange_file_of_parameters_is_answered_in_one_sentence(command, tmp_path, text):
+    path = tmp_path / "strange.json"
+    path.write_text(text)
+    status, out, said = command("gait", "--parameters", str(path))
+    assert (status, out) == (2, "") and len(said.strip().splitlines()) == 1 and len(said) < 600
+
+
+def test_dots_in_comments_and_texts_are_no_keys(command, tmp_path):
+    path = tmp_path / "fine.toml"
+    dots = ". " * 40 + "." * 200
+    path.write_text(
+        f"# a{dots} of.a.paper\nground.friction = 0.6 # {dots}\n[hip]\ntouchdown_angle = '40 deg'\n"
+    )
+    assert command("gait", "--parameters", str(path))[0] == 0
