@@ -82,6 +82,13 @@ static inline real real_sqrt(real x) {
 #endif
 }
 
+static inline real real_exp(real x) {
+    for (int lane = 0; lane < LANES; ++lane) {
+        x[lane] = exp(x[lane]);
+    }
+    return x;
+}
+
 /* A bit for each lane chosen. */
 static inline unsigned lanes_of(choice chosen) {
 #if LANES == 8

@@ -8,6 +8,8 @@
 
 /* ---- coefficient k of what is constant but for a ramp, alone or beside what moves ---------------------- */
 
+/* A ramp is there where inputs ramp, a drift always. */
+
 KERNEL real constant_of(int k, real value) {
     return k == 0 ? value : real_of(0.0);
 }
@@ -16,28 +18,40 @@ KERNEL real ramp_of(int k, real value, real rate) {
     return k == 0 ? value : INPUTS_RAMP && k == 1 ? rate : real_of(0.0);
 }
 
+KERNEL real drift_of(int k, real value, real rate) {
+    return k == 0 ? value : k == 1 ? rate : real_of(0.0);
+}
+
 KERNEL real with_constant(int k, real moving, real value) {
     return k == 0 ? moving + value : moving;
 }
 
-/* Where inputs ramp. */
 KERNEL real with_ramp(int k, real moving, real value, real rate) {
     return k == 0 ? moving + value : INPUTS_RAMP && k == 1 ? moving + rate : moving;
 }
 
-/* Whether inputs ramp or not. */
 KERNEL real with_drift(int k, real moving, real value, real rate) {
     return k == 0 ? moving + value : k == 1 ? moving + rate : moving;
 }
 
+KERNEL real drift_times(int k, real value, real rate, const real *a) {
+    return k > 0 ? value * a[k] + rate * a[k - 1] : value * a[k];
+}
+
 KERNEL real ramp_times(int k, real value, real rate, const real *a) {
-    return INPUTS_RAMP && k > 0 ? value * a[k] + rate * a[k - 1] : value * a[k];
+    return INPUTS_RAMP ? drift_times(k, value, rate, a) : value * a[k];
+}
+
+KERNEL real vary_drift_times(int k, real value, real rate, real d_value, real d_rate, const real *a,
+                             const real *d_a) {
+    const real now = value * d_a[k] + d_value * a[k];
+    return k > 0 ? now + rate * d_a[k - 1] + d_rate * a[k - 1] : now;
 }
 
 KERNEL real vary_ramp_times(int k, real value, real rate, real d_value, real d_rate, const real *a,
                             const real *d_a) {
-    const real now = value * d_a[k] + d_value * a[k];
-    return INPUTS_RAMP && k > 0 ? now + rate * d_a[k - 1] + d_rate * a[k - 1] : now;
+    return INPUTS_RAMP ? vary_drift_times(k, value, rate, d_value, d_rate, a, d_a)
+                       : value * d_a[k] + d_value * a[k];
 }
 
 /* ---- coefficient k from its inner terms: those without coefficient 0 of a factor, of squares half ------ */
@@ -89,6 +103,11 @@ static inline real cos_of(int k, const real *a, const real *sine) {
         return cosine;
     }
     return -product_with_rate(a, sine, k) * series_reciprocal[k];
+}
+
+/* Of exp(a), by itself up to k - 1. */
+static inline real exp_of(int k, const real *a, const real *exponential) {
+    return k == 0 ? real_exp(a[0]) : product_with_rate(a, exponential, k) * series_reciprocal[k];
 }
 
 /* ---- whole sums --------------------------------------------------------------------------------------- */

@@ -63,6 +63,10 @@ static inline real real_sqrt(real x) {
     return sqrt(x);
 }
 
+static inline real real_exp(real x) {
+    return exp(x);
+}
+
 /* Neither infinite nor not a number. */
 static inline choice is_finite(real x) {
     return real_abs(x) < INFINITY;

@@ -18,6 +18,7 @@ VALUE = {
     "quotient": "quotient_of({k}, {inner}, {over}, s->{n}, {s_b}, by->inverse_{b})",
     "sqrt": "root_of({k}, {inner}, {over}, s->{n}, by->inverse_{n})",
     "ramp": "ramp_times({k}, c->{a}, c->{a}_rate, {s_b})",
+    "drift": "drift_times({k}, c->{a}, c->{a}_rate, {s_b})",
     "rate": "(double)({k} + 1) * {s_a}[{k} + 1]",
     "sin": "sin_of({k}, {s_a}, s->{other})",
     "cos": "cos_of({k}, {s_a}, s->{other})",
@@ -29,6 +30,7 @@ VARIATION = {
     "quotient": "vary_quotient(s->{n}, t->{n}, {s_b}, t->{b}, {over}, {k})",
     "sqrt": "vary_root(s->{n}, t->{n}, {over}, {k})",
     "ramp": "vary_ramp_times({k}, c->{a}, c->{a}_rate, d->{a}, d->{a}_rate, {s_b}, t->{b})",
+    "drift": "vary_drift_times({k}, c->{a}, c->{a}_rate, d->{a}, d->{a}_rate, {s_b}, t->{b})",
     "rate": "(double)({k} + 1) * t->{a}[{k} + 1]",
     "sin": "product(s->{other}, t->{a}, {k})",
     "cos": "-product(s->{other}, t->{a}, {k})",
@@ -172,6 +174,7 @@ class Family:
             "/* Their variation, where what it starts with varies by d. */",
             f"static inline void begin_{name}_variation(const {name}_start *start, const {name}_start *d, "
             f"{name}_variation *t) {{",
+            *(["(void)start;"] if not set(given.values()) & set(ordered(varied.values())) else []),
             *(f"t->{state}[0] = {c_text(value)};" for state, value in varied.items()),
             "}",
         ]
@@ -203,6 +206,7 @@ class Motion:
         self.rates = dict(zip(states, roots, strict=False))
         self.noted = dict(zip(names, roots[len(states) :], strict=True))
         self.kind: dict[Expression, str] = {}
+        self.other: dict[Expression, Expression] = {}
         self.nodes = self.moving(roots)
         self.varied_nodes = self.moving([*self.rates.values(), *self.varied.values()])
         self.find_ahead()
@@ -235,13 +239,14 @@ class Motion:
         ]
         if not set(others) <= set(nodes):  # sine and cosine come in pairs
             return self.moving([*others, *roots])
+        self.other |= dict(zip((node for node in nodes if node.operation in OTHER), others, strict=True))
         for node in nodes:
             steady = [is_steady(operand) for operand in node.operands]
             kind = node.operation if node.operation in ONLY else "linear" if node.operands else "state"
-            if node.operation == "*" and not any(operand.is_constant for operand in node.operands):
-                kind = (
-                    "ramp" if any(steady) else "square" if node.operands[0] is node.operands[1] else "product"
-                )
+            if node.operation == "*" and any(steady) and not any(o.is_constant for o in node.operands):
+                kind = "drift" if any(operand.marks.get("always") for operand in node.operands) else "ramp"
+            elif node.operation == "*" and not any(steady):
+                kind = "square" if node.operands[0] is node.operands[1] else "product"
             self.kind[node] = "quotient" if node.operation == "/" and not steady[1] else kind
             if node.name is None and self.kind[node] != "linear":
                 word = {"*": "_times_", "/": "_over_"}.get(node.operation, node.operation + "_of_")
@@ -255,7 +260,7 @@ class Motion:
 
     def convolved(self, node: Expression) -> set[Expression]:
         """Give the series that all coefficients are needed of."""
-        given = set(node.operands) if self.kind[node] in ("ramp", "rate", "exp", *OTHER) else set()
+        given = set(node.operands) if self.kind[node] in ("ramp", "drift", "rate", "exp", *OTHER) else set()
         own = {node} if self.kind[node] in ("exp", *OTHER) else set()
         return {series for series in given | own | set(self.factors(node)) if not is_steady(series)}
 
@@ -370,7 +375,7 @@ class Motion:
             steady = [derivative(part, changes_of_constants(part)) for part in terms[1:]]
             terms = derivative(terms[0], changes), steady[0], steady[1]
         moving = c_text(terms[0], lambda part: None if part is node else text_of(part))
-        constant, rate = c_text(terms[1]), c_text(terms[2])
+        constant, rate = (f"real_of({c_text(t)})" if t.is_number() else c_text(t) for t in terms[1:])
         if terms[0].is_number(0):
             alone = (
                 f"ramp_of({k}, {constant}, {rate})"
@@ -402,7 +407,7 @@ class Motion:
         kind = self.kind[node]
         if kind == "linear":
             return self.sum_text(node, k, factors, varied)
-        if kind == "ramp" and not is_steady(node.operands[0]):
+        if kind in ("ramp", "drift") and not is_steady(node.operands[0]):
             node = Record(name=node.name, operands=node.operands[::-1], operation="*")  # type: ignore[assignment]
         a, b = node.operands[0], node.operands[-1]
         series = [str(part.name) if part in self.arrays else f"s->{part.name}" for part in (a, b)]
@@ -410,7 +415,7 @@ class Motion:
         return (VARIATION if varied else VALUE)[kind].format(
             k=k, n=node.name, a=a.name, b=b.name, s_a=series[0], s_b=series[1], inner=f"{sums}->{node.name}",
             over=self.operand(a, k, factors, varied) if kind in ("quotient", "sqrt") else "",
-            other=getattr(a, OTHER[kind])().name if kind in OTHER else "",
+            other=self.other[node].name if kind in OTHER else "",
         )  # fmt: skip
 
     def define(self, node: Expression, k: str, factors: dict[Expression, str]) -> list[str]:

@@ -1,0 +1,209 @@
+"""The generator of series on a motion that is none of the model's: an oscillator, against its closed form."""
+
+import importlib
+import math
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace as Record
+
+import pytest
+
+CORE = Path(__file__).parents[2] / "c_core"
+ORDER = 24
+COMPILER = shutil.which("cc")
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+
+
+@pytest.fixture(scope="module")
+def derive():
+    sys.path.insert(0, str(CORE))
+    try:
+        return Record(
+            series=importlib.import_module("equations.derive.series"),
+            functions=importlib.import_module("equations.functions"),
+        )
+    finally:
+        sys.path.remove(str(CORE))
+
+
+def page(functions):
+    """xddot = pull - stiffness x - 2 damping xdot, and one quantity of each kind made of it."""
+
+    def start(x, v):
+        """Place and velocity."""
+        return Record(x=x, v=v)
+
+    def motion(c, s):
+        """The oscillator."""
+        distance = functions.sqrt(1 + s.x * s.x)
+        acceleration = c.pull - c.stiffness * s.x - 2 * (c.damping * s.v)
+        return Record(
+            rates=Record(x=s.v, v=acceleration),
+            distance=distance,
+            distance_rate=s.x * s.v / distance,
+            ratio=(c.pull + s.v) / distance,
+            wave=functions.sin(s.x) * functions.cos(s.x),
+            growth=functions.exp(s.x - s.v),
+            pulled=c.pull * s.x,
+            power=acceleration * s.v,
+        )
+
+    return Record(__name__="oscillator", start=start, motion=motion)
+
+
+QUANTITIES = ["x", "v", "distance", "distance_rate", "ratio", "wave", "growth", "pulled", "power"]
+CONSTANTS = {"stiffness": 1.7, "damping": 0.15, "pull": 0.3, "pull_rate": 0.2}
+STARTS = {"x": 0.4, "v": -0.6}
+
+
+def closed_form(t, stiffness, damping, pull, pull_rate, x, v):
+    """All quantities at a time; the ramp has a particular solution that is a straight line."""
+    slope = pull_rate / stiffness
+    level = (pull - 2 * damping * slope) / stiffness
+    frequency = math.sqrt(stiffness - damping * damping)
+    a, decay = x - level, math.exp(-damping * t)
+    b = (v - slope + damping * a) / frequency
+    sine, cosine = math.sin(frequency * t), math.cos(frequency * t)
+    place = decay * (a * cosine + b * sine)
+    at = level + slope * t + place
+    rate = slope - damping * place + decay * frequency * (b * cosine - a * sine)
+    force = pull + pull_rate * t
+    distance = math.sqrt(1 + at * at)
+    acceleration = force - stiffness * at - 2 * damping * rate
+    return [
+        at,
+        rate,
+        distance,
+        at * rate / distance,
+        (force + rate) / distance,
+        math.sin(at) * math.cos(at),
+        math.exp(at - rate),
+        force * at,
+        acceleration * rate,
+    ]
+
+
+def change_of_closed_form(t, name):
+    """By differences, whose error falls with the fourth power of the step."""
+    given = {**CONSTANTS, **STARTS}
+    step = 1e-3
+
+    def at(share):
+        return closed_form(t, **{**given, name: given[name] + share * step})
+
+    sides = zip(at(1), at(-1), at(2), at(-2), strict=True)
+    return [(8 * (a - b) - (c - d)) / (12 * step) for a, b, c, d in sides]
+
+
+def program(derive, lanes):
+    """Expand the motion and each of its variations, and print all coefficients of the first lane."""
+    family = derive.series.Family(
+        "oscillator",
+        page(derive.functions),
+        constants="stiffness damping",
+        ramps={"pull": True},
+        rates={"distance_rate": "distance"},
+        noted=" ".join(QUANTITIES[2:]),
+        varied=" ".join(QUANTITIES[2:]),
+        cases={"swinging": {}},
+    )
+    motion = family.motion("swinging")
+    code = [*family.structs(), *motion.source(), *motion.variation()]
+    lane = "[0]" if lanes else ""
+    show = [
+        f'for (int k = 0; k <= {ORDER}; ++k) printf("%.17g ", (double)%s.{q}[k]{lane});' for q in QUANTITIES
+    ]
+    series = [line.replace("%s.", "s.") for line in show]
+    tangent = [line.replace("%s.", "t.") for line in show]
+    constants = [f"c.{name} = real_of({value});" for name, value in CONSTANTS.items()]
+    starts = [f"start.{name} = real_of({value});" for name, value in STARTS.items()]
+    runs = []
+    for name in [*CONSTANTS, *STARTS]:
+        which = "d" if name in CONSTANTS else "d_start"
+        runs += [f"d = no_c; d_start = no_start; {which}.{name} = real_of(1.0);"]
+        runs += [
+            "begin_oscillator_variation(&start, &d_start, &t);",
+            f"vary_swinging(&c, &s, &d, {ORDER}, &t);",
+        ]
+        runs += tangent
+    return "\n".join(
+        [
+            f"#define TDMF_LANES {lanes}" if lanes else "",
+            '#include "series_products.h"',
+            "#include <stdio.h>",
+            *code,
+            "int main(void) {",
+            "static oscillator_coefficients c, d, no_c; static oscillator_start start, d_start, no_start;",
+            "static oscillator_series s; static oscillator_variation t;",
+            *constants,
+            *starts,
+            "begin_oscillator(&start, &s);",
+            f"expand_swinging(&c, {ORDER}, &s);",
+            *series,
+            *runs,
+            "return 0; }",
+        ]
+    )
+
+
+@pytest.fixture(scope="module", params=[0, 2], ids=["one", "two lanes"])
+def coefficients(request, derive, tmp_path_factory):
+    """Blocks of coefficients: the motion's, then those of its variation by each constant and start."""
+    folder = tmp_path_factory.mktemp("oscillator")
+    (folder / "oscillator.c").write_text(program(derive, request.param))
+    flags = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{CORE / 'kernel'}"]
+    command = [COMPILER, *flags, "oscillator.c", "-o", "oscillator", "-lm"]
+    subprocess.run(command, cwd=folder, check=True)
+    numbers = subprocess.run(
+        [folder / "oscillator"], check=True, capture_output=True, text=True
+    ).stdout.split()
+    size = len(QUANTITIES) * (ORDER + 1)
+    assert len(numbers) == size * (1 + len(CONSTANTS) + len(STARTS))
+    return [[float(number) for number in numbers[i : i + size]] for i in range(0, len(numbers), size)]
+
+
+def values_at(block, t):
+    """The series at a time; the last coefficient of what is not a state is not there."""
+    series = [block[i * (ORDER + 1) : (i + 1) * (ORDER + 1)] for i in range(len(QUANTITIES))]
+    return [sum(c * t**k for k, c in enumerate(row[:ORDER])) for row in series]
+
+
+TIMES = [0.0, 0.1, 0.25]
+
+
+def test_series_are_those_of_the_closed_form(coefficients):
+    for t in TIMES:
+        assert values_at(coefficients[0], t) == pytest.approx(
+            closed_form(t, **CONSTANTS, **STARTS), rel=1e-12, abs=1e-13
+        )
+
+
+def test_variations_are_those_of_the_closed_form(coefficients):
+    for name, block in zip([*CONSTANTS, *STARTS], coefficients[1:], strict=True):
+        for t in TIMES:
+            assert values_at(block, t) == pytest.approx(change_of_closed_form(t, name), rel=1e-9, abs=1e-9), (
+                name
+            )
+
+
+def test_what_is_not_known_ahead_has_no_rate(derive):
+    """A rate is taken of what is made of states that are the integrals of others, else of nothing."""
+    family = derive.series.Family(
+        "oscillator",
+        Record(
+            __name__="oscillator",
+            start=page(derive.functions).start,
+            motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), power=s.x * s.v, power_rate=s.v),
+        ),
+        constants="stiffness",
+        ramps={},
+        rates={"power_rate": "power"},
+        noted="power_rate",
+        varied="",
+        cases={"swinging": {}},
+    )
+    with pytest.raises(ValueError, match="a coefficient ahead"):
+        family.motion("swinging")
