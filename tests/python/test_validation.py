@@ -1,7 +1,9 @@
 """The verdict of a validation, in an object and in words."""
 
 import math
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from tdmf_slip.paper.claims import WORDS, Claim
@@ -80,3 +82,10 @@ def test_what_is_missed_is_listed(gaits):
     assert header.startswith("friction") and set(rule) <= {"-", " "}
     assert rows[0].split() == ["another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
     assert rows[1].split() == ["0.43", "another", "border", "0.5", "0.6", "1.0e-01", "5e-05"]
+
+
+def test_the_guide_counts_what_differs_by_the_table():
+    """The number is nowhere written by hand; the guide lists the statements as the table has them."""
+    text = (Path(__file__).parents[2] / "documentation/guides/paper.md").read_text(encoding="utf-8")
+    assert "in validation.differing:" in text and "validation.as_text()" in text
+    assert re.search(r"\b(\w+) statements of the paper differ", text) is None
