@@ -90,6 +90,17 @@ def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
     assert compared == 2 * RUNNERS
 
 
+def test_a_runner_below_its_ground_for_a_whole_stride_has_fallen_and_the_rule_is_told(gait):
+    """A ground of 2 m is never in force: the stride below it closes as on the one before; it is the last."""
+    found = stride_map(gait.apex, gait.runner, strides=4, settings={"ground.height": [0.0, 2.0, 0.0, 0.0]})
+    assert [STRIDE_FATES[fate] for fate in found["fate"].values[0]] == ["closed", "closed", "fell", "fell"]
+    np.testing.assert_allclose(found["period"].values[0, :2], gait.period, rtol=1e-9)
+    low = stride_map(gait.apex, gait.runner, strides=4, settings={"ground.height": [0.0, 0.2, 0.2, 0.2]})
+    assert (low["fate"] == CLOSED).all()
+    assert "below a new ground for a whole stride" in found["fate"].attrs["comment"]
+    assert "below it for a whole stride has fallen" in " ".join(stride_map.__doc__.split())
+
+
 def test_after_a_fall_there_is_nothing_but_the_fate(gait):
     low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
     below = gait.apex * [0.1, 1.0, 1.0, 1.0, 1.0, 1.0]

@@ -59,9 +59,12 @@ def stride_map(
 
     Settings are in force from the apex on at which a stride begins, and what they are is up to `settings` or
     to a law. A stride that does not close leaves NaN in all its quantities and those of the strides to come,
-    and `fate` says why. On rough ground the ground steps at each apex, the start's too, as in
-    `strides_to_fall`; the height of an apex is that above the ground that the runner came from, before the
-    ground steps, and this is what a law sees of it.
+    and `fate` says why: a ground that is set by `ground.height` or `ground.slope` is in force once the foot
+    flies above it, and a runner whose foot stays below it for a whole stride has fallen, at the apex after
+    that stride: the stride is the last to have quantities, and the next one has the fate `fell`. The height
+    of the first apex is above the ground of the first stride, wherever that is. On rough ground the ground
+    steps at each apex, the start's too, as in `strides_to_fall`; the height of an apex is that above the
+    ground that the runner came from, before the ground steps, and this is what a law sees of it.
 
     Parameters
     ----------
@@ -260,6 +263,7 @@ def _dataset(request: Request, columns: Columns, unit: Unit) -> xarray.Dataset:
     data["fate"].attrs = {
         "flag_values": np.arange(len(STRIDE_FATES), dtype=np.int8),
         "flag_meanings": " ".join(STRIDE_FATES),
+        "comment": "fell: the body or the leg is down, or the foot was below a new ground for a whole stride",
     }
     fixed = {name: value for name, value in runner.values.items() if name not in data and name not in STATES}
     data.attrs = {**fixed, **model_of(runner), "tolerance": request.tolerance}
