@@ -109,7 +109,7 @@ class Point:
             "along": draw(-1, 1),
             "off": draw(-1, 1),
         }
-        whole = with_direction(self.balls, self.mode, {n: arb(v) for n, v in self.values.items()})
+        whole = with_direction(self.balls, {n: arb(v) for n, v in self.values.items()})
         if off and not self.mode.places:
             clamped = laws.servo_torque(self.balls, self.mode, Record(**whole)) < 0
             self.mode = Mode(**{**vars(self.mode), "clamped": bool(clamped)})

@@ -66,6 +66,10 @@ class Dual:
     def _by(self, value: Number, slope: Callable[[], Number]) -> "Dual":
         return self._linear(value, slope()) if self.gradient else Dual(value, {})
 
+    def larger(self, other: Number) -> Number:
+        """The larger of it and another, where that is decided."""
+        return self if self.value >= value_of(other) else other
+
     def sin(self) -> "Dual":
         """The sine."""
         return self._by(self.value.sin(), self.value.cos)

@@ -23,15 +23,13 @@ WIDENED = 2
 Values = dict[str, arb]
 
 
-def with_direction(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The numbers of a motion with what follows from them: sine, cosine, and falling friction's exponential.
+def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of a motion with the leg's sine and cosine over the ground.
 
     Parameters
     ----------
     runner : Record
         Parameters.
-    mode : Mode
-        Of the motion.
     values : mapping of str to number
         Balls, or duals of them.
 
@@ -41,10 +39,7 @@ def with_direction(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[s
         Those given, and these.
     """
     angle = values["angle"] - runner.slope
-    found = {**values, "sine": angle.sin(), "cosine": angle.cos()}
-    if mode.contact == "slip" and runner.fades:
-        found["fading"] = (values["foot_speed"] * (-mode.sign / runner.fading_speed)).exp()
-    return found
+    return {**values, "sine": angle.sin(), "cosine": angle.cos()}
 
 
 def fall(runner: Any) -> tuple[Any, Any]:
@@ -55,7 +50,7 @@ def fall(runner: Any) -> tuple[Any, Any]:
 
 def speeds(runner: Any, mode: Mode, values: Values) -> Values:
     """Time derivatives of all numbers that tell the motion in a mode, at an instant."""
-    at = with_direction(runner, mode, values)
+    at = with_direction(runner, values)
     found = rates(runner, mode, Record(**at))
     if mode.contact == "flight":
         found["along"], found["off"] = fall(runner)
@@ -90,11 +85,9 @@ class Flow:
         """
         self.runner, self.mode, self.names = runner, mode, names_of(runner, mode)
         self.start, self.degree = start, degree
-        whole = with_direction(runner, mode, start)
+        whole = with_direction(runner, start)
         self.kept = {name: start[name] for name in kept_names(runner, mode)}
         moving = (*moving_names(runner, mode), "sine", "cosine")
-        if "fading" in whole:
-            moving += ("fading",)
         begin = {name: whole[name] for name in moving}
         terms = coefficients(begin, self.kept, lambda z: rates(runner, mode, Record(**z)), degree)
         if not all(term.is_finite() for row in terms.values() for term in row):

@@ -7,6 +7,7 @@ one is not proved to be positive is undecided.
 from collections.abc import Callable
 from typing import Any
 
+from ..equations import friction
 from . import laws
 from .dual import Number
 from .modes import Mode
@@ -15,28 +16,25 @@ Function = Callable[[Any, Mode, Any], Number]
 FALLS = ("the body's height", "the leg's length", "the foot's lever in graze")
 
 
-def _forces(runner: Any, mode: Mode, at: Any) -> tuple[Number, Number]:
-    """Normal force and push under the stance law."""
+def _force(runner: Any, mode: Mode, at: Any) -> Any:
+    """What would hold the foot still under the stance law."""
     axial = laws.axial_force(runner, mode, at)
-    across = laws.stance_torque(runner, mode) / at.length
-    return laws.normal_force(runner, at, axial, across), laws.push(runner, at, axial, across)
+    return laws.holding_force(runner, at, axial, laws.stance_torque(runner, mode) / at.length)
 
 
 def normal_force(runner: Any, mode: Mode, at: Any) -> Number:
     """f_n under the stance law: lift-off where it falls through 0."""
-    return _forces(runner, mode, at)[0]
+    return _force(runner, mode, at).normal
 
 
 def cone_forwards(runner: Any, mode: Mode, at: Any) -> Number:
-    """Rho mu f_n - p: slip onset forwards where it falls through 0."""
-    normal, pushed = _forces(runner, mode, at)
-    return laws.static_friction(runner) * normal - pushed
+    """Rho mu f_n + f_t: slip onset forwards where it falls through 0."""
+    return friction.room(laws.static_friction(runner), 1, _force(runner, mode, at))
 
 
 def cone_backwards(runner: Any, mode: Mode, at: Any) -> Number:
-    """Rho mu f_n + p: slip onset backwards."""
-    normal, pushed = _forces(runner, mode, at)
-    return laws.static_friction(runner) * normal + pushed
+    """Rho mu f_n - f_t: slip onset backwards."""
+    return friction.room(laws.static_friction(runner), -1, _force(runner, mode, at))
 
 
 def slip_speed(runner: Any, mode: Mode, at: Any) -> Number:

@@ -84,13 +84,15 @@ def point_matrix(matrix: NDArray[Any]) -> arb_mat:
     return arb_mat(rows, columns, [arb(float(x)) for x in matrix.ravel()])
 
 
-def slopes_of(stride: Stride) -> arb_mat:
+def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
     """Of what vanishes, by the start: six rows, and one for the margin of an event that is forced."""
     assert stride.derivative is not None
     columns = stride.derivative.ncols()
     rows = stride.derivative.tolist()
     for i in range(6):
         rows[i][i] -= 1
+    for i, slope in enumerate(tilt):
+        rows[i][6] -= slope
     if stride.margin_slopes:
         rows.append(stride.margin_slopes)
     return arb_mat(len(rows), columns, [x for row in rows for x in row])
@@ -143,7 +145,7 @@ class Inclusion:
             The operator does not map the box into itself.
         """
         with ctx.workprec(fineness.bits):
-            self._solve(starts, residual(stride, starts.centre), slopes_of(stride))
+            self._solve(starts, residual(stride, starts.centre), slopes_of(stride, starts.tilt))
 
     def _solve(self, starts: Starts, left: list[arb], slopes: arb_mat) -> None:
         unknowns = slopes.nrows()

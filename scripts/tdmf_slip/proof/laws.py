@@ -1,104 +1,95 @@
-"""The model's laws, over any kind of number: floats, balls, tubes, series, and duals of them.
+"""The model's laws in axes of the ground, over any kind of number: balls, tubes, series, and duals of them.
 
-Everything stands in axes of the ground: t along the line, n away from it, and the leg's angle is measured
-from n where its sine and cosine are taken. No law divides but by the leg's length, and in graze by the sine
-of its angle; sine, cosine and the exponential of falling friction are carried along as states.
+Forces, torques, friction and impact are those of the pages in `c_core/equations`. What is added here is the
+motion in each mode, which `equations/dynamics.py` has in other axes: t along the line and n away from it. The
+leg's angle is measured from n where its sine and cosine are taken, and both are carried along as states, so
+that nothing but sums, products and quotients by the leg's length, and in graze by that sine, remains.
 
 `runner` is a record of parameters, `at` one of the motion: length, angle, length_rate, angle_rate, sine,
-cosine, and by mode foot_speed, latched_angle, clock, fading.
+cosine, and by mode foot_speed, latched_angle, clock.
 """
 
 from types import SimpleNamespace as Record
 from typing import Any
 
+from ..equations import coordinates, friction, ground_force, hip, leg
 from .dual import Number
 from .modes import Mode
 
-# ---- leg and hip ---------------------------------------------------------------------------------------
+# ---- leg and hip: c_core/equations/leg.py, hip.py -----------------------------------------------------
 
 
 def rest_length(runner: Any, mode: Mode) -> Number:
     """Of the spring: l0 + u, and in thrust epsilon more."""
-    length = runner.free_length + runner.extension
-    return length + runner.thrust if mode.thrusts else length
+    return leg.rest_length(runner.model, runner.inputs, mode.thrusts and runner.has_thrust)
 
 
 def axial_force(runner: Any, mode: Mode, at: Any) -> Number:
     """F_s = k (l - r) - c rdot, pushing body and foot apart."""
-    return runner.stiffness * (rest_length(runner, mode) - at.length) - runner.damping * at.length_rate
+    of = runner.model.parameters.leg
+    return leg.axial_force(of.stiffness, of.damping, rest_length(runner, mode), at.length, at.length_rate)
 
 
 def stance_torque(runner: Any, mode: Mode) -> Number:
     """Tau = -tau0 until mid-stance, then 0 (11), and the torque from outside."""
-    return runner.external_torque - runner.stance_torque if mode.drives else runner.external_torque
+    return hip.stance(runner.model, runner.inputs, hip.HELD, mode.drives).torque
 
 
 def servo_torque(runner: Any, mode: Mode, at: Any) -> Number:
     """The servo of the flight law (12), without its clamp."""
     if mode.places:
-        lag = runner.touchdown_angle - at.angle
-        if runner.retracts:
-            lag = lag - runner.retraction_rate * at.clock
-        return runner.kp * lag - runner.kd * (at.angle_rate + runner.retraction_rate)
-    return runner.kp * (runner.liftoff_factor * at.latched_angle - at.angle) - runner.kd * at.angle_rate
+        clock = at.clock if runner.retracts else 0
+        law = hip.place(runner.model.parameters.hip, runner.inputs.control, clock)
+    else:
+        law = hip.retract(runner.model.parameters.hip, at.latched_angle)
+    return hip.torque(law, at.angle, at.angle_rate)
 
 
 def flight_torque(runner: Any, mode: Mode, at: Any) -> Number:
     """The flight law (12), clamped while the centre of mass rises, and the torque from outside."""
     if not mode.places and mode.clamped:
-        return runner.external_torque
-    return servo_torque(runner, mode, at) + runner.external_torque
+        return hip.external(runner.inputs, hip.HELD).torque
+    return servo_torque(runner, mode, at) + runner.inputs.hip.external_torque
 
 
-# ---- ground --------------------------------------------------------------------------------------------
+# ---- ground: c_core/equations/ground_force.py, friction.py, impact.py ----------------------------------
+
+
+def holding_force(runner: Any, at: Any, axial: Number, across: Number) -> Any:
+    """What would hold the foot still (10); `across` is tau/r."""
+    return ground_force.holding_force(
+        axial, across, -at.sine, at.cosine, runner.foot_weight_along, runner.foot_weight_off
+    )
 
 
 def normal_force(runner: Any, at: Any, axial: Number, across: Number) -> Number:
-    """f_n = F_s cos - (tau/r) sin + m_f g cos(slope) (10); `across` is tau/r."""
-    return axial * at.cosine - across * at.sine + runner.foot_mass * runner.gravity_off
+    """f_n = F_s cos - (tau/r) sin + m_f g cos(slope) (10)."""
+    return holding_force(runner, at, axial, across).normal
 
 
 def push(runner: Any, at: Any, axial: Number, across: Number) -> Number:
-    """What pushes the foot along the line: p = F_s sin + (tau/r) cos - m_f g sin(slope)."""
-    return axial * at.sine + across * at.cosine - runner.foot_mass * runner.gravity_along
+    """What pushes the foot along the line: p = -f_t of (10)."""
+    return -holding_force(runner, at, axial, across).tangential
 
 
 def grazing_across(runner: Any, at: Any, axial: Number) -> Number:
     """tau_eq/r, with which f_n is zero."""
-    return (axial * at.cosine + runner.foot_mass * runner.gravity_off) / at.sine
-
-
-def sliding_friction(runner: Any, at: Any) -> Number:
-    """mu(v) = mu [1 + (rho - 1) e^(-|v|/v_s)], or mu where v_s = 0."""
-    if runner.fades:
-        return runner.friction * (1 + (runner.static_ratio - 1) * at.fading)
-    return runner.friction
+    return ground_force.grazing_across(axial, -at.sine, at.cosine, runner.foot_weight_off)
 
 
 def static_friction(runner: Any) -> Number:
     """Rho mu, of the cone of a foot at rest."""
-    return runner.friction * runner.static_ratio
+    return friction.static(runner.model, runner.inputs)
 
 
 def impulse_taken(runner: Any, speed: Number, fall: Number) -> Number:
-    """What an impact that slips leaves of |v_t|, of which `speed` was before, with |v_n| = `fall`.
-
-    v_s = 0: |v| - mu |v_n|; else the solution of dv = -mu(v) dP.
-    """
-    loss = runner.friction * fall
-    if not runner.fades:
-        return speed - loss
-    rise = -(runner.static_ratio - 1) * (-loss / runner.fading_speed).expm1()
-    left = (-(speed - loss) / runner.fading_speed).exp()
-    return speed - loss + runner.fading_speed * (-rise * left).log1p()
+    """What an impact that slips leaves of |v_t|, of which `speed` was before, with |v_n| = `fall`."""
+    return friction.after_impact(runner.inputs, 1, speed, -fall)
 
 
 def sticking_speed(runner: Any, fall: Number) -> Number:
     """Up to which |v_t| an impact with |v_n| = `fall` comes to rest."""
-    if not runner.fades:
-        return static_friction(runner) * fall
-    rise = -(runner.static_ratio - 1) * (-(runner.friction * fall) / runner.fading_speed).expm1()
-    return runner.friction * fall + runner.fading_speed * rise.log1p()
+    return static_friction(runner) * fall
 
 
 # ---- motion --------------------------------------------------------------------------------------------
@@ -116,13 +107,13 @@ def foot_acceleration(runner: Any, mode: Mode, at: Any, axial: Number, across: N
     """Of a foot on the ground along the line, in slip and graze: m_f a = p + f_t, where f_t = -s mu f_n."""
     pushed = push(runner, at, axial, across)
     if mode.contact == "slip":
-        held = sliding_friction(runner, at) * normal_force(runner, at, axial, across)
-        pushed = pushed - held if mode.sign > 0 else pushed + held
-    return pushed / runner.foot_mass
+        sliding = friction.sliding(runner.inputs, mode.sign)
+        pushed = pushed - friction.sliding_force(sliding, normal_force(runner, at, axial, across))
+    return pushed * runner.inverse_foot_mass
 
 
 def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
-    """Time derivatives of what moves in the mode, with those of sine, cosine and fading (8).
+    """Time derivatives of what moves in the mode, with those of sine and cosine (8).
 
     rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = theta.(a_body - a_foot) - 2 rdot thetadot, with
     u = (-sin, cos) and theta = (-cos, -sin).
@@ -146,8 +137,6 @@ def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
         along_leg = along_leg + at.sine * acceleration
         across_leg = across_leg + at.cosine * acceleration
         changes["foot_speed"] = acceleration
-        if mode.contact == "slip" and runner.fades:
-            changes["fading"] = at.fading * acceleration * (-mode.sign / runner.fading_speed)
     turn = at.length * at.angle_rate
     changes |= {
         "length": at.length_rate,
@@ -200,10 +189,15 @@ def foot_height(runner: Any, at: Any) -> Number:
 
 def kick(at: Any, lost_along: Number, lost_off: Number) -> Record:
     """Rates of the leg after an impact that takes a velocity from the foot and leaves the body its own."""
-    return Record(
-        length_rate=at.length_rate - at.sine * lost_along + at.cosine * lost_off,
-        angle_rate=at.angle_rate - (at.cosine * lost_along + at.sine * lost_off) / at.length,
+    state = Record(
+        leg_length=at.length,
+        leg_length_rate=at.length_rate,
+        leg_angle_rate=at.angle_rate,
+        foot_vx=lost_along,
+        foot_vy=lost_off,
     )
+    rates_after = coordinates.leg_rates_with_foot(state, at, 0, 0)
+    return Record(length_rate=rates_after.length, angle_rate=rates_after.angle)
 
 
 def rise(runner: Any, along: Number, off: Number) -> Number:

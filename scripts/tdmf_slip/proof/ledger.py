@@ -4,6 +4,7 @@ from typing import Any
 
 from flint import arb
 
+from ..equations import leg
 from . import laws
 from .flow import Flow, Values
 from .modes import Mode
@@ -60,7 +61,7 @@ class Ledger:
         if before.thrusts != after.thrusts:
             length = entered.values["length"]
             old, new = laws.rest_length(self.runner, before), laws.rest_length(self.runner, after)
-            self.leg_work += self.runner.stiffness * (new - old) * (new + old - 2 * length) / 2
+            self.leg_work += leg.work_of_jump(self.runner.stiffness, length, old, new)
 
     def quantities(self, period: arb) -> dict[str, arb]:
         """Of the whole stride, by the names of the unit's group `stride`, and the angle at lift-off."""

@@ -16,7 +16,23 @@ def greatest(values: list[arb]) -> arb:
     return found.upper()
 
 
-def norm(matrix: arb_mat) -> arb:
-    """An upper bound of the largest sum of absolute values in a row."""
-    rows, columns = matrix.nrows(), matrix.ncols()
-    return greatest([sum((abs(matrix[i, j]) for j in range(columns)), arb(0)).upper() for i in range(rows)])
+def norm(matrix: arb_mat, weights: list[arb]) -> arb:
+    """An upper bound of the largest weighted sum of absolute values in a row.
+
+    Parameters
+    ----------
+    matrix : arb_mat, shape (n, n)
+        Of which.
+    weights : list of arb, shape (n,)
+        The norm is that of D^-1 A D with these on the diagonal of D.
+
+    Returns
+    -------
+    arb
+        Without radius.
+    """
+    size = matrix.nrows()
+    rows = (
+        sum((abs(matrix[i, j]) * weights[j] for j in range(size)), arb(0)) / weights[i] for i in range(size)
+    )
+    return greatest([row.upper() for row in rows])

@@ -13,6 +13,8 @@ from .modes import PARAMETER
 
 LONGEST_STEP = 1.0
 """In units of sqrt(m/k)."""
+MOST_TURNS = 10.0
+"""Of a step, over the leg's fastest rate in flight: for longer ones no bound of the variations holds."""
 
 
 class Parameters:
@@ -54,23 +56,21 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
     sine, cosine = slope.sin(), slope.cos()
     body, foot, gravity = of["body.mass"], of["foot.mass"], of["gravity"]
     push_x, push_y = of["body.external_fx"], of["body.external_fy"]
-    fades = (
-        "ground.stribeck_velocity" in exact
-        and matters("ground.stribeck_velocity")
-        and matters("ground.static_friction_ratio", 1)
-    )
-    thrust = of["leg.thrust"] + of["control.thrust"]
+    mobility = value_of(1 / body + 1 / foot)
+    stiffness, damping = value_of(of["leg.stiffness"]), value_of(of["leg.damping"])
+    swing = float((stiffness * mobility).sqrt())
     time = float((value_of(body) / value_of(of["leg.stiffness"])).sqrt())
     length = float(value_of(of["leg.free_length"]))
+    model = Record(parameters=nested(of))
     return Record(
-        free_length=of["leg.free_length"],
+        model=model,
+        inputs=model.parameters,
         least_length=of["leg.min_length"],
-        extension=of["leg.extension"],
-        thrust=thrust if value_of(thrust) > 0 else arb(0),
-        has_thrust=matters("leg.thrust") or matters("control.thrust"),
+        has_thrust=bool(value_of(of["leg.thrust"] + of["control.thrust"]) > 0),
         stiffness=of["leg.stiffness"],
-        damping=of["leg.damping"],
-        foot_mass=foot,
+        inverse_foot_mass=1 / foot,
+        foot_weight_along=foot * gravity * sine,
+        foot_weight_off=foot * gravity * cosine,
         inverse_body_mass=1 / body,
         mobility=1 / body + 1 / foot,
         total_mass=body + foot,
@@ -84,22 +84,12 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         slope=slope,
         slope_sine=sine,
         slope_cosine=cosine,
-        friction=of["ground.friction"],
-        static_ratio=of["ground.static_friction_ratio"],
         is_stickier=matters("ground.static_friction_ratio", 1),
-        fades=fades,
-        fading_speed=of["ground.stribeck_velocity"] if fades else None,
-        stance_torque=of["hip.stance_torque"] + of["control.stance_torque"],
-        external_torque=of["hip.external_torque"],
-        touchdown_angle=of["hip.touchdown_angle"] + of["control.touchdown_angle"],
-        retraction_rate=of["hip.retraction_rate"],
         retracts=matters("hip.retraction_rate"),
-        kp=of["hip.kp"],
-        kd=of["hip.kd"],
         has_servo=matters("hip.kp") or matters("hip.kd"),
-        liftoff_factor=of["hip.liftoff_angle_factor"],
         varied=varied is not None,
-        longest_step=LONGEST_STEP * time,
+        longest_step=min(LONGEST_STEP * time, MOST_TURNS / (swing + float(damping * mobility))),
+        swing=swing,
         energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
         scales={
             "length": length,
@@ -111,3 +101,17 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
             "off": length / time,
         },
     )
+
+
+def nested(of: Mapping[str, Number]) -> Any:
+    """Numbers by the paths of their names, as the pages of laws take them."""
+    record = Record()
+    for name, number in of.items():
+        *path, last = name.split(".")
+        inner = record
+        for step in path:
+            if not hasattr(inner, step):
+                setattr(inner, step, Record())
+            inner = getattr(inner, step)
+        setattr(inner, last, number)
+    return record

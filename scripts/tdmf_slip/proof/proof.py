@@ -86,7 +86,7 @@ def assumptions() -> list[str]:
     return [
         f"the ball arithmetic of FLINT {flint.__FLINT_VERSION__}, under python-flint {flint.__version__}, "
         "encloses as it is documented to",
-        "the model's laws are those that tdmf_slip.proof.laws and tdmf_slip.proof.transitions state",
+        "the model's laws are those of c_core/equations, and of tdmf_slip.proof.laws and transitions",
         "Python runs the prover as it is written",
     ]
 

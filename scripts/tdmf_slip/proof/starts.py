@@ -30,7 +30,12 @@ class Starts:
     """Points, shape (6,) or with what is varied (7,)."""
     radii: Sequence[arb]
     """Around them."""
+    tilt: Sequence[arb] = ()
+    """Points: by how much the centre moves for each unit of what is varied, shape (6,) or none."""
 
     def balls(self) -> list[arb]:
         """All of them."""
-        return [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]
+        found = [c + arb(0, r) for c, r in zip(self.centre, self.radii, strict=True)]
+        for i, slope in enumerate(self.tilt):
+            found[i] += slope * arb(0, self.radii[6])
+        return found

@@ -276,7 +276,7 @@ def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> lis
         One for each number.
     """
     numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
-    found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, mode, numbers)))
+    found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, numbers)))
     return [arb(slope_of(found, of)) for of in values]
 
 

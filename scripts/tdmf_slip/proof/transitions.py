@@ -53,7 +53,7 @@ class Transition:
         self.kind = forced.kind if forced is not None else ""
         self.forced_sign = forced.sign if forced is not None else 0
         self.margin: Number | None = None
-        self.at = Record(**with_direction(runner, mode, values))
+        self.at = Record(**with_direction(runner, values))
         self.speed: Number = arb(0)
         self.zeros: dict[str, int] = {}
         self.touched = False
@@ -157,8 +157,7 @@ class Transition:
 
     def _onset(self, sign: int) -> Entered:
         """At the edge of the cone the foot is at rest and not accelerated, if friction does not jump."""
-        jumps = self.runner.is_stickier and not self.runner.fades
-        self.zeros["end of slip"] = 1 if jumps else 2
+        self.zeros["end of slip"] = 1 if self.runner.is_stickier else 2
         self.speed = arb(0)
         return self._enter(replace(self.mode, contact="slip", sign=sign))
 
@@ -168,7 +167,7 @@ class Transition:
 
     def _mid_stance(self) -> Entered:
         upright = {**vars(self.at), "angle": arb(0)}
-        self.at = Record(**with_direction(self.runner, self.mode, upright))
+        self.at = Record(**with_direction(self.runner, upright))
         mode = self.mode = replace(self.mode, drives=False)
         if mode.contact == "graze":
             return self._resume()
@@ -222,7 +221,7 @@ class Transition:
         if (
             mode.clamped or not runner.has_servo
         ) and not self.mode.drives:  # both laws are the torque from outside
-            self.zeros["touchdown"] = 3
+            self.zeros["touchdown"] = self._order_of_rise()
             return self._fly(mode)
         excess = laws.flight_torque(runner, mode, self.at) - laws.stance_torque(runner, self.mode)
         pressing = -(excess * self.at.sine) - NARROWEST_GRAZE * runner.energy_scale
@@ -248,8 +247,12 @@ class Transition:
         return self._enter(mode)
 
     def _flight(self) -> Entered:
-        self.zeros["touchdown"] = 3
+        self.zeros["touchdown"] = self._order_of_rise()
         return self._fly(self.mode)
+
+    def _order_of_rise(self) -> int:
+        """Of the foot's height, where no force acts on it yet: thrust that ends pulls it up at once."""
+        return 2 if self.runner.has_thrust and self.mode.thrusts else 3
 
     def _fly(self, mode: Mode) -> Entered:
         flown = laws.fly(self.runner, self.at, self.speed)

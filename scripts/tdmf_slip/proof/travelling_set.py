@@ -62,6 +62,8 @@ class SetTraveller(Traveller):
             self.dual = parameters.balls(whole, dual=True)
             self.ledger = Ledger(self.wide)
             numbers = seeds(balls, self.columns)
+            for number, slope in zip(numbers, starts.tilt, strict=False):
+                number.gradient = {**number.gradient, PARAMETER: slope}
             begun = motion_at(self.dual, numbers[:6], numbers[6] if self.varied else None)
             self.offset = arb_mat(len(balls), 1, [arb(0, radius) for radius in starts.radii])
             self.spread = Spread(self._slopes(begun, self.names, self.columns))

@@ -1,6 +1,6 @@
 """One step with the derivative of its end by its start.
 
-The derivative V solves V' = A V along the tube; with norms, the part that its polynomial leaves out is below
+The derivative V solves V' = A V along the tube; with weighted norms, what its polynomial leaves out is below
 (|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2)), where H is what A V has beyond t^N and B is A's
 remainder.
 """
@@ -13,7 +13,7 @@ from flint import arb, arb_mat, arb_poly
 from .dual import Dual, slope_of, value_of
 from .flow import Flow, fall
 from .laws import rates
-from .matrices import greatest, identity, norm
+from .matrices import identity, norm
 from .modes import BALLISTIC, PARAMETER, kept_names, moving_names
 from .tube import Tube
 
@@ -43,8 +43,6 @@ class VariedFlow(Flow):
         turn = {"angle": one} | slopes_of_slope(self.dual_runner)
         numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
         numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
-        if "fading" in tubes:
-            numbers["fading"] = self._fading(numbers["foot_speed"])
         found = rates(self.dual_runner, self.mode, Record(**numbers))
         size, zero = len(self.active), arb(0)
         entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
@@ -53,17 +51,17 @@ class VariedFlow(Flow):
             arb_mat(size, size, [c[k] if k < len(c) else zero for row in rows for c in row])
             for k in range(self.degree + 1)
         ]
-        sums = [sum((abs(remainder_of(entry)) for entry in row), zero).upper() for row in entries]
-        return matrices, greatest(sums)
+        rest = arb_mat(size, size, [abs(remainder_of(entry)) for row in entries for entry in row])
+        return matrices, norm(rest, self._weights())
 
-    def _fading(self, speed: Dual) -> Dual:
-        """e^(-s v/v_s) by the foot's speed and by what is varied."""
-        exponent = speed * (-self.mode.sign / self.dual_runner.fading_speed)
-        fading = self.tubes["fading"]
-        return Dual(fading, {name: fading * slope for name, slope in exponent.gradient.items()})
+    def _weights(self) -> list[arb]:
+        """Of what moves, in the norm, so that a fast swing is as large one way as the other."""
+        swing = arb(self.runner.swing)
+        return [swing if name.endswith(("_rate", "_speed")) else arb(1) for name in self.active]
 
     def _solve(self, of_rates: tuple[list[arb_mat], arb]) -> None:
         matrices, rest = of_rates
+        weights = self._weights()
         size, degree, reach = len(self.active), self.degree, self.reach
         found = [identity(size)]
         for k in range(degree + 1):
@@ -71,8 +69,8 @@ class VariedFlow(Flow):
             for i in range(1, k + 1):
                 total = total + matrices[i] * found[k - i]
             found.append(total / (k + 1))
-        last = norm(found.pop())
-        sizes, solved = [norm(m) for m in matrices], [norm(m) for m in found]
+        last = norm(found.pop(), weights)
+        sizes, solved = ([norm(m, weights) for m in row] for row in (matrices, found))
         beyond = (arb_poly(sizes) * arb_poly(solved)).right_shift(degree + 1)(reach)
         all_rates = arb_poly(sizes)(reach) + reach ** (degree + 1) * rest
         contraction = reach * all_rates / (degree + 2)
@@ -85,10 +83,12 @@ class VariedFlow(Flow):
         """The derivative of the motion at a time by its start, rows and columns in the order of `names`."""
         names, size = self.names, len(self.active)
         whole = identity(len(names))
-        error = arb(0, (abs(time).upper() ** (self.degree + 1) * self.rest).upper())
+        error, weights = abs(time).upper() ** (self.degree + 1) * self.rest, self._weights()
         for i in range(size):
             for j in range(size):
-                whole[i, j] = self.entries[i * size + j](time) + error
+                whole[i, j] = self.entries[i * size + j](time) + arb(
+                    0, (error * weights[i] / weights[j]).upper()
+                )
         if self.mode.contact == "flight":
             height, along, off = (names.index(name) for name in BALLISTIC)
             whole[height, off] = time
