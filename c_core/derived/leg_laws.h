@@ -51,9 +51,7 @@ static inline double tdmf_vary_rest_length(const tdmf_model *model, const tdmf_i
     return d_model->parameters.leg.free_length + d_inputs->leg.extension;
 }
 
-/* What every force and acceleration is made of.
- *
- * A solver may try lengths at or below zero on its way past a fall; 1/r stays finite there. */
+/* What every force and acceleration is made of; `bounded_length` is r where that is a leg's. */
 static inline tdmf_leg tdmf_leg_with(const tdmf_model *model, const tdmf_ground_line *line,
                                      const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
                                      double rest_length) {

@@ -35,16 +35,18 @@ def axial_force(stiffness, damping, rest_length, length, length_rate):
     return stiffness * (rest_length - length) - damping * length_rate
 
 
-def evaluate(model, line, state, direction, rest_length):
-    """What every force and acceleration is made of.
+def bounded_length(model, state):
+    """r, but no less than half of the least: a solver may try zero and less on its way past a fall."""
+    return larger(state.leg_length, model.parameters.leg.min_length / 2)
 
-    A solver may try lengths at or below zero on its way past a fall; 1/r stays finite there.
-    """
+
+def evaluate(model, line, state, direction, rest_length, bounded_length):
+    """What every force and acceleration is made of; `bounded_length` is r where that is a leg's."""
     leg = model.parameters.leg
     over_ground = direction_over(line, direction)
     return Record(
         length=state.leg_length,
-        inverse_length=1 / larger(state.leg_length, leg.min_length / 2),
+        inverse_length=1 / bounded_length,
         length_rate=state.leg_length_rate,
         angle_rate=state.leg_angle_rate,
         sine=direction.sine,

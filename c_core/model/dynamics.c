@@ -88,13 +88,25 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
 /* ---- how the ground force changes --------------------------------------------------------------------- */
 
 tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
+    static const tdmf_model unchanged = {0};
+    static const tdmf_inputs inputs_held = {0};
+    static const tdmf_mode held = {0};
     const tdmf_leg_rates acceleration = tdmf_accelerate_leg(at);
-    const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = at->leg.length_rate,
-                                            [TDMF_LEG_ANGLE] = at->leg.angle_rate,
+    const tdmf_leg *leg = &at->leg;
+    const tdmf_leg_direction direction = {leg->sine, leg->cosine};
+    const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = leg->length_rate,
+                                            [TDMF_LEG_ANGLE] = leg->angle_rate,
                                             [TDMF_LEG_LENGTH_RATE] = acceleration.length,
                                             [TDMF_LEG_ANGLE_RATE] = acceleration.angle};
-    const tdmf_direction motion = tdmf_direction_of_motion(rates);
-    return tdmf_vary_evaluation(at, &motion).force;
+    const tdmf_leg rate_of_leg =
+        tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, leg->rest_length, leg,
+                           &unchanged, &held.ground, rates, 0.0);
+    const double rate_of_torque = tdmf_vary_torque_in(at->model, at->inputs, at->mode, at->state, leg,
+                                                      tdmf_is_upright(leg), tdmf_least_sine(leg), at->torque,
+                                                      &unchanged, &inputs_held, &held, rates, &rate_of_leg);
+    return tdmf_vary_force_in(at->model, at->inputs, &at->mode->ground, leg, at->torque, at->mode->contact,
+                              tdmf_sign_of_slip(at->mode), &unchanged, &inputs_held, &held.ground,
+                              &rate_of_leg, rate_of_torque);
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

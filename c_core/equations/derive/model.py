@@ -158,6 +158,7 @@ def leg_laws() -> str:
                     state,
                     along_leg(state),
                     rest_length,
+                    leg.bounded_length(model, state),
                 ),
                 fixed=("direction",),
                 result="leg",

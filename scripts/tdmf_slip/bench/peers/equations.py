@@ -1,15 +1,19 @@
-"""The stride of the published gait at friction 0.6, as a peer has to know it: equations, guards and resets.
+"""The stride of the published gait at friction 0.6, as a peer has to know it, by the model's own equations.
 
-Table 1 in units m = k = l0 = 1. The sequence of modes is given, which spares a peer all of the mode logic.
+Table 1 in units m = k = l0 = 1, on level ground. The sequence of modes is given, which spares a peer all of
+the mode logic.
 """
 
 import math
 from collections.abc import Callable, Sequence
-from types import ModuleType
+from types import SimpleNamespace as Record
 from typing import Any, TypeAlias
 
-BODY, FOOT = 1.0, 0.1
-STIFFNESS, DAMPING, GRAVITY = 1.0, 0.2, 0.01
+import numpy as np
+
+from ...equations import coordinates, dynamics, free_fall, functions, ground_force, hip, leg, runner
+from ...equations import impact as impact_law
+
 STANCE_TORQUE, KP, KD, LIFTOFF_FACTOR = 0.2, 0.1, 0.1, 1.2
 TOUCHDOWN_ANGLE = math.radians(40.0)
 FRICTION = 0.6
@@ -22,9 +26,42 @@ Function: TypeAlias = Callable[[Number], Number]
 ARMED = 1e-13
 """Offset of a guard that starts at zero."""
 
+_NAMES = (
+    "foot_x",
+    "foot_y",
+    "leg_length",
+    "leg_angle",
+    "foot_vx",
+    "foot_vy",
+    "leg_length_rate",
+    "leg_angle_rate",
+)
+_MODEL = Record(
+    parameters=Record(
+        body=Record(mass=1.0), foot=Record(mass=0.1), leg=Record(stiffness=1.0, damping=0.2), gravity=0.01
+    ),
+    **vars(runner.derived(1.0, 0.1)),
+)
+_LEVEL = Record(height=0.0, slope=0.0, sine=0.0, cosine=1.0)
+_NO_PUSH = Record(x=0.0, y=0.0)
+functions.serve(np.ndarray, np)
+
+
+def _state(state: State) -> Any:
+    return Record(**dict(zip(_NAMES, state, strict=True)))
+
+
+def _inputs(friction: Number) -> Any:
+    return Record(ground=Record(friction=friction))
+
+
+def _leg(state: Any) -> Any:
+    direction = leg.direction(state.leg_angle)
+    return leg.evaluate(_MODEL, _LEVEL, state, direction, 1.0, state.leg_length)
+
 
 def accelerations(
-    mode: str, state: State, torque: Number, friction: Number, sin: Function, cos: Function
+    mode: str, state: State, torque: Number, friction: Number
 ) -> tuple[Number, Number, Number, Number]:
     """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols.
 
@@ -38,71 +75,64 @@ def accelerations(
         Of the hip, but in graze.
     friction : number
         With the sign of the foot's velocity; in slip.
-    sin : callable
-        The sine to use.
-    cos : callable
-        The cosine to use.
     """
-    _, _, r, theta, _, _, r_rate, theta_rate = state
-    sine, cosine = sin(theta), cos(theta)
-    axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
-    across = (axial * cosine + FOOT * GRAVITY) / sine if mode == "graze" else torque / r
-    normal = axial * cosine - across * sine + FOOT * GRAVITY
-    tangential = axial * sine + across * cosine
-    forces = {"flight": tangential, "stick": 0.0 * r, "slip": tangential - friction * normal}
-    ax = forces.get(mode, tangential) / FOOT
-    ay = (-axial * cosine + across * sine) / FOOT - GRAVITY if mode == "flight" else 0.0 * r
-    body_along = axial / BODY - GRAVITY * cosine
-    body_across = across / BODY + GRAVITY * sine
-    r_acceleration = r * theta_rate * theta_rate + body_along + ax * sine - ay * cosine
-    theta_acceleration = (body_across + ax * cosine + ay * sine - 2.0 * r_rate * theta_rate) / r
-    return ax, ay, r_acceleration, theta_acceleration
+    at = _leg(_state(state))
+    total = ground_force.graze_torque(_MODEL, _LEVEL, at, False, None) if mode == "graze" else torque
+    force = ground_force.in_mode(_MODEL, _inputs(friction), _LEVEL, at, total, mode, 1)
+    foot = dynamics.foot_acceleration(_MODEL, _LEVEL, at, total, force, mode)
+    fall = free_fall.of_body(_MODEL, _NO_PUSH)
+    of_leg = dynamics.leg_acceleration(_MODEL, at, total, fall, foot)
+    return foot.x, foot.y, of_leg.length, of_leg.angle
 
 
-def sticking_force(state: State, torque: Number, sin: Function, cos: Function) -> tuple[Number, Number]:
+def sticking_force(state: State, torque: Number) -> tuple[Number, Number]:
     """Ground force (f_x, f_y) on a foot that stays in place."""
-    _, _, r, theta, _, _, r_rate, _ = state
-    axial = STIFFNESS * (1.0 - r) - DAMPING * r_rate
-    sine, cosine = sin(theta), cos(theta)
-    return -axial * sine - torque / r * cosine, axial * cosine - torque / r * sine + FOOT * GRAVITY
+    force = ground_force.under(_MODEL, _LEVEL, _leg(_state(state)), torque)
+    return force.tangential, force.normal
 
 
-def servo(state: State, target: Number) -> Number:
+def servo(state: State, gain: Number, target: Number, rate_gain: Number) -> Number:
     """Torque of the flight law towards an angle."""
-    return -KP * (state[3] - target) - KD * state[7]
+    law = Record(gain=gain, target=target, rate_gain=rate_gain, torque=0.0)
+    return hip.torque(law, state[3], state[7])
 
 
-def vertical_velocity(state: State, sin: Function, cos: Function) -> Number:
+def _center(state: State) -> Any:
+    at = _state(state)
+    return coordinates.center_of_mass(_MODEL, at, leg.direction(at.leg_angle))
+
+
+def vertical_velocity(state: State) -> Number:
     """Vertical velocity of the centre of mass."""
-    _, _, r, theta, _, vy, r_rate, theta_rate = state
-    return vy + BODY / (BODY + FOOT) * (r_rate * cos(theta) - r * theta_rate * sin(theta))
+    return _center(state).vy
 
 
-def impact(state: State, maths: ModuleType = math) -> list[Number]:
-    """The state after an impact that slips forward. `maths` has sin and cos for what the state is made of."""
-    x, _, r, theta, vx, vy, r_rate, theta_rate = state
-    sine, cosine = maths.sin(theta), maths.cos(theta)
-    body_vx = vx - r_rate * sine - r * theta_rate * cosine
-    body_vy = vy + r_rate * cosine - r * theta_rate * sine
-    foot_vx = vx - FRICTION * abs(vy)
-    relative = body_vx - foot_vx
-    along, across = -relative * sine + body_vy * cosine, -relative * cosine - body_vy * sine
-    return [x, 0.0 * r, r, theta, foot_vx, 0.0 * r, along, across / r]
+def impact(state: State) -> list[Number]:
+    """The state after an impact that slips forward."""
+    at = _state(state)
+    after = impact_law.after(_MODEL, _inputs(FRICTION), _LEVEL, at, leg.direction(at.leg_angle), 1.0, False)
+    return [
+        after.foot_x,
+        after.foot_y,
+        at.leg_length,
+        at.leg_angle,
+        after.foot_vx,
+        after.foot_vy,
+        after.leg_length_rate,
+        after.leg_angle_rate,
+    ]
 
 
-def apex(state: State, maths: ModuleType = math) -> list[Number]:
+def apex(state: State) -> list[Number]:
     """Section of an apex: height and speed of the centre of mass, and the leg."""
-    _, y, r, theta, vx, _, r_rate, theta_rate = state
-    share = BODY / (BODY + FOOT)
-    speed = vx - share * (r_rate * maths.sin(theta) + r * theta_rate * maths.cos(theta))
-    return [y + share * r * maths.cos(theta), speed, r, theta, r_rate, theta_rate]
+    center = _center(state)
+    return [center.y, center.vx, state[2], state[3], state[6], state[7]]
 
 
-def start(section: State, maths: ModuleType = math) -> list[Number]:
-    """The state at an apex."""
+def start(section: State) -> list[Number]:
+    """The state at an apex, whose foot is at x = 0."""
     height, speed, r, theta, r_rate, theta_rate = section
-    share = BODY / (BODY + FOOT)
-    sine, cosine = maths.sin(theta), maths.cos(theta)
-    vx = speed + share * (r_rate * sine + r * theta_rate * cosine)
-    vy = -share * (r_rate * cosine - r * theta_rate * sine)
-    return [0.0 * r, height - share * r * cosine, r, theta, vx, vy, r_rate, theta_rate]
+    hanging = _state([0.0, 0.0, r, theta, 0.0, 0.0, r_rate, theta_rate])
+    center = Record(x=0.0, y=height, vx=speed, vy=0.0)
+    foot = coordinates.foot_below(_MODEL, center, hanging, leg.direction(theta))
+    return [0.0 * r, foot.y, r, theta, foot.vx, foot.vy, r_rate, theta_rate]

@@ -8,9 +8,12 @@ import heyoka as hy
 import numpy as np
 from numpy.typing import NDArray
 
+from ...equations import functions
 from ...library.section import Apex
 from . import equations as eq
 from . import sequence
+
+functions.serve(hy.expression, hy)
 
 
 def _system(name: str) -> tuple[list[Any], list[Any]]:
@@ -18,9 +21,9 @@ def _system(name: str) -> tuple[list[Any], list[Any]]:
     state = hy.make_vars(*eq.STATES)
     parameters = [hy.par[i] for i in range(sequence.PARAMETERS)]
     torque = sequence.torque_of(name, state, parameters)
-    accelerations = eq.accelerations(sequence.mode_of(name), state, torque, parameters[1], hy.sin, hy.cos)
+    accelerations = eq.accelerations(sequence.mode_of(name), state, torque, parameters[1])
     rates = [*state[4:], *accelerations]
-    guards = sequence.guards_of(name, state, parameters, hy.sin, hy.cos)
+    guards = sequence.guards_of(name, state, parameters)
     return [(state[i], rates[i]) for i in sequence.MOVING[name]], guards
 
 
@@ -113,4 +116,4 @@ class BatchPeer:
 
     def strides(self, sections: NDArray[np.float64]) -> NDArray[np.float64]:
         """The apices after one stride, one to a row; as many as there are lanes."""
-        return sequence.stride(list(sections.T), self._run, np).T
+        return sequence.stride(list(sections.T), self._run).T

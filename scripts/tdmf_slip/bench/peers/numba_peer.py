@@ -1,9 +1,10 @@
-"""The stride as one writes it by hand and compiles with Numba: DOP853's pair, events by the secant method.
+"""The equations, compiled by Numba in a loop written by hand: DOP853's pair, events by the secant method.
 
 The tableau is SciPy's. A step over which a guard falls to zero is repeated, shorter, until it ends at the
 event: simple, and what most people do.
 """
 
+import math
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
+from ...equations.derive.expressions import c_text, forget, lift, symbol, trace
 from ...library.section import Apex
 from . import equations as eq
 from . import sequence
@@ -30,61 +32,41 @@ Vector: TypeAlias = NDArray[np.float64]
 _jit = numba.njit(cache=False, error_model="numpy", fastmath=False)
 
 
-def _compiled_modes() -> tuple[Any, Any]:
-    """Right-hand side and guards by the number of the mode in `NAMES`."""
-    body, foot, stiffness, damping, gravity = eq.BODY, eq.FOOT, eq.STIFFNESS, eq.DAMPING, eq.GRAVITY
-    kp, kd, armed = eq.KP, eq.KD, eq.ARMED
+def _written(name: str, of_mode: Any) -> Any:
+    """A function of one mode, (state, parameters, out), written from the equations and compiled."""
+    forget()
+    state = [symbol(f"s[{i}]", read) for i, read in enumerate(eq.STATES)]
+    parameters = [symbol(f"p[{i}]", f"p{i}") for i in range(sequence.PARAMETERS)]
+    results = [lift(result) for result in trace(of_mode, name, state, parameters)]
+    text = "".join(f" out[{i}] = {c_text(result, lambda _: None)}\n" for i, result in enumerate(results))
+    names: dict[str, Any] = {}
+    exec(f"def of_mode(s, p, out):\n{text} return {len(results)}", {"sin": math.sin, "cos": math.cos}, names)
+    return _jit(names["of_mode"])
+
+
+def _rates_of(name: str, state: Sequence[Any], parameters: Sequence[Any]) -> list[Any]:
+    torque = sequence.torque_of(name, state, parameters)
+    return [*state[4:], *eq.accelerations(sequence.mode_of(name), state, torque, parameters[1])]
+
+
+def _compiled_modes(of_mode: Any) -> Any:
+    """The function of all modes, by the number of the mode in `NAMES`."""
+    place, retract, stick, slip, graze = (_written(name, of_mode) for name in NAMES)
 
     @_jit
-    def rates(mode: int, s: Vector, p: Vector, out: Vector) -> None:
-        sine, cosine = np.sin(s[3]), np.cos(s[3])
-        axial = stiffness * (1.0 - s[2]) - damping * s[6]
-        flies = mode <= 1
-        torque = -p[0] * (s[3] - p[1]) - p[2] * s[7] if flies else p[0]
-        across = (axial * cosine + foot * gravity) / sine if mode == 4 else torque / s[2]
-        normal = axial * cosine - across * sine + foot * gravity
-        tangential = axial * sine + across * cosine
-        ax = 0.0
-        if mode == 3:
-            ax = (tangential - p[1] * normal) / foot
-        elif mode != 2:
-            ax = tangential / foot
-        ay = (-axial * cosine + across * sine) / foot - gravity if flies else 0.0
-        out[0:4] = s[4:8]
-        out[4], out[5] = ax, ay
-        out[6] = s[2] * s[7] * s[7] + axial / body - gravity * cosine + ax * sine - ay * cosine
-        turn = across / body + gravity * sine + ax * cosine + ay * sine
-        out[7] = (turn - 2.0 * s[6] * s[7]) / s[2]
-
-    @_jit
-    def guards(mode: int, s: Vector, p: Vector, out: Vector) -> int:
-        sine, cosine = np.sin(s[3]), np.cos(s[3])
-        axial = stiffness * (1.0 - s[2]) - damping * s[6]
-        servo = -kp * (s[3] - p[1]) - kd * s[7]
-        torque = servo if mode == 4 else p[0]
-        normal = axial * cosine - torque / s[2] * sine + foot * gravity
-        tangential = -axial * sine - torque / s[2] * cosine
+    def of_number(mode: int, s: Vector, p: Vector, out: Vector) -> int:
         if mode == 0:
-            out[0] = s[1]
-            return 1
+            return int(place(s, p, out))
         if mode == 1:
-            out[0] = s[5] + body / (body + foot) * (s[6] * cosine - s[2] * s[7] * sine)
-            out[1] = p[3] * servo + armed
-            return 2
-        if mode == 4:
-            out[0] = normal
-            return 1
-        if mode == 3:
-            out[0], out[1], out[2] = s[4] * p[2] + armed, s[3] + p[3], normal
-            return 3
-        out[0], out[1] = p[1] * normal - tangential, p[1] * normal + tangential
-        out[2], out[3] = s[3] + p[3], normal
-        return 4
+            return int(retract(s, p, out))
+        if mode == 2:
+            return int(stick(s, p, out))
+        return int(slip(s, p, out)) if mode == 3 else int(graze(s, p, out))
 
-    return rates, guards
+    return of_number
 
 
-_rates, _guards = _compiled_modes()
+_rates, _guards = _compiled_modes(_rates_of), _compiled_modes(sequence.guards_of)
 
 
 @_jit

@@ -1,6 +1,5 @@
 """The stride as one writes it by SciPy: solve_ivp with terminal events, a call for each mode."""
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -34,18 +33,18 @@ class Peer:
             torque = sequence.torque_of(name, at, parameters)
             return [
                 *at[4:],
-                *eq.accelerations(mode, at, torque, parameters[1], math.sin, math.cos),
+                *eq.accelerations(mode, at, torque, parameters[1]),
             ]
 
         def guard(number: int) -> Any:
             def value(_: float, now: NDArray[np.float64]) -> Any:
-                return sequence.guards_of(name, now.tolist(), parameters, math.sin, math.cos)[number]
+                return sequence.guards_of(name, now.tolist(), parameters)[number]
 
             event: Any = value
             event.terminal, event.direction = True, -1.0
             return event
 
-        count = len(sequence.guards_of(name, state, parameters, math.sin, math.cos))
+        count = len(sequence.guards_of(name, state, parameters))
         run = solve_ivp(
             rates,
             (0.0, sequence.LONGEST),

@@ -1,15 +1,13 @@
 """The modes of the stride `+0-0+` in their order, which every peer is told."""
 
-import math
 from collections.abc import Callable
-from types import ModuleType
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import equations as eq
-from .equations import Function, Number, State
+from .equations import Number, State
 
 Run: TypeAlias = Callable[[str, State, State], tuple[list[Number], Number]]
 """Takes a mode's name, a state and parameters to the first guard; returns the state and which."""
@@ -51,27 +49,27 @@ def torque_of(name: str, state: State, parameters: State) -> Number:
     ground torque, friction, sign of the slip, and what keeps the guard of mid-stance away.
     """
     if mode_of(name) == "flight":
-        return -parameters[0] * (state[3] - parameters[1]) - parameters[2] * state[7]
+        return eq.servo(state, parameters[0], parameters[1], parameters[2])
     return parameters[0]
 
 
-def guards_of(name: str, state: State, parameters: State, sin: Function, cos: Function) -> list[Number]:
+def guards_of(name: str, state: State, parameters: State) -> list[Number]:
     """What falls to zero at the end of a mode."""
     if name == "place":
         return [state[1]]
     if name == "retract":
-        clamp = parameters[3] * eq.servo(state, parameters[1]) + eq.ARMED
-        return [eq.vertical_velocity(state, sin, cos), clamp]
+        clamp = parameters[3] * eq.servo(state, eq.KP, parameters[1], eq.KD) + eq.ARMED
+        return [eq.vertical_velocity(state), clamp]
     if name == "graze":
-        return [eq.sticking_force(state, eq.servo(state, parameters[1]), sin, cos)[1]]
-    tangential, normal = eq.sticking_force(state, parameters[0], sin, cos)
+        return [eq.sticking_force(state, eq.servo(state, eq.KP, parameters[1], eq.KD))[1]]
+    tangential, normal = eq.sticking_force(state, parameters[0])
     upright = state[3] + parameters[3]
     if name == "slip":
         return [state[4] * parameters[2] + eq.ARMED, upright, normal]
     return [parameters[1] * normal - tangential, parameters[1] * normal + tangential, upright, normal]
 
 
-def stride(section: State, run: Run, maths: ModuleType = math) -> NDArray[np.float64]:
+def stride(section: State, run: Run) -> NDArray[np.float64]:
     """The apex after one stride from an apex.
 
     Parameters
@@ -80,11 +78,9 @@ def stride(section: State, run: Run, maths: ModuleType = math) -> NDArray[np.flo
         Its coordinates; arrays of them for several runners.
     run : Run
         Takes a mode's name, a state and parameters to the first guard; returns the state and which.
-    maths : module, default math
-        Has sin and cos for what the section is made of.
     """
-    state, _ = run("place", eq.start(section, maths), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
-    state = eq.impact(state, maths)
+    state, _ = run("place", eq.start(section), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
+    state = eq.impact(state)
     for name, parameters in STANCE:
         state, guard = run(name, state, parameters)
         if name == "slip":
@@ -96,4 +92,4 @@ def stride(section: State, run: Run, maths: ModuleType = math) -> NDArray[np.flo
         state, guard = run("retract", state, parameters)
         if np.all(guard == 0):
             break
-    return np.array(eq.apex(state, maths))
+    return np.array(eq.apex(state))
