@@ -274,7 +274,7 @@ def test_a_solvers_trouble_is_not_called_a_fall(runner, monkeypatch):
 
 def test_what_cannot_be_found_is_said(runner):
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner fell"):
-        find_orbit(runner.but("leg.stiffness", 0.01))
+        find_orbit(runner.but("hip.stance_torque", 0.0))
     stiff = runner.but("hip.kd", 2.5e13)
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner is too stiff .* CVODE"):
         find_orbit(stiff)

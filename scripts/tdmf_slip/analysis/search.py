@@ -1,4 +1,4 @@
-"""The gait of a runner, wherever it begins: near a guess, by settling, or along the friction."""
+"""The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -12,6 +12,7 @@ from ..library.section import MODELS, Apex
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given
 from .continuation import gaits_over
+from .spread import search_from_spread
 
 
 def runner_by(runner: Runner, model: str | None) -> Runner:
@@ -67,7 +68,9 @@ def find_orbit(
 
     With a guess, the gait near it, by Newton's method on the return map. Without one, the gait that the
     runner settles on from its start values; where it falls or does not settle, the gait that is reached
-    along the friction from the unit's own.
+    along the friction from the unit's own; and where none is, one from starts all over the section that run
+    side by side, a stable one if there is, see `spread.search_from_spread`. These are always the same starts,
+    so that the same gait is found each time; the search takes a second or two.
 
     Parameters
     ----------
@@ -110,10 +113,23 @@ def find_orbit(
     try:
         return settled_orbit(runner, along=along)
     except RunError as problem:
-        found = _along_friction(runner, load(unit))
+        found, tried = _beyond_settling(runner, along, load(unit))
         if found is None:
-            raise problem from None
+            raise RunError(f"{problem}; {tried}: a guess near its apex helps where there is one") from None
         return found if along in (None, found.along) else orbit_near(runner, found.apex, along=along)
+
+
+def _beyond_settling(runner: Runner, along: Along | None, unit: Unit) -> tuple[Orbit | None, str]:
+    """A gait by the longer searches, or what was tried, in words."""
+    found = _along_friction(runner, unit)
+    if found is not None:
+        return found, ""
+    spread = search_from_spread(runner, along=along)
+    if spread.gaits:
+        return spread.gaits[0], ""
+    home = unit.start_of(FRICTION)
+    way = f"along the friction from {home:g}, nor " if runner.values[FRICTION] != home else ""
+    return None, f"none was found {way}from {spread}"
 
 
 def _along_friction(runner: Runner, unit: Unit) -> Orbit | None:

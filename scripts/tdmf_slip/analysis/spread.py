@@ -1,0 +1,220 @@
+"""Gaits from starts all over the section, side by side.
+
+Runners settle on stable gaits. Newton's method from where strides come back nearest finds unstable ones, too.
+"""
+
+import contextlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.ensemble import Case, run_ensemble
+from ..library.orbit import Orbit, orbit_near
+from ..library.return_map import Along
+from ..library.runner import Runner
+from ..library.strides import strides_from
+
+MOST_STRIDES = 150_000
+"""Of all runners of a search, about a second of two processors."""
+STARTS = 16_384
+"""That are drawn."""
+SEED = 2016
+"""Of the drawing: a search gives the same gait each time."""
+TOLERANCE = 1e-6
+"""Of a step, relative: where runners settle need not be known any better."""
+ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
+"""Strides before each look at how near to its start a stride comes back."""
+KEPT = 2_048
+"""Runners that go on after each look: those whose strides come back nearest."""
+PROMISING, MOST_TRIED = 12, 48
+"""Places from which Newton's method begins: after each look, and in the end of all looks together."""
+ITERATIONS, SHORTENINGS, GAIN, CLOSE = 16, 6, 0.9, 1e-6
+"""Of each, to within so much of the scales, as long as a step makes what is left smaller by this factor."""
+APART = 1e-2
+"""Over the scales: a place as near to one that was tried is not tried."""
+SAME = 1e-6
+"""Over the scales: gaits as near are one."""
+SETTLED = 1e-4
+"""Over the scales: a stride that comes back as near is next to a gait."""
+HEIGHTS, SPEEDS, ANGLES = (0.7, 1.3), (0.05, 3.0), (-1.2, 1.5)
+"""Least and largest height in l0, of low apexes; speed in l0 sqrt(k/m); angle of the leg in rad."""
+RISE = 0.6
+"""Largest vertical speed at lift-off, in l0 sqrt(k/m): apexes are as high as gravity lets it take them."""
+LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
+"""Of the leg, in l0, and of its turning, in sqrt(k/m)."""
+
+
+@dataclass(frozen=True)
+class Spread:
+    """What came of a search from starts all over the section."""
+
+    gaits: tuple[Orbit, ...]
+    """Different ones: those that runners settle on first, then by the size of their largest eigenvalue."""
+    starts: int
+    """So many were drawn."""
+    strides: int
+    """So many were made."""
+
+    def __str__(self) -> str:
+        """What was tried, in words."""
+        return f"{self.starts:,} starts all over the section, {self.strides:,} strides"
+
+
+def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
+    """Apexes all over the part of the section where gaits may be.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose.
+    count : int
+        How many.
+    seed : int, optional
+        Of the drawing.
+
+    Returns
+    -------
+    ndarray of float, shape (count, n)
+        In the order of the runner's `coordinates`.
+    """
+    source = np.random.default_rng(seed)
+    scales = runner.model.scales
+    weightless = scales.length / (scales.time**2 * runner.values["gravity"])
+    heights = source.uniform(*HEIGHTS, count) + 0.5 * weightless * source.uniform(0.0, RISE, count) ** 2
+    drawn = np.column_stack(
+        [
+            heights,
+            np.exp(source.uniform(np.log(SPEEDS[0]), np.log(SPEEDS[1]), count)),
+            source.uniform(*LENGTHS, count),
+            source.uniform(*ANGLES, count),
+            np.zeros(count),
+            source.uniform(*RATES, count),
+        ]
+    )
+    return drawn[:, : len(runner.coordinates)] * runner.scales
+
+
+def search_from_spread(
+    runner: Runner, *, along: Along | None = None, most_gaits: int = 1, most_strides: int = MOST_STRIDES
+) -> Spread:
+    """Gaits of a runner from starts all over the section, but for those that lead backwards.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+    along : str or mapping of str to float, optional
+        A parameter or input by which the next apex is differentiated, too; or a direction of several.
+    most_gaits : int, default 1
+        Stop after so many stable ones.
+    most_strides : int, optional
+        Of all runners together.
+
+    Returns
+    -------
+    Spread
+        With those that were found.
+    """
+    found = _Found(runner, along)
+    runs = _Runs(runner, starts_of(runner, STARTS), most_strides)
+    nearest: list[tuple[float, NDArray[np.float64]]] = []
+    for places, returns in runs.looks():
+        order = np.argsort(returns)[:PROMISING]
+        nearest += [(float(returns[k]), places[k]) for k in order]
+        for k in order[returns[order] < SETTLED]:
+            found.try_from(places[k])
+        if found.stable >= most_gaits:
+            break
+    else:
+        for _, place in sorted(nearest, key=lambda pair: pair[0]):
+            found.try_from(place)
+    gaits = sorted(found.gaits, key=lambda gait: (not gait.stable, gait.lambda_max))
+    return Spread(tuple(gaits), STARTS, runs.made + found.strides)
+
+
+class _Runs:
+    """Runners side by side."""
+
+    def __init__(self, runner: Runner, starts: NDArray[np.float64], most_strides: int) -> None:
+        self.runner, self.apexes, self.left, self.made = runner, starts, most_strides, 0
+
+    def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        """Places, and how near to them a stride from there comes back, over the scales: again and again."""
+        for strides in ROUNDS:
+            if strides:
+                self.apexes = self._after(strides)[1]
+            begins, ends = self._after(1)
+            if not len(ends):
+                return
+            returns = np.linalg.norm((ends - begins) / self.runner.scales, axis=1)
+            yield ends, returns
+            self.apexes = ends[np.argsort(returns)[:KEPT]]
+
+    def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Those apexes from which so many strides close, and the last ones; no more than may be made."""
+        apexes = self.apexes[: self.left // strides]
+        if not len(apexes):
+            return apexes, apexes
+        ends, work = run_ensemble([Case(self.runner)], apexes, most_strides=strides, tolerance=TOLERANCE)
+        self.left, self.made = self.left - work.strides, self.made + work.strides
+        closed = ends["strides"] == strides
+        return apexes[closed], ends["apex"][closed, : apexes.shape[1]]
+
+
+class _Found:
+    """Gaits by Newton's method from one place after the other."""
+
+    def __init__(self, runner: Runner, along: Along | None) -> None:
+        self.runner, self.along = runner, along
+        self.gaits: list[Orbit] = []
+        self.strides = 0
+        self._tried: list[NDArray[np.float64]] = []
+
+    @property
+    def stable(self) -> int:
+        """How many of them are."""
+        return sum(gait.stable for gait in self.gaits)
+
+    def try_from(self, place: NDArray[np.float64]) -> None:
+        """Once more, unless a place near this one was tried or is a gait's."""
+        if len(self._tried) >= MOST_TRIED or self._is_near(place, self._tried, APART):
+            return
+        self._tried.append(place)
+        with contextlib.suppress(InputError, RunError, np.linalg.LinAlgError):
+            near = self._approached(place)
+            if near is None or self._is_near(near, [gait.apex for gait in self.gaits], SAME):
+                return
+            gait = orbit_near(self.runner, near, along=self.along)
+            self.strides += gait.iterations + 1
+            known = [other.apex for other in self.gaits]
+            if gait.stride["length"] > 0.0 and not self._is_near(gait.apex, known, SAME):
+                self.gaits.append(gait)
+
+    def _is_near(
+        self, place: NDArray[np.float64], others: Sequence[NDArray[np.float64]], distance: float
+    ) -> bool:
+        return any(np.linalg.norm((place - other) / self.runner.scales) < distance for other in others)
+
+    def _approached(self, place: NDArray[np.float64]) -> NDArray[np.float64] | None:
+        """A place next to a gait; None as soon as Newton's method does not lead to one at a good pace."""
+        strides = self._strides_from(place)
+        for _ in range(ITERATIONS):
+            if strides.error < CLOSE:
+                return strides.apex
+            step = np.linalg.solve(np.eye(len(strides.apex)) - strides.jacobian, strides.left_over)
+            for shortening in range(SHORTENINGS):
+                with contextlib.suppress(RunError):
+                    further = self._strides_from(strides.apex + 0.5**shortening * step)
+                    if further.error < GAIN * strides.error:
+                        strides = further
+                        break
+            else:
+                return None
+        return None
+
+    def _strides_from(self, place: NDArray[np.float64]) -> Orbit:
+        self.strides += 1
+        return strides_from(self.runner, place)
