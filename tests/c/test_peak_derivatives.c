@@ -1,9 +1,11 @@
 /* Derivatives of a stride's peaks of the ground force on slopes, across the ground and vertically, against
- * differences: also of a peak at an event, on either side of it, where the force jumps. */
+ * differences: also of a peak at an event, on either side of it, where the force jumps. Lanes find the same
+ * peaks. */
 #include "compare.h"
 #include "reference_gaits.h"
 
 #include "tdmf_slip/automaton.h"
+#include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/return_map.h"
 
@@ -100,9 +102,49 @@ static void peaks_on_slopes_are_differentiated(void **state) {
     assert_true(ends >= 1 && begins >= 1 && inside >= 1);
 }
 
+static tdmf_stride stride_in_lanes(const scene *scene, tdmf_instructions instructions) {
+    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.most_strides = 1}};
+    tdmf_ensemble_stride stride;
+    tdmf_ensemble_end end;
+    const tdmf_ensemble ensemble = {.cases = &its_case,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])scene->section,
+                                    .count = 1,
+                                    .relative_tolerance = 1e-12,
+                                    .threads = 1,
+                                    .instructions = instructions,
+                                    .strides = &stride,
+                                    .stride_count = 1};
+    assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
+    assert_int_equal(end.strides, 1);
+    return stride.stride;
+}
+
+/* At a friction of 0.2 the foot slips while the force is largest. */
+static void lanes_find_both_peaks_on_slopes(void **state) {
+    static const double slopes[] = {-0.14, -0.05, 0.02, 0.05};
+    static const double frictions[] = {10.0, 0.6, 0.2};
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < 12; ++i) {
+        const scene scene = scene_on_slope(frictions[i % 3], slopes[i / 3]);
+        const tdmf_stride stride = stride_from(&scene, false, NULL).stride;
+        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+            if (tdmf_has_instructions((tdmf_instructions)set)) {
+                const tdmf_stride in_lanes = stride_in_lanes(&scene, (tdmf_instructions)set);
+                assert_close(in_lanes.peak_force, stride.peak_force, 1e-9);
+                assert_close(in_lanes.peak_vertical_force, stride.peak_vertical_force, 1e-9);
+                ++compared;
+            }
+        }
+    }
+    assert_true(compared >= 12);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(peaks_on_slopes_are_differentiated),
+        cmocka_unit_test(lanes_find_both_peaks_on_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
