@@ -172,7 +172,7 @@ def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkey
 
     monkeypatch.setattr(ensemble, "c", Poor())
     assert ensemble.instruction_sets() == ("one by one", "two lanes")
-    with pytest.raises(InputError, match="avx2: allowed here: one by one, two lanes"):
+    with pytest.raises(InputError, match="'avx2': allowed here: one by one, two lanes"):
         ensemble.run_ensemble(
             [ensemble.Case(gaits[0].runner)], starts[:2], most_strides=1, instructions="avx2", threads=1
         )

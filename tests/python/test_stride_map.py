@@ -464,7 +464,7 @@ def test_what_does_not_go_together_is_told(gait, starts):
     refuses("parameters: runner 2: leg.damping = -1", starts[:3], {"leg.damping": [0.2, 0.2, -1]})
     refuses("apices of shape (30, 5); allowed: rows of com_height", starts[:, :5], gait.runner)
     refuses("strides = 0 is not allowed", gait.apex, gait.runner, strides=0)
-    refuses("instructions fast: allowed here", gait.apex, gait.runner, instructions="fast")
+    refuses("instructions 'fast': allowed here", gait.apex, gait.runner, instructions="fast")
 
 
 def test_the_names_are_at_the_top():

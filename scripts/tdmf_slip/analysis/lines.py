@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit
 from ..library.runner import Runner
@@ -174,8 +175,8 @@ def border_curve(
     return Curve(WORD_BORDER, names, points, began, ended, special.words)
 
 
-@dataclass(frozen=True)
-class Place:
+@dataclass(frozen=True, eq=False)
+class Place(ByContents):
     """A point of a curve of borders."""
 
     pair: Pair
