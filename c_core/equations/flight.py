@@ -40,3 +40,9 @@ def motion(c, s, pushed):
         torque=torque,
         power=torque * angle_rate,
     )
+
+
+def drop(length, angle, slope):
+    """r cos(theta - sigma), which the body is above the foot over a ground of that slope."""
+    seen = angle - slope
+    return length * cos(seen)

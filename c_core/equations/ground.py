@@ -73,3 +73,31 @@ def motion(c, s, contact, turns):
         speed_square=rate * rate,
         friction_power=friction_force * s.foot_vx,
     )
+
+
+# ---- guards in these coordinates, and what they are made of -----------------------------------------------
+
+
+def ahead(x, y, slope):
+    """r sin theta, how far the foot is ahead of the body: it falls through 0 with theta."""
+    return slope.sine * y - slope.cosine * x
+
+
+def room(normal_force, tangential_push, cone, side):
+    """rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s  (2)."""
+    return cone.normal * normal_force - side * (cone.tangential * tangential_push)
+
+
+def rise(vx, vy, foot_vx, slope, share):
+    """The rate at which the centre of mass rises, with the body's share of the mass."""
+    return share * slope.cosine * vy + share * slope.sine * vx + slope.sine * foot_vx
+
+
+def lever(x, square):
+    """X/r^2: what a torque loads the foot with."""
+    return x / square
+
+
+def load(axial_y, torque, lever, weight_y):
+    """f_n under a torque  (10), on whose foot none acts."""
+    return axial_y + torque * lever + weight_y

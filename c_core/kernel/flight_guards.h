@@ -4,27 +4,7 @@
 
 #include "event_search.h"
 #include "flight_step.h"
-
-/* r cos(theta - sigma), by (cos)' = -w sin and (sin)' = w cos. */
-static inline void expand_drop(const flight_series *f, real sine0, real cosine0, int order,
-                               real drop[SERIES_TERMS]) {
-    real sine[SERIES_TERMS], cosine[SERIES_TERMS];
-    sine[0] = sine0;
-    cosine[0] = cosine0;
-    for (int k = 0; k <= order; ++k) {
-        real sine_rate = real_of(0.0), cosine_loss = real_of(0.0), sum = real_of(0.0);
-        for (int i = 0; i <= k; ++i) {
-            sine_rate += f->angle_rate[i] * cosine[k - i];
-            cosine_loss += f->angle_rate[i] * sine[k - i];
-            sum += f->length[i] * cosine[k - i];
-        }
-        drop[k] = sum;
-        if (k < order) {
-            sine[k + 1] = sine_rate * series_reciprocal[k + 1];
-            cosine[k + 1] = -cosine_loss * series_reciprocal[k + 1];
-        }
-    }
-}
+#include "guard_series.h"
 
 /* The centre of mass is lowest at an end of the step, or not as low as this where it is pushed up. */
 static inline real lowest_center_of_mass(const event_search *search, const flight_constants *c,
@@ -71,7 +51,7 @@ static inline void watch_heights(event_search *search, const flight_constants *c
     if (!any(low)) {
         return;
     }
-    expand_drop(f, sine, cosine, search->order, drop);
+    expand_drop(f->length, f->angle, c->slope, search->order, drop);
     trust_drop(search, c, drop, tolerance, low);
     const int order = search->order;
     const real floor = search->beyond_margin * c->mode.length_scale;
@@ -94,14 +74,13 @@ static inline void watch_heights(event_search *search, const flight_constants *c
 /* The foot comes up from below a ground that waits for that. */
 static inline void watch_new_ground(event_search *search, const flight_constants *c, const flight_series *f,
                                     double tolerance, const ballistic *com) {
-    real sine, cosine, drop[SERIES_TERMS], depth[SERIES_TERMS];
-    sine_and_cosine(f->angle[0] - c->new_slope, &sine, &cosine);
-    expand_drop(f, sine, cosine, search->order, drop);
+    real drop[SERIES_TERMS], depth[SERIES_TERMS];
+    expand_drop(f->length, f->angle, c->new_slope, search->order, drop);
     trust_drop(search, c, drop, tolerance, search->live);
-    for (int k = 1; k <= search->order; ++k) {
+    depth[1] = c->body_share * drop[1] - com->new_ground.rate;
+    for (int k = 2; k <= search->order; ++k) {
         depth[k] = c->body_share * drop[k];
     }
-    depth[1] -= com->new_ground.rate;
     depth[2] += 0.5 * c->new_normal_gravity;
     if (INPUTS_RAMP) {
         depth[3] -= com->new_normal_jerk * (1.0 / 6);
@@ -137,16 +116,10 @@ static inline void watch_ramped_apex(event_search *search, const flight_constant
 
 /* What the clamp is decided by. */
 static inline void watch_clamp(event_search *search, const flight_constants *c, const flight_series *f) {
-    const hip_law *servo = &c->servo;
     const int order = search->order - 1;
-    const real start =
-        servo->gain * (servo->target - f->angle[0]) - servo->rate_gain * f->angle_rate[0] + servo->torque;
     real torque[SERIES_TERMS];
-    for (int k = 1; k <= order; ++k) {
-        torque[k] = (k == 1 ? servo->torque_rate : real_of(0.0)) - servo->gain * f->angle[k] -
-                    servo->rate_gain * f->angle_rate[k];
-    }
-    const guard_series g = {torque, real_of(1.0), start, order};
+    expand_torque(f->angle, f->angle_rate, &c->servo, order, torque);
+    const guard_series g = {torque, real_of(1.0), torque[0], order};
     watch(search, TDMF_GUARD_CLAMP, search->live, &g,
           TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor * c->mode.energy_scale);
 }

@@ -4,26 +4,13 @@
 
 #include "event_search.h"
 #include "ground_step.h"
+#include "guard_series.h"
 
-/* X/r^2: what a torque loads the foot with. */
-static inline void expand_lever(const ground_series *g, int order, real lever[SERIES_TERMS]) {
-    const real inverse_square = 1.0 / g->square[0];
-    lever[0] = g->x[0] * inverse_square;
+/* theta, by its rate. */
+static inline void integrate_angle(const ground_series *g, real angle, int order, real series[SERIES_TERMS]) {
+    series[0] = angle;
     for (int k = 1; k <= order; ++k) {
-        real rest = g->x[k];
-        for (int i = 0; i < k; ++i) {
-            rest -= lever[i] * g->square[k - i];
-        }
-        lever[k] = rest * inverse_square;
-    }
-}
-
-static inline void expand_servo(const hip_law *servo, const ground_series *g, real angle, int order,
-                                real torque[SERIES_TERMS]) {
-    torque[0] = servo->gain * (servo->target - angle) - servo->rate_gain * g->angle_rate[0] + servo->torque;
-    for (int k = 1; k <= order; ++k) {
-        torque[k] = (k == 1 ? servo->torque_rate : real_of(0.0)) - servo->rate_gain * g->angle_rate[k] -
-                    servo->gain * g->angle_rate[k - 1] * series_reciprocal[k];
+        series[k] = g->angle_rate[k - 1] * series_reciprocal[k];
     }
 }
 
@@ -45,16 +32,9 @@ static inline void clamp_servo(event_search *search, const ground_constants *c, 
 static inline void watch_normal_force(event_search *search, const ground_constants *c, const ground_series *g,
                                       double sign, const real *torque, const real *lever) {
     const int order = search->order - 1;
-    const real start = sign * (g->axial_y[0] + torque[0] * lever[0] + c->law.foot_weight_y);
-    real force[SERIES_TERMS];
-    for (int k = 1; k <= order; ++k) {
-        real sum = g->axial_y[k];
-        for (int i = 0; i <= k; ++i) {
-            sum += torque[i] * lever[k - i];
-        }
-        force[k] = sign * sum;
-    }
-    const guard_series guard = {force, real_of(1.0), start, order};
+    real load[SERIES_TERMS];
+    expand_load(g->axial_y, torque, lever, c->law.foot_weight_y, order, load);
+    const guard_series guard = {load, real_of(sign), sign * load[0], order};
     watch(search, sign > 0.0 ? TDMF_GUARD_GRAZE_TO_FLIGHT : TDMF_GUARD_GRAZE_TO_CONTACT, search->live, &guard,
           search->beyond_margin * c->mode.force_scale);
 }
@@ -62,17 +42,13 @@ static inline void watch_normal_force(event_search *search, const ground_constan
 /* The vertical velocity of the centre of mass. */
 static inline void watch_apex_in_graze(event_search *search, const ground_constants *c,
                                        const ground_series *g, choice retracts) {
-    const real share = c->retracting_share, sine = c->slope_sine;
-    const real along = share * sine, off = share * c->slope_cosine;
+    const real share = c->retracting_share;
     const int order = search->order;
     real rise[SERIES_TERMS];
     guard_series velocity = {g->vy, share, share * g->vy[0], order};
-    if (any(not(sine == 0.0))) {
-        for (int k = 1; k <= order; ++k) {
-            rise[k] = off * g->vy[k] + along * g->vx[k] + sine * g->foot_vx[k];
-        }
-        const real start = off * g->vy[0] + along * g->vx[0] + sine * g->foot_vx[0];
-        const guard_series on_slope = {rise, real_of(1.0), start, order};
+    if (any(not(c->slope_sine == 0.0))) {
+        expand_rise(g->vx, g->vy, g->foot_vx, c->slope_sine, c->slope_cosine, share, order, rise);
+        const guard_series on_slope = {rise, real_of(1.0), rise[0], order};
         velocity = on_slope;
     }
     watch(search, TDMF_GUARD_APEX, retracts, &velocity, search->beyond_margin * c->mode.speed_scale);
@@ -82,9 +58,10 @@ static inline void watch_graze(event_search *search, const ground_constants *c, 
                                real angle) {
     const int order = search->order - 1;
     const choice retracts = c->retracting_share > 0.0;
-    real lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
+    real angles[SERIES_TERMS], lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
     watch_apex_in_graze(search, c, g, retracts);
-    expand_servo(&c->servo, g, angle, order, flight);
+    integrate_angle(g, angle, order, angles);
+    expand_torque(angles, g->angle_rate, &c->servo, order, flight);
     clamp_servo(search, c, retracts, order, flight);
     flight[0] += c->law.torque;
     flight[1] += c->law.torque_rate;
@@ -93,7 +70,7 @@ static inline void watch_graze(event_search *search, const ground_constants *c, 
     }
     stance[0] = c->stance.torque;
     stance[1] = c->stance.torque_rate;
-    expand_lever(g, order, lever);
+    expand_lever(g->x, g->square, order, lever);
     watch_normal_force(search, c, g, -1.0, stance, lever);
     watch_normal_force(search, c, g, 1.0, flight, lever);
 }

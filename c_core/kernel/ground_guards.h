@@ -5,6 +5,7 @@
 #include "event_search.h"
 #include "graze_guards.h"
 #include "ground_step.h"
+#include "guard_series.h"
 
 static inline void watch_standing_leg(event_search *search, const ground_constants *c, const ground_series *g,
                                       real length_change) {
@@ -17,16 +18,13 @@ static inline void watch_standing_leg(event_search *search, const ground_constan
 static inline void watch_mid_stance(event_search *search, const ground_constants *c, const ground_series *g) {
     const choice drives = c->drives > 0.0;
     const real floor = 2.0 * search->beyond_margin * g->length[0];
-    real across[SERIES_TERMS];
+    real ahead_of_foot[SERIES_TERMS];
     if (!any(drives)) {
         return;
     }
     if (any(not(c->slope_sine == 0.0))) {
-        for (int k = 1; k <= search->order; ++k) {
-            across[k] = c->slope_cosine * g->x[k] - c->slope_sine * g->y[k];
-        }
-        const real start = c->slope_sine * g->y[0] - c->slope_cosine * g->x[0];
-        const guard_series ahead = {across, real_of(-1.0), start, search->order};
+        expand_ahead(g->x, g->y, c->slope_sine, c->slope_cosine, search->order, ahead_of_foot);
+        const guard_series ahead = {ahead_of_foot, real_of(1.0), ahead_of_foot[0], search->order};
         watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
     } else {
         const guard_series ahead = {g->x, real_of(-1.0), -g->x[0], search->order};
@@ -49,16 +47,10 @@ static inline void watch_greatest_compression(event_search *search, const ground
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
                               double sign, choice near) {
     const int order = search->order - 1;
-    const real start =
-        c->cone_normal * g->normal_force[0] - sign * c->cone_tangential * g->tangential_push[0];
     real room[SERIES_TERMS];
-    for (int k = 1; k <= order; ++k) {
-        room[k] = c->cone_normal * g->normal_force[k] - sign * c->cone_tangential * g->tangential_push[k];
-        if (INPUTS_RAMP) {
-            room[k] += c->cone_normal_rate * g->normal_force[k - 1];
-        }
-    }
-    const guard_series edge = {room, real_of(1.0), start, order};
+    expand_room(g->normal_force, g->tangential_push, c->cone_normal, c->cone_normal_rate, c->cone_tangential,
+                real_of(sign), order, room);
+    const guard_series edge = {room, real_of(1.0), room[0], order};
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near, &edge,
           search->beyond_margin * c->mode.force_scale);
 }

@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from .. import flight, ground
-from .series import Family, header
+from .. import flight, ground, hip
+from .series import Expansion, Family, header
 
 GROUND = Family(
     "ground",
@@ -47,7 +47,34 @@ def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> 
     return header(f"{mode}_series", family.name, f"{family.name}_series.h", lines)
 
 
+SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
+SERVO = {name: f"servo->{name}" for name in ("gain", "rate_gain", "target")}
+
+
+def guard_series() -> str:
+    """Write guards that are made of series of the motion, and what they are made of."""
+
+    def torque(angle, angle_rate, servo):  # type: ignore[no-untyped-def]
+        return hip.torque(servo, angle, angle_rate)
+
+    torque.__doc__ = hip.torque.__doc__
+    servo = {**SERVO, "torque": ("servo->torque", "servo->torque_rate")}
+    cone = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
+    made = [
+        ("ahead", ground.ahead, {"x": None, "y": None, "slope": SLOPE}),
+        ("room", ground.room, {"normal_force": None, "tangential_push": None, "cone": cone, "side": "side"}),
+        ("rise", ground.rise, {"vx": None, "vy": None, "foot_vx": None, "slope": SLOPE, "share": "share"}),
+        ("lever", ground.lever, {"x": None, "square": None}),
+        ("load", ground.load, {"axial_y": None, "torque": None, "lever": None, "weight_y": "weight_y"}),
+        ("torque", torque, {"angle": None, "angle_rate": None, "servo": servo}),
+        ("drop", flight.drop, {"length": None, "angle": None, "slope": "slope"}),
+    ]
+    lines = [line for name, law, given in made for line in Expansion(name, law, **given).source()]
+    return header("guard_series", "ground.py, flight.py and hip", "mode_constants.h", lines)
+
+
 FILES = {
+    "guard_series.h": guard_series,
     "ground_series.h": lambda: header("ground_series", "ground", "series_products.h", GROUND.structs()),
     "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_turning"], ["stick_turning"]),
     "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_turning"], ["slip_turning"]),

@@ -17,8 +17,8 @@ VALUE = {
     "product": "product_of({k}, {inner}, {s_a}, {s_b})",
     "quotient": "quotient_of({k}, {inner}, {over}, s->{n}, {s_b}, by->inverse_{b})",
     "sqrt": "root_of({k}, {inner}, {over}, s->{n}, by->inverse_{n})",
-    "ramp": "ramp_times({k}, c->{a}, c->{a}_rate, {s_b})",
-    "drift": "drift_times({k}, c->{a}, c->{a}_rate, {s_b})",
+    "ramp": "ramp_times({k}, {ramp}, {s_b})",
+    "drift": "drift_times({k}, {ramp}, {s_b})",
     "rate": "(double)({k} + 1) * {s_a}[{k} + 1]",
     "sin": "sin_of({k}, {s_a}, s->{other})",
     "cos": "cos_of({k}, {s_a}, s->{other})",
@@ -29,14 +29,22 @@ VARIATION = {
     "product": "vary_product({s_a}, t->{a}, {s_b}, t->{b}, {k})",
     "quotient": "vary_quotient(s->{n}, t->{n}, {s_b}, t->{b}, {over}, {k})",
     "sqrt": "vary_root(s->{n}, t->{n}, {over}, {k})",
-    "ramp": "vary_ramp_times({k}, c->{a}, c->{a}_rate, d->{a}, d->{a}_rate, {s_b}, t->{b})",
-    "drift": "vary_drift_times({k}, c->{a}, c->{a}_rate, d->{a}, d->{a}_rate, {s_b}, t->{b})",
+    "ramp": "vary_ramp_times({k}, {ramp}, {d_ramp}, {s_b}, t->{b})",
+    "drift": "vary_drift_times({k}, {ramp}, {d_ramp}, {s_b}, t->{b})",
     "rate": "(double)({k} + 1) * t->{a}[{k} + 1]",
     "sin": "product(s->{other}, t->{a}, {k})",
     "cos": "-product(s->{other}, t->{a}, {k})",
     "exp": "product(s->{n}, t->{a}, {k})",
 }
 SUMS = {"position": "_position_sums", "sum": "_sums"}  # of what is known a coefficient ahead, and of the rest
+WHOLE = {  # the same of what is no motion, in arrays
+    "square": "product({s_a}, {s_a}, {k})",
+    "product": "product({s_a}, {s_b}, {k})",
+    "drift": "drift_times({k}, {ramp}, {s_b})",
+    "quotient": "({over} - product_so_far({n}, {s_b}, {k})) * inverse_{b}",
+    "sin": "sin_of({k}, {s_a}, {other})",
+    "cos": "cos_of({k}, {s_a}, {other})",
+}
 OTHER = {"sin": "cos", "cos": "sin"}
 ONLY = {"sqrt", "sin", "cos", "exp", "rate"}  # operations that are kinds of their own
 Terms = tuple[Expression, Expression, Expression]  # what moves, what is constant, what a ramp adds by time
@@ -182,6 +190,8 @@ class Family:
 
 class Motion:
     """One case of a family, traced: which quantities are kept as series, and C of all of them."""
+
+    values = VALUE
 
     def __init__(self, family: Family, case: str, noted: str = "", ramp: bool = True, **told: Any) -> None:
         self.family, self.case, start = family, case, family.page.start
@@ -358,6 +368,8 @@ class Motion:
                 return prefix + factors.setdefault(node, node.name)
             if node.is_constant or node not in self.kind:
                 return None
+            if node in self.arrays:
+                return f"{node.name}[{k}]"
             return f"s->{node.name}[{k}]" if node in self.kept else node.name if self.stands(node) else None
 
         return text
@@ -412,11 +424,12 @@ class Motion:
         a, b = node.operands[0], node.operands[-1]
         series = [str(part.name) if part in self.arrays else f"s->{part.name}" for part in (a, b)]
         sums = "position" if node in self.ahead else "sum"
-        return (VARIATION if varied else VALUE)[kind].format(
-            k=k, n=node.name, a=a.name, b=b.name, s_a=series[0], s_b=series[1], inner=f"{sums}->{node.name}",
-            over=self.operand(a, k, factors, varied) if kind in ("quotient", "sqrt") else "",
-            other=self.other[node].name if kind in OTHER else "",
-        )  # fmt: skip
+        ramp = f"{a.value}, {a.marks['ramp'].value}" if kind in ("ramp", "drift") else ""
+        over = self.operand(a, k, factors, varied) if kind in ("quotient", "sqrt") else ""
+        names = {"n": node.name, "a": a.name, "b": b.name, "s_a": series[0], "s_b": series[1]}
+        names |= {"ramp": ramp, "d_ramp": ramp.replace("c->", "d->"), "inner": f"{sums}->{node.name}"}
+        other = self.other[node].name if kind in OTHER else ""
+        return (VARIATION if varied else self.values)[kind].format(k=k, over=over, other=other, **names)
 
     def define(self, node: Expression, k: str, factors: dict[Expression, str]) -> list[str]:
         """Write coefficient k of a quantity into its place, below the page's formula."""
@@ -598,3 +611,71 @@ class Motion:
             "}",
             "}",
         ]
+
+
+class Expansion(Motion):
+    """A law of quantities whose series there are: a guard, or what one is made of."""
+
+    values = WHOLE
+
+    def __init__(self, name: str, law: Callable[..., Any], **given: Any) -> None:
+        """Trace a law; `given` has None for a series, the text of a constant, two of one that drifts."""
+        forget()
+        self.name, self.law, self.rates, self.parameters = (
+            name,
+            law,
+            {},
+            list(dict.fromkeys(parameters(given))),
+        )
+        self.kind, self.other, self.kept, self.ahead = {}, {}, set[Expression](), []
+        result = trace(law, **{key: symbols(key, value) for key, value in given.items()})
+        result.name = name
+        self.nodes = self.moving([result])
+        needed = {result}.union(*map(self.convolved, self.nodes))
+        self.arrays = [node for node in self.nodes if not node.operands or node in needed]
+
+    def source(self) -> list[str]:
+        """Write a function that expands the law."""
+        factors, lines = dict[Expression, str](), list[str]()
+        for node in self.nodes:
+            if node.operands and self.stands(node):
+                place = f"{node.name}[k]" if node in self.arrays else f"const real {node.name}"
+                lines.append(f"{place} = {self.coefficient(node, 'k', factors)};")
+        local = [node for node in self.arrays if node.operands and node.name != self.name]
+        divisors = dict.fromkeys(
+            node.operands[1].name for node in self.nodes if self.kind[node] == "quotient"
+        )
+        return [
+            f"/* {summary(self.law)} */",
+            f"static inline void expand_{self.name}({', '.join(self.parameters)}, int order, "
+            f"real {self.name}[SERIES_TERMS]) {{",
+            *(f"real {node.name}[SERIES_TERMS];" for node in local),
+            *(f"const real inverse_{name} = 1.0 / {name}[0];" for name in divisors),
+            *(f"const real {name} = {c_text(node)};" for node, name in factors.items()),
+            "int k = 0;",
+            "do {",
+            *lines,
+            "} while (++k <= order);",
+            "}",
+        ]
+
+
+def parameters(given: dict[str, Any]) -> Iterable[str]:
+    """Name the C parameters that hand in what a law is told; a servo is a struct."""
+    for name, text in given.items():
+        if isinstance(text, dict):
+            yield from parameters(text)
+        elif text is None:
+            yield f"const real *{name}"
+        else:
+            for part in text if isinstance(text, tuple) else (text,):
+                yield f"const hip_law *{part.split('->')[0]}" if "->" in part else f"real {part}"
+
+
+def symbols(name: str, given: Any) -> Any:
+    """Give what a law is told: records, series, constants and drifts."""
+    if isinstance(given, dict):
+        return Record(**{key: symbols(key, value) for key, value in given.items()})
+    if isinstance(given, tuple):
+        return symbol(given[0], ramp=symbol(given[1], constant=True), always=True)
+    return symbol(name) if given is None else symbol(given, constant=True)

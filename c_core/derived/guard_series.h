@@ -1,0 +1,83 @@
+/* Derived from c_core/equations/ground.py, flight.py and hip.py by equations/derive: edit that. */
+#ifndef TDMF_DERIVED_GUARD_SERIES_H
+#define TDMF_DERIVED_GUARD_SERIES_H
+
+#include "mode_constants.h"
+
+/* r sin theta, how far the foot is ahead of the body: it falls through 0 with theta. */
+static inline void expand_ahead(const real *x, const real *y, real slope_sine, real slope_cosine, int order,
+                                real ahead[SERIES_TERMS]) {
+    int k = 0;
+    do {
+        ahead[k] = slope_sine * y[k] - slope_cosine * x[k];
+    } while (++k <= order);
+}
+
+/* rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s (2). */
+static inline void expand_room(const real *normal_force, const real *tangential_push, real cone_normal,
+                               real cone_normal_rate, real cone_tangential, real side, int order,
+                               real room[SERIES_TERMS]) {
+    int k = 0;
+    do {
+        const real cone_normal_times_normal_force =
+            drift_times(k, cone_normal, cone_normal_rate, normal_force);
+        room[k] = cone_normal_times_normal_force - side * (cone_tangential * tangential_push[k]);
+    } while (++k <= order);
+}
+
+/* The rate at which the centre of mass rises, with the body's share of the mass. */
+static inline void expand_rise(const real *vx, const real *vy, const real *foot_vx, real slope_sine,
+                               real slope_cosine, real share, int order, real rise[SERIES_TERMS]) {
+    const real share_slope_cosine = share * slope_cosine;
+    const real share_slope_sine = share * slope_sine;
+    int k = 0;
+    do {
+        rise[k] = share_slope_cosine * vy[k] + share_slope_sine * vx[k] + slope_sine * foot_vx[k];
+    } while (++k <= order);
+}
+
+/* X/r^2: what a torque loads the foot with. */
+static inline void expand_lever(const real *x, const real *square, int order, real lever[SERIES_TERMS]) {
+    const real inverse_square = 1.0 / square[0];
+    int k = 0;
+    do {
+        lever[k] = (x[k] - product_so_far(lever, square, k)) * inverse_square;
+    } while (++k <= order);
+}
+
+/* f_n under a torque (10), on whose foot none acts. */
+static inline void expand_load(const real *axial_y, const real *torque, const real *lever, real weight_y,
+                               int order, real load[SERIES_TERMS]) {
+    int k = 0;
+    do {
+        const real torque_times_lever = product(torque, lever, k);
+        load[k] = with_constant(k, axial_y[k] + torque_times_lever, weight_y);
+    } while (++k <= order);
+}
+
+/* gain (target - theta) - rate_gain thetadot + torque, now. */
+static inline void expand_torque(const real *angle, const real *angle_rate, const hip_law *servo, int order,
+                                 real torque[SERIES_TERMS]) {
+    int k = 0;
+    do {
+        torque[k] = with_drift(k, -servo->gain * angle[k] - servo->rate_gain * angle_rate[k],
+                               servo->gain * servo->target + servo->torque, servo->torque_rate);
+    } while (++k <= order);
+}
+
+/* r cos(theta - sigma), which the body is above the foot over a ground of that slope. */
+static inline void expand_drop(const real *length, const real *angle, real slope, int order,
+                               real drop[SERIES_TERMS]) {
+    real seen[SERIES_TERMS];
+    real sin_of_seen[SERIES_TERMS];
+    real cos_of_seen[SERIES_TERMS];
+    int k = 0;
+    do {
+        seen[k] = with_constant(k, angle[k], -slope);
+        sin_of_seen[k] = sin_of(k, seen, cos_of_seen);
+        cos_of_seen[k] = cos_of(k, seen, sin_of_seen);
+        drop[k] = product(length, cos_of_seen, k);
+    } while (++k <= order);
+}
+
+#endif
