@@ -254,41 +254,50 @@ static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
 }
 
 /* The state that coordinates on the ground stand for; the leg has wound by `turns`, in radians. */
-static inline void tdmf_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *at, double turns,
-                                          double written[TDMF_STATE_COUNT]) {
-    const double length = sqrt(at->x * at->x + at->y * at->y);
-    const double angle = atan2(-at->x, at->y) + line->slope;
-    written[TDMF_FOOT_X] = line->cosine * at->foot_x;
-    written[TDMF_FOOT_Y] = line->height + line->sine * at->foot_x;
+static inline void tdmf_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *standing,
+                                          double turns, double written[TDMF_STATE_COUNT]) {
+    const double length = sqrt(standing->x * standing->x + standing->y * standing->y);
+    const double angle = atan2(-standing->x, standing->y) + line->slope;
+    written[TDMF_FOOT_X] = line->cosine * standing->foot_x;
+    written[TDMF_FOOT_Y] = line->height + line->sine * standing->foot_x;
     written[TDMF_LEG_LENGTH] = length;
     written[TDMF_LEG_ANGLE] = angle + turns;
-    written[TDMF_FOOT_VX] = line->cosine * at->foot_vx;
-    written[TDMF_FOOT_VY] = line->sine * at->foot_vx;
-    written[TDMF_LEG_LENGTH_RATE] = (at->x * (at->vx - at->foot_vx) + at->y * at->vy) / length;
-    written[TDMF_LEG_ANGLE_RATE] = (at->x * at->vy - at->y * (at->vx - at->foot_vx)) / (length * length);
+    written[TDMF_FOOT_VX] = line->cosine * standing->foot_vx;
+    written[TDMF_FOOT_VY] = line->sine * standing->foot_vx;
+    written[TDMF_LEG_LENGTH_RATE] =
+        (standing->x * (standing->vx - standing->foot_vx) + standing->y * standing->vy) / length;
+    written[TDMF_LEG_ANGLE_RATE] =
+        (standing->x * standing->vy - standing->y * (standing->vx - standing->foot_vx)) / (length * length);
 }
 
 /* Its change. */
-static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *at,
+static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *standing,
                                                double turns, const double state[TDMF_STATE_COUNT],
-                                               const tdmf_ground_line *d_line, const tdmf_standing *d_at,
+                                               const tdmf_ground_line *d_line,
+                                               const tdmf_standing *d_standing,
                                                double written[TDMF_STATE_COUNT]) {
     (void)turns;
-    const double d_length = (2.0 * at->x * d_at->x + 2.0 * at->y * d_at->y) / (2.0 * state[TDMF_LEG_LENGTH]);
-    written[TDMF_FOOT_X] = -line->sine * d_line->slope * at->foot_x + line->cosine * d_at->foot_x;
+    const double d_length = (2.0 * standing->x * d_standing->x + 2.0 * standing->y * d_standing->y) /
+                            (2.0 * state[TDMF_LEG_LENGTH]);
+    written[TDMF_FOOT_X] = -line->sine * d_line->slope * standing->foot_x + line->cosine * d_standing->foot_x;
     written[TDMF_FOOT_Y] =
-        d_line->height + (line->cosine * d_line->slope * at->foot_x + line->sine * d_at->foot_x);
+        d_line->height + (line->cosine * d_line->slope * standing->foot_x + line->sine * d_standing->foot_x);
     written[TDMF_LEG_LENGTH] = d_length;
-    written[TDMF_LEG_ANGLE] =
-        (at->y * -d_at->x - -at->x * d_at->y) / (-at->x * -at->x + at->y * at->y) + d_line->slope;
-    written[TDMF_FOOT_VX] = -line->sine * d_line->slope * at->foot_vx + line->cosine * d_at->foot_vx;
-    written[TDMF_FOOT_VY] = line->cosine * d_line->slope * at->foot_vx + line->sine * d_at->foot_vx;
-    written[TDMF_LEG_LENGTH_RATE] =
-        (d_at->x * (at->vx - at->foot_vx) + at->x * (d_at->vx - d_at->foot_vx) +
-         (d_at->y * at->vy + at->y * d_at->vy) - state[TDMF_LEG_LENGTH_RATE] * d_length) /
-        state[TDMF_LEG_LENGTH];
-    written[TDMF_LEG_ANGLE_RATE] = (d_at->x * at->vy + at->x * d_at->vy -
-                                    (d_at->y * (at->vx - at->foot_vx) + at->y * (d_at->vx - d_at->foot_vx)) -
+    written[TDMF_LEG_ANGLE] = (standing->y * -d_standing->x - -standing->x * d_standing->y) /
+                                  (-standing->x * -standing->x + standing->y * standing->y) +
+                              d_line->slope;
+    written[TDMF_FOOT_VX] =
+        -line->sine * d_line->slope * standing->foot_vx + line->cosine * d_standing->foot_vx;
+    written[TDMF_FOOT_VY] =
+        line->cosine * d_line->slope * standing->foot_vx + line->sine * d_standing->foot_vx;
+    written[TDMF_LEG_LENGTH_RATE] = (d_standing->x * (standing->vx - standing->foot_vx) +
+                                     standing->x * (d_standing->vx - d_standing->foot_vx) +
+                                     (d_standing->y * standing->vy + standing->y * d_standing->vy) -
+                                     state[TDMF_LEG_LENGTH_RATE] * d_length) /
+                                    state[TDMF_LEG_LENGTH];
+    written[TDMF_LEG_ANGLE_RATE] = (d_standing->x * standing->vy + standing->x * d_standing->vy -
+                                    (d_standing->y * (standing->vx - standing->foot_vx) +
+                                     standing->y * (d_standing->vx - d_standing->foot_vx)) -
                                     state[TDMF_LEG_ANGLE_RATE] * (2.0 * state[TDMF_LEG_LENGTH] * d_length)) /
                                    (state[TDMF_LEG_LENGTH] * state[TDMF_LEG_LENGTH]);
 }

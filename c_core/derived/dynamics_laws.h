@@ -153,24 +153,23 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
                                    const tdmf_leg *leg, double torque, tdmf_ground_force force,
                                    tdmf_vector foot, tdmf_leg_rates acceleration, double slip_velocity,
                                    double place_rate, double external_power,
-                                   double derivatives[TDMF_STATE_COUNT]) {
+                                   double written[TDMF_STATE_COUNT]) {
     const double power = torque * leg->angle_rate;
-    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_LENGTH] = leg->length_rate;
-    derivatives[TDMF_LEG_ANGLE] = leg->angle_rate;
-    derivatives[TDMF_FOOT_VX] = foot.x;
-    derivatives[TDMF_FOOT_VY] = foot.y;
-    derivatives[TDMF_LEG_LENGTH_RATE] = acceleration.length;
-    derivatives[TDMF_LEG_ANGLE_RATE] = acceleration.angle;
-    derivatives[TDMF_HIP_WORK] = power;
-    derivatives[TDMF_HIP_PLACE_TIME] = place_rate;
-    derivatives[TDMF_LEG_WORK] = 0.0;
-    derivatives[TDMF_ENERGY_DAMPER_LOSS] =
-        model->parameters.leg.damping * leg->length_rate * leg->length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] = -force.tangential * slip_velocity;
-    derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
-    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
+    written[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
+    written[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
+    written[TDMF_LEG_LENGTH] = leg->length_rate;
+    written[TDMF_LEG_ANGLE] = leg->angle_rate;
+    written[TDMF_FOOT_VX] = foot.x;
+    written[TDMF_FOOT_VY] = foot.y;
+    written[TDMF_LEG_LENGTH_RATE] = acceleration.length;
+    written[TDMF_LEG_ANGLE_RATE] = acceleration.angle;
+    written[TDMF_HIP_WORK] = power;
+    written[TDMF_HIP_PLACE_TIME] = place_rate;
+    written[TDMF_LEG_WORK] = 0.0;
+    written[TDMF_ENERGY_DAMPER_LOSS] = model->parameters.leg.damping * leg->length_rate * leg->length_rate;
+    written[TDMF_ENERGY_FRICTION_LOSS] = -force.tangential * slip_velocity;
+    written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
+    written[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
 }
 
 /* Its change. */
@@ -181,7 +180,7 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
                                         const double d_state[TDMF_STATE_COUNT], const tdmf_leg *d_leg,
                                         double d_torque, tdmf_ground_force d_force, tdmf_vector d_foot,
                                         tdmf_leg_rates d_acceleration, double d_slip_velocity,
-                                        double d_external_power, double derivatives[TDMF_STATE_COUNT]) {
+                                        double d_external_power, double written[TDMF_STATE_COUNT]) {
     (void)state;
     (void)foot;
     (void)acceleration;
@@ -189,26 +188,25 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
     (void)external_power;
     const double d_power = d_torque * leg->angle_rate + torque * d_leg->angle_rate;
     const double power = torque * leg->angle_rate;
-    derivatives[TDMF_FOOT_X] = d_state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = d_state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_LENGTH] = d_leg->length_rate;
-    derivatives[TDMF_LEG_ANGLE] = d_leg->angle_rate;
-    derivatives[TDMF_FOOT_VX] = d_foot.x;
-    derivatives[TDMF_FOOT_VY] = d_foot.y;
-    derivatives[TDMF_LEG_LENGTH_RATE] = d_acceleration.length;
-    derivatives[TDMF_LEG_ANGLE_RATE] = d_acceleration.angle;
-    derivatives[TDMF_HIP_WORK] = d_power;
-    derivatives[TDMF_HIP_PLACE_TIME] = 0.0;
-    derivatives[TDMF_LEG_WORK] = 0.0;
-    derivatives[TDMF_ENERGY_DAMPER_LOSS] =
-        (d_model->parameters.leg.damping * leg->length_rate +
-         model->parameters.leg.damping * d_leg->length_rate) *
-            leg->length_rate +
-        model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
-    derivatives[TDMF_ENERGY_FRICTION_LOSS] =
+    written[TDMF_FOOT_X] = d_state[TDMF_FOOT_VX];
+    written[TDMF_FOOT_Y] = d_state[TDMF_FOOT_VY];
+    written[TDMF_LEG_LENGTH] = d_leg->length_rate;
+    written[TDMF_LEG_ANGLE] = d_leg->angle_rate;
+    written[TDMF_FOOT_VX] = d_foot.x;
+    written[TDMF_FOOT_VY] = d_foot.y;
+    written[TDMF_LEG_LENGTH_RATE] = d_acceleration.length;
+    written[TDMF_LEG_ANGLE_RATE] = d_acceleration.angle;
+    written[TDMF_HIP_WORK] = d_power;
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+    written[TDMF_LEG_WORK] = 0.0;
+    written[TDMF_ENERGY_DAMPER_LOSS] = (d_model->parameters.leg.damping * leg->length_rate +
+                                        model->parameters.leg.damping * d_leg->length_rate) *
+                                           leg->length_rate +
+                                       model->parameters.leg.damping * leg->length_rate * d_leg->length_rate;
+    written[TDMF_ENERGY_FRICTION_LOSS] =
         -d_force.tangential * slip_velocity + -force.tangential * d_slip_velocity;
-    derivatives[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
-    derivatives[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
+    written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
+    written[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
 }
 
 #endif

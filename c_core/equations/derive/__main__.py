@@ -5,7 +5,7 @@ from pathlib import Path
 
 from . import events, model, motions
 
-FILES = {f"{write.__name__}.h": write for write in model.HEADERS} | motions.FILES
+FILES = model.headers() | motions.FILES
 FILES |= {"event_declarations.h": events.declarations, "event_table.h": events.table}
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "derived"

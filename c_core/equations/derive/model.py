@@ -1,437 +1,196 @@
-"""Which laws are C functions of the model, and how these are declared: a header a topic."""
+"""Which laws are C functions of the model: a header a topic, a line a function.
 
-from types import SimpleNamespace
+A line tells the C type, the function's name and parameters, and the call of the law. Behind a bar: `value x`,
+the parameter by which a variation is given the value, or `only` for no variation.
+"""
+
+import importlib
+import re
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
-from .. import (
-    constants,
-    coordinates,
-    dynamics,
-    energy,
-    events,
-    free_fall,
-    friction,
-    graze,
-    ground_force,
-    ground_line,
-    hip,
-    impact,
-    leg,
-    runner,
-)
+from ..events import EVENTS
 from .values import Function, given, header
 
-MODEL = "const tdmf_model *model"
-INPUTS = "const tdmf_inputs *inputs"
-RATES = "const tdmf_inputs *rates"
-MODE = "const tdmf_mode *mode"
-LINE = "const tdmf_ground_line *line"
-LEG = "const tdmf_leg *leg"
-LAW = "const tdmf_hip_law *law"
-AT = "const tdmf_evaluation *at"
-GUARD_ARGUMENTS = {"line": LINE, "sign": "double sign"}
-STATE = "const double state[TDMF_STATE_COUNT]"
-DIRECTION = "tdmf_leg_direction direction"
+PAGES = (
+    "constants coordinates dynamics energy events free_fall friction graze ground_force ground_line hip "
+    "impact leg runner"
+)
+POINTERS = {
+    "model": "tdmf_model",
+    "inputs": "tdmf_inputs",
+    "rates": "tdmf_inputs",
+    "mode": "tdmf_mode",
+    "line": "tdmf_ground_line",
+    "leg": "tdmf_leg",
+    "law": "tdmf_hip_law",
+    "at": "tdmf_evaluation",
+    "standing": "tdmf_standing",
+}
+VALUES = {
+    "direction": "tdmf_leg_direction",
+    "contact": "tdmf_contact_mode",
+    "force": "tdmf_ground_force",
+    "body": "tdmf_point",
+    "center": "tdmf_point",
+    "start": "tdmf_point",
+    "push": "tdmf_vector",
+    "fall": "tdmf_vector",
+    "jerk": "tdmf_vector",
+    "foot": "tdmf_vector",
+    "acceleration": "tdmf_leg_rates",
+    "upright": "bool",
+    "sticks": "bool",
+}
+FIXED = ("direction", "sign", "sine", "turns", "place_rate")
+
+FUNCTIONS = """
+runner
+    tdmf_mass_constants mass_constants_of(model) =
+        runner.derived(model.parameters.body.mass, model.parameters.foot.mass) | value constants
+ground_line
+    double velocity_along(line, vx, vy) = ground_line.along(line, vx, vy)
+    double velocity_off(line, vx, vy) = ground_line.off(line, vx, vy)
+    double place_along(line, x, y) = ground_line.place_along(line, x, y)
+    double height_over(line, x, y) = ground_line.height_over(line, x, y)
+    double ground_height_at(line, x) = ground_line.height_at(line, x)
+    double path_to(line, x) = ground_line.path_to(line, x)
+    tdmf_point point_on(line, along, velocity) = ground_line.point_on(line, along, velocity)
+    tdmf_vector vector_on(line, tangential, normal) = ground_line.vector_on(line, tangential, normal)
+hip
+    tdmf_hip_law external_law(inputs, rates) = hip.external(inputs, rates)
+    tdmf_hip_law stance_law(model, inputs, rates, mode) =
+        hip.stance(model, inputs, rates, mode.mid_stance_pending)
+    tdmf_hip_law servo(model, inputs, mode, place_time) =
+        hip.servo(model, inputs, mode.phase, mode.liftoff_angle, place_time)
+    tdmf_hip_law flight_law(model, inputs, rates, mode, place_time) =
+        hip.flight(model, inputs, rates, mode.phase, mode.clamp_closed, mode.liftoff_angle, place_time)
+    double law_torque(law, state) = hip.torque(law, state.leg_angle, state.leg_angle_rate)
+    double servo_torque(model, inputs, mode, state) =
+        hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
+    double torque_in(model, inputs, mode, state, leg, upright, sine) =
+        hip.torque_in_mode(model, inputs, mode, state, leg, upright, sine) | value torque
+    double law_drift(law) = hip.drift(law)
+    tdmf_hip_law law_after(law, elapsed) = hip.after(law, elapsed) | only
+leg
+    tdmf_leg_direction direction_over(line, direction) = leg.direction_over(line, direction) | only
+    double leg_thrust(model, inputs) = leg.thrust(model, inputs) | only
+    double rest_length(model, inputs, mode) = leg.rest_length(model, inputs, mode.thrusts)
+    tdmf_leg leg_with(model, line, state, direction, rest_length) =
+        leg.evaluate(model, line, state, direction, rest_length, leg.bounded_length(model, state)) | value leg
+    double leg_power(model, rest_length, length, rest_length_rate) =
+        leg.power(model.parameters.leg.stiffness, rest_length, length, rest_length_rate) | only
+    double leg_work_of_jump(model, length, before, after) =
+        leg.work_of_jump(model.parameters.leg.stiffness, length, before, after)
+friction
+    double static_friction(model, inputs) = friction.static(model, inputs)
+    double sliding_friction(inputs, sign) = friction.sliding(inputs, sign)
+    double cone_width(model, inputs) = friction.width(model, inputs) | only
+    tdmf_cone cone_of(friction) = friction.cone(friction) | only
+ground_force
+    tdmf_ground_force force_under(model, line, leg, torque) = ground_force.under(model, line, leg, torque)
+    tdmf_ground_force force_in(model, inputs, line, leg, torque, contact, sign) =
+        ground_force.in_mode(model, inputs, line, leg, torque, contact, sign)
+    double graze_torque(model, line, leg, upright, sine) =
+        ground_force.graze_torque(model, line, leg, upright, sine) | value torque
+graze
+    tdmf_ground_force force_in_stance(model, inputs, mode, state, leg) =
+        graze.force_in_stance(model, inputs, mode, state, leg)
+    tdmf_ground_force force_in_flight(model, inputs, mode, state, leg) =
+        graze.force_in_flight(model, inputs, mode, state, leg)
+free_fall
+    tdmf_vector push_on_body(model, inputs) = free_fall.push_on_body(model, inputs)
+    tdmf_vector fall_of_body(model, push) = free_fall.of_body(model, push)
+    tdmf_vector fall_of_center(model, push) = free_fall.of_center(model, push)
+    tdmf_point ballistic_after(start, fall, jerk, time) = free_fall.ballistic(start, fall, jerk, time)
+coordinate
+    tdmf_point body_from_foot(state, direction) = coordinates.body_from_foot(state, direction)
+    tdmf_point body_along(state, direction) = coordinates.body(state, direction)
+    tdmf_point center_of_mass_along(model, state, direction) =
+        coordinates.center_of_mass(model, state, direction)
+    tdmf_point foot_below(model, center, state, direction) =
+        coordinates.foot_below(model, center, state, direction)
+    tdmf_leg_rates leg_rates_with_foot(state, direction, vx, vy) =
+        coordinates.leg_rates_with_foot(state, direction, vx, vy) | only
+    tdmf_standing standing_of(line, state, direction) = coordinates.on_ground(line, state, direction)
+    void state_of_standing(line, standing, turns, written) =
+        coordinates.from_ground(line, standing, turns) | value state
+    double angle_seen(x, y, slope) = coordinates.angle_seen(x, y, slope) | only
+    double angle_rate_of(momentum, length) = coordinates.angle_rate(momentum, length)
+dynamics
+    tdmf_vector acceleration_of_foot(model, line, leg, torque, force, contact) =
+        dynamics.foot_acceleration(model, line, leg, torque, force, contact)
+    tdmf_leg_rates acceleration_of_leg(model, leg, torque, fall, foot) =
+        dynamics.leg_acceleration(model, leg, torque, fall, foot)
+    double external_power(inputs, body) = dynamics.external_power(inputs, body)
+    void rates_with(model, state, leg, torque, force, foot, acceleration, slip_velocity, place_rate,
+        external_power, written) = dynamics.rates(model, state, leg, torque, force, foot, acceleration,
+        slip_velocity, place_rate, external_power)
+impact
+    tdmf_after_impact impact_with(model, inputs, line, state, direction, sign, sticks) =
+        impact.after(model, inputs, line, state, direction, sign, sticks)
+energy
+    tdmf_energy energy_with(model, state, direction, rest_length) =
+        energy.mechanical(model, state, direction, rest_length)
+constant
+    flight_coefficients flight_coefficients_of(model, law, rest_length, push) =
+        constants.of_flight(model, law, rest_length, push)
+    ground_coefficients ground_coefficients_of(model, line, law, rest_length, push, friction) =
+        constants.on_ground(model, line, law, rest_length, push, friction)
+guard
+"""
+for event in (event for event in EVENTS if event.law is not None):
+    parameters = ", ".join(["at", *(name for name, _ in event.arguments)])
+    only = "" if event.varied else " | only"
+    FUNCTIONS += f"    double {event.name}_guard({parameters}) = events.{event.name}({parameters}){only}\n"
+STRUCTS = {"constant": "coefficients.h", "guard": "evaluation.h"}
 
 
-def along_leg(state: Any) -> SimpleNamespace:
-    """Give the leg's direction, which C has as a parameter."""
-    return given("direction", leg.direction(state.leg_angle))
+def declared(name: str) -> str:
+    """Declare a parameter by its name."""
+    if name in ("state", "written"):
+        return f"{'const ' if name == 'state' else ''}double {name}[TDMF_STATE_COUNT]"
+    return f"const {POINTERS[name]} *{name}" if name in POINTERS else f"{VALUES.get(name, 'double')} {name}"
 
 
-def runner_laws() -> str:
-    """Write what parameters make once."""
-    return header(
-        "runner",
-        [
-            Function(
-                f"tdmf_mass_constants tdmf_mass_constants_of({MODEL})",
-                runner.derived,
-                lambda model: (model.parameters.body.mass, model.parameters.foot.mass),
-                result="constants",
-            ),
-        ],
+def function(line: str) -> Function:
+    """Give the function that a line tells."""
+    matched = re.fullmatch(r"(\w+) (\w+)\((.*?)\) = (\w+)\.(\w+)(\(.*?\))(?: \| (.*))?", line)
+    assert matched, line
+    result, name, parameters, page, law, call, note = matched.groups()
+    names = [parameter for parameter in parameters.split(", ") if parameter != "written"]
+    pages = {p: importlib.import_module(f"..{p}", __package__) for p in PAGES.split()}
+
+    def arguments(*handed: Any) -> Any:
+        known = dict(zip(names, handed, strict=True))
+        if "direction" in known and "state" in known:  # C has them already
+            known["direction"] = given("direction", pages["leg"].direction(known["state"].leg_angle))
+        return eval(f"(lambda *all: all){call}", {**pages, **known})
+
+    return Function(
+        f"{result} tdmf_{name}({', '.join(map(declared, parameters.split(', ')))})",
+        getattr(pages[page], law),
+        arguments,
+        fixed=tuple(parameter for parameter in names if parameter in FIXED),
+        result=(note or "").partition("value ")[2],
+        varied=note != "only",
     )
 
 
-def ground_line_laws() -> str:
-    """Write the axes of the ground."""
-    return header(
-        "ground_line",
-        [
-            Function(f"double tdmf_velocity_along({LINE}, double vx, double vy)", ground_line.along),
-            Function(f"double tdmf_velocity_off({LINE}, double vx, double vy)", ground_line.off),
-            Function(f"double tdmf_place_along({LINE}, double x, double y)", ground_line.place_along),
-            Function(f"double tdmf_height_over({LINE}, double x, double y)", ground_line.height_over),
-            Function(f"double tdmf_ground_height_at({LINE}, double x)", ground_line.height_at),
-            Function(f"double tdmf_path_to({LINE}, double x)", ground_line.path_to),
-            Function(
-                f"tdmf_point tdmf_point_on({LINE}, double along, double velocity)", ground_line.point_on
-            ),
-            Function(
-                f"tdmf_vector tdmf_vector_on({LINE}, double tangential, double normal)", ground_line.vector_on
-            ),
-        ],
-    )
-
-
-def hip_laws() -> str:
-    """Write the laws of the hip."""
-    return header(
-        "hip",
-        [
-            Function(f"tdmf_hip_law tdmf_external_law({INPUTS}, {RATES})", hip.external),
-            Function(
-                f"tdmf_hip_law tdmf_stance_law({MODEL}, {INPUTS}, {RATES}, {MODE})",
-                hip.stance,
-                lambda model, inputs, rates, mode: (model, inputs, rates, mode.mid_stance_pending),
-            ),
-            Function(
-                f"tdmf_hip_law tdmf_servo({MODEL}, {INPUTS}, {MODE}, double place_time)",
-                hip.servo,
-                lambda model, inputs, mode, place_time: (
-                    model,
-                    inputs,
-                    mode.phase,
-                    mode.liftoff_angle,
-                    place_time,
-                ),
-            ),
-            Function(
-                f"tdmf_hip_law tdmf_flight_law({MODEL}, {INPUTS}, {RATES}, {MODE}, double place_time)",
-                hip.flight,
-                lambda model, inputs, rates, mode, place_time: (
-                    model,
-                    inputs,
-                    rates,
-                    mode.phase,
-                    mode.clamp_closed,
-                    mode.liftoff_angle,
-                    place_time,
-                ),
-            ),
-            Function(
-                f"double tdmf_law_torque({LAW}, {STATE})",
-                hip.torque,
-                lambda law, state: (law, state.leg_angle, state.leg_angle_rate),
-            ),
-            Function(
-                f"double tdmf_servo_torque({MODEL}, {INPUTS}, {MODE}, {STATE})",
-                hip.servo_torque,
-                lambda model, inputs, mode, state: (model, inputs, state, mode.phase, mode.liftoff_angle),
-            ),
-            Function(
-                f"double tdmf_torque_in({MODEL}, {INPUTS}, {MODE}, {STATE}, {LEG}, bool upright, "
-                "double sine)",
-                hip.torque_in_mode,
-                fixed=("sine",),
-                result="torque",
-            ),
-            Function(f"double tdmf_law_drift({LAW})", hip.drift),
-            Function(f"tdmf_hip_law tdmf_law_after({LAW}, double elapsed)", hip.after, varied=False),
-        ],
-    )
-
-
-def leg_laws() -> str:
-    """Write what the leg is."""
-    return header(
-        "leg",
-        [
-            Function(
-                f"tdmf_leg_direction tdmf_direction_over({LINE}, {DIRECTION})",
-                leg.direction_over,
-                varied=False,
-            ),
-            Function(f"double tdmf_leg_thrust({MODEL}, {INPUTS})", leg.thrust, varied=False),
-            Function(
-                f"double tdmf_rest_length({MODEL}, {INPUTS}, {MODE})",
-                leg.rest_length,
-                lambda model, inputs, mode: (model, inputs, mode.thrusts),
-            ),
-            Function(
-                f"tdmf_leg tdmf_leg_with({MODEL}, {LINE}, {STATE}, {DIRECTION}, double rest_length)",
-                leg.evaluate,
-                lambda model, line, state, direction, rest_length: (
-                    model,
-                    line,
-                    state,
-                    along_leg(state),
-                    rest_length,
-                    leg.bounded_length(model, state),
-                ),
-                fixed=("direction",),
-                result="leg",
-            ),
-            Function(
-                f"double tdmf_leg_power({MODEL}, double rest_length, double length, double rest_length_rate)",
-                leg.power,
-                lambda model, *more: (model.parameters.leg.stiffness, *more),
-                varied=False,
-            ),
-            Function(
-                f"double tdmf_leg_work_of_jump({MODEL}, double length, double before, double after)",
-                leg.work_of_jump,
-                lambda model, *more: (model.parameters.leg.stiffness, *more),
-            ),
-        ],
-    )
-
-
-def friction_laws() -> str:
-    """Write friction."""
-    return header(
-        "friction",
-        [
-            Function(f"double tdmf_static_friction({MODEL}, {INPUTS})", friction.static),
-            Function(
-                f"double tdmf_sliding_friction({INPUTS}, double sign)", friction.sliding, fixed=("sign",)
-            ),
-            Function(f"double tdmf_cone_width({MODEL}, {INPUTS})", friction.width, varied=False),
-            Function("tdmf_cone tdmf_cone_of(double friction)", friction.cone, varied=False),
-        ],
-    )
-
-
-def ground_force_laws() -> str:
-    """Write the force of the ground."""
-    return header(
-        "ground_force",
-        [
-            Function(
-                f"tdmf_ground_force tdmf_force_under({MODEL}, {LINE}, {LEG}, double torque)",
-                ground_force.under,
-            ),
-            Function(
-                f"tdmf_ground_force tdmf_force_in({MODEL}, {INPUTS}, {LINE}, {LEG}, double torque, "
-                "tdmf_contact_mode contact, double sign)",
-                ground_force.in_mode,
-                fixed=("sign",),
-            ),
-            Function(
-                f"double tdmf_graze_torque({MODEL}, {LINE}, {LEG}, bool upright, double sine)",
-                ground_force.graze_torque,
-                fixed=("sine",),
-                result="torque",
-            ),
-        ],
-    )
-
-
-def graze_laws() -> str:
-    """Write what decides graze."""
-    return header(
-        "graze",
-        [
-            Function(
-                f"tdmf_ground_force tdmf_force_in_stance({MODEL}, {INPUTS}, {MODE}, {STATE}, {LEG})",
-                graze.force_in_stance,
-            ),
-            Function(
-                f"tdmf_ground_force tdmf_force_in_flight({MODEL}, {INPUTS}, {MODE}, {STATE}, {LEG})",
-                graze.force_in_flight,
-            ),
-        ],
-    )
-
-
-def free_fall_laws() -> str:
-    """Write free fall."""
-    return header(
-        "free_fall",
-        [
-            Function(f"tdmf_vector tdmf_push_on_body({MODEL}, {INPUTS})", free_fall.push_on_body),
-            Function(f"tdmf_vector tdmf_fall_of_body({MODEL}, tdmf_vector push)", free_fall.of_body),
-            Function(f"tdmf_vector tdmf_fall_of_center({MODEL}, tdmf_vector push)", free_fall.of_center),
-            Function(
-                "tdmf_point tdmf_ballistic_after(tdmf_point start, tdmf_vector fall, tdmf_vector jerk, "
-                "double time)",
-                free_fall.ballistic,
-            ),
-        ],
-    )
-
-
-def coordinate_laws() -> str:
-    """Write coordinates."""
-    return header(
-        "coordinate",
-        [
-            Function(
-                f"tdmf_point tdmf_body_from_foot({STATE}, {DIRECTION})",
-                coordinates.body_from_foot,
-                lambda state, direction: (state, along_leg(state)),
-                fixed=("direction",),
-            ),
-            Function(
-                f"tdmf_point tdmf_body_along({STATE}, {DIRECTION})",
-                coordinates.body,
-                lambda state, direction: (state, along_leg(state)),
-                fixed=("direction",),
-            ),
-            Function(
-                f"tdmf_point tdmf_center_of_mass_along({MODEL}, {STATE}, {DIRECTION})",
-                coordinates.center_of_mass,
-                lambda model, state, direction: (model, state, along_leg(state)),
-                fixed=("direction",),
-            ),
-            Function(
-                f"tdmf_point tdmf_foot_below({MODEL}, tdmf_point center, {STATE}, {DIRECTION})",
-                coordinates.foot_below,
-                lambda model, center, state, direction: (model, center, state, along_leg(state)),
-                fixed=("direction",),
-            ),
-            Function(
-                f"tdmf_leg_rates tdmf_leg_rates_with_foot({STATE}, {DIRECTION}, double vx, double vy)",
-                coordinates.leg_rates_with_foot,
-                lambda state, direction, vx, vy: (state, along_leg(state), vx, vy),
-                varied=False,
-            ),
-            Function(
-                f"tdmf_standing tdmf_standing_of({LINE}, {STATE}, {DIRECTION})",
-                coordinates.on_ground,
-                lambda line, state, direction: (line, state, along_leg(state)),
-                fixed=("direction",),
-            ),
-            Function(
-                f"void tdmf_state_of_standing({LINE}, const tdmf_standing *at, double turns, "
-                "double written[TDMF_STATE_COUNT])",
-                coordinates.from_ground,
-                fixed=("turns",),
-                result="state",
-            ),
-            Function(
-                "double tdmf_angle_seen(double x, double y, double slope)",
-                coordinates.angle_seen,
-                varied=False,
-            ),
-            Function("double tdmf_angle_rate_of(double momentum, double length)", coordinates.angle_rate),
-        ],
-    )
-
-
-def constant_laws() -> str:
-    """Write what is constant in a mode."""
-    return header(
-        "constant",
-        [
-            Function(
-                f"flight_coefficients tdmf_flight_coefficients_of({MODEL}, {LAW}, double rest_length, "
-                "tdmf_vector push)",
-                constants.of_flight,
-            ),
-            Function(
-                f"ground_coefficients tdmf_ground_coefficients_of({MODEL}, {LINE}, {LAW}, "
-                "double rest_length, "
-                "tdmf_vector push, double friction)",
-                constants.on_ground,
-            ),
-        ],
-        structs="coefficients.h",
-    )
-
-
-def dynamics_laws() -> str:
-    """Write the equations of motion."""
-    return header(
-        "dynamics",
-        [
-            Function(
-                f"tdmf_vector tdmf_acceleration_of_foot({MODEL}, {LINE}, {LEG}, double torque, "
-                "tdmf_ground_force force, tdmf_contact_mode contact)",
-                dynamics.foot_acceleration,
-            ),
-            Function(
-                f"tdmf_leg_rates tdmf_acceleration_of_leg({MODEL}, {LEG}, double torque, tdmf_vector fall, "
-                "tdmf_vector foot)",
-                dynamics.leg_acceleration,
-            ),
-            Function(f"double tdmf_external_power({INPUTS}, tdmf_point body)", dynamics.external_power),
-            Function(
-                f"void tdmf_rates_with({MODEL}, {STATE}, {LEG}, double torque, tdmf_ground_force force, "
-                "tdmf_vector foot, "
-                "tdmf_leg_rates acceleration, double slip_velocity, double place_rate, "
-                "double external_power, "
-                "double derivatives[TDMF_STATE_COUNT])",
-                dynamics.rates,
-                fixed=("place_rate",),
-            ),
-        ],
-    )
-
-
-def impact_laws() -> str:
-    """Write the impact."""
-    return header(
-        "impact",
-        [
-            Function(
-                f"tdmf_after_impact tdmf_impact_with({MODEL}, {INPUTS}, {LINE}, {STATE}, {DIRECTION}, "
-                "double sign, "
-                "bool sticks)",
-                impact.after,
-                lambda model, inputs, line, state, direction, sign, sticks: (
-                    model,
-                    inputs,
-                    line,
-                    state,
-                    along_leg(state),
-                    sign,
-                    sticks,
-                ),
-                fixed=("direction", "sign"),
-            ),
-        ],
-    )
-
-
-def energy_laws() -> str:
-    """Write the energies."""
-    return header(
-        "energy",
-        [
-            Function(
-                f"tdmf_energy tdmf_energy_with({MODEL}, {STATE}, {DIRECTION}, double rest_length)",
-                energy.mechanical,
-                lambda model, state, direction, rest_length: (model, state, along_leg(state), rest_length),
-                fixed=("direction",),
-            ),
-        ],
-    )
-
-
-def guard_laws() -> str:
-    """Write the guards of events, and their changes."""
-    return header(
-        "guard",
-        [
-            Function(
-                f"double tdmf_{event.name}_guard("
-                f"{', '.join([AT, *(GUARD_ARGUMENTS[name] for name, _ in event.arguments)])})",
-                event.law,
-                fixed=("sign",),
-                varied=event.varied,
-            )
-            for event in events.EVENTS
-            if event.law is not None
-        ],
-        structs="evaluation.h",
-    )
-
-
-HEADERS = [
-    runner_laws,
-    ground_line_laws,
-    hip_laws,
-    leg_laws,
-    friction_laws,
-    ground_force_laws,
-    graze_laws,
-    free_fall_laws,
-    coordinate_laws,
-    dynamics_laws,
-    impact_laws,
-    energy_laws,
-    guard_laws,
-    constant_laws,
-]
+def headers() -> dict[str, Callable[[], str]]:
+    """Give what writes each header."""
+    found: dict[str, list[str]] = {}
+    for line in FUNCTIONS.strip().splitlines():
+        if not line.startswith(" "):
+            topic = found.setdefault(line, [])
+        elif line.startswith("        "):
+            topic[-1] += " " + line.strip()
+        else:
+            topic.append(line.strip())
+    return {
+        f"{topic}_laws.h": partial(
+            header, topic, [function(line) for line in lines], STRUCTS.get(topic, "quantities.h")
+        )
+        for topic, lines in found.items()
+    }

@@ -112,7 +112,10 @@ def of_all_cases(write: Callable[[], str]) -> str:
         decided[condition] = holds
         texts.append(of_all_cases(write))
         del decided[condition]
-    return texts[0] if texts[0] == texts[1] else f"if ({condition}) {{\n{texts[0]}}}\n{texts[1]}"
+    if texts[0] == texts[1]:
+        return texts[0]
+    end = "" if texts[0].rstrip().rpartition("\n")[2].startswith("return") else "return;\n"
+    return f"if ({condition}) {{\n{texts[0]}{end}}}\n{texts[1]}"
 
 
 class Parameter:

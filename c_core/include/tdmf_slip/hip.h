@@ -1,4 +1,4 @@
-/* The hip's control law, (11) and (12) of the paper with three corrections (see hip.c). */
+/* The hip's control law, (11) and (12) of the paper with three corrections (see equations/hip.py). */
 #ifndef TDMF_SLIP_HIP_H
 #define TDMF_SLIP_HIP_H
 

@@ -1,7 +1,7 @@
 /* First variations: how a run changes with its start and with the parameters, exactly.
  *
  * Between events the variational equations of the mode are solved along with it; at an event the saltation
- * matrix takes over, with guard and reset differentiated by hand. */
+ * matrix takes over, with the changes of guard and reset. */
 #ifndef TDMF_SLIP_VARIATION_H
 #define TDMF_SLIP_VARIATION_H
 
