@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.ensemble import Case, run_ensemble
 from ..library.orbit import Orbit, orbit_near
@@ -47,8 +48,8 @@ LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
 """Of the leg, in l0, and of its turning, in sqrt(k/m)."""
 
 
-@dataclass(frozen=True)
-class Spread:
+@dataclass(frozen=True, eq=False)
+class Spread(ByContents):
     """What came of a search from starts all over the section."""
 
     gaits: tuple[Orbit, ...]
