@@ -287,6 +287,12 @@ static tdmf_outcome advance_through_event(unit *unit, double until, const unit_m
     return outcome;
 }
 
+/* Up to when an event that is due at `time` is seen to be: a little after its guard's zero. */
+static double time_seen_due(const unit *unit, double time) {
+    const double after = fmax(2.0 * unit->event_lead, 1e-10 * unit->model.scales.time);
+    return fmax(time + after, nextafter(time, INFINITY));
+}
+
 /* The event, under inputs or settings that were set since it was found: it may be another one by now, or
  * none. */
 static bool take_event_anew(unit *unit) {
@@ -295,7 +301,7 @@ static bool take_event_anew(unit *unit) {
     const tdmf_inputs inputs = unit->inputs;
     const unit_mark mark = mark_of(unit);
     tdmf_record *record = &unit->motion.record;
-    advance_through_event(unit, fmax(time + 2.0 * unit->event_lead, nextafter(time, INFINITY)), &mark);
+    advance_through_event(unit, time_seen_due(unit, time), &mark);
     if (!event_has_happened(unit, &mark)) {
         unit->motion = before;
     }

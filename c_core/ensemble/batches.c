@@ -165,19 +165,19 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     }
 }
 
-static void empty_lane(integration *integration, batch *batch, int lane, bool at_event, bool late) {
+static void empty_lane(integration *integration, batch *batch, int lane, const lane_outcome *outcome) {
     double fields[CHANGING_FIELDS];
     const int index = batch->runner_in[lane];
     tdmf_runner *runner = &integration->runners[index];
     bool goes_on = false;
-    if (at_event) {
+    if (outcome->at_event[lane]) {
         const int strides = runner->end->strides;
         read_lane(&batch->members, lane, fields, CHANGING_FIELDS);
-        goes_on = tdmf_runner_take_event(runner, fields);
+        goes_on = tdmf_runner_take_event(runner, fields, guard_at_zero((int)outcome->event[lane]));
         integration->work.strides += runner->end->strides - strides;
         ++integration->work.events;
     } else {
-        tdmf_runner_give_up(runner, late ? TDMF_FATE_UNDECIDED : TDMF_FATE_UNSOLVED);
+        tdmf_runner_give_up(runner, outcome->late[lane] ? TDMF_FATE_UNDECIDED : TDMF_FATE_UNSOLVED);
     }
     batch->runner_in[lane] = EMPTY;
     batch->live[lane] = 0;
@@ -243,12 +243,10 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     if (is_noted) {
         note_steps(integration, kind, outcome);
     }
-    const unsigned events = lanes_of(outcome.at_event);
-    const unsigned late = lanes_of(outcome.late);
-    const unsigned leaving = events | late | lanes_of(outcome.stuck);
+    const unsigned leaving = lanes_of(outcome.at_event | outcome.late | outcome.stuck);
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {
-            empty_lane(integration, batch, lane, events >> lane & 1, late >> lane & 1);
+            empty_lane(integration, batch, lane, &outcome);
         }
     }
 }

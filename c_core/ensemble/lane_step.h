@@ -9,6 +9,7 @@
 /* What a step has come to. */
 typedef struct {
     choice at_event;
+    whole event;  /* see event_search */
     choice late;  /* no time left to close the stride */
     choice stuck; /* no finite step, none left, or too stiff */
     real size;    /* for which its series were expanded */
@@ -37,7 +38,8 @@ static inline lane_outcome move_on(member_progress *now, real time_left, const m
     const real elapsed = now->elapsed + end;
     count_step(&now->steps, end, mode->time_scale);
     const lane_outcome outcome = {
-        .at_event = search->live & search->is_event & (search->time <= 1.0) & not(too_stiff),
+        .at_event = search->live & (search->end != whole_of(KINK)) & (search->time <= 1.0) & not(too_stiff),
+        .event = search->end,
         .late = search->live & (elapsed >= time_left),
         .stuck = search->live & (too_stiff | not(elapsed > now->elapsed) | no_steps_left(&now->steps) |
                                  takes_too_many_steps(&now->steps, mode->time_scale)),

@@ -219,14 +219,14 @@ static bool fly(tdmf_runner *runner) {
     return tdmf_runner_close_stride(runner);
 }
 
-bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields) {
+bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guard reached) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
     store(runner, fields);
     tdmf_run run = {runner->model, &runner->inputs, motion->time,     motion->state,
                     &motion->mode, &motion->record, runner->direction};
     observe(runner);
-    const bool resolved = tdmf_take_transitions(&run);
+    const bool resolved = tdmf_take_transitions(&run, reached);
     observe(runner);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);

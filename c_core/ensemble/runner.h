@@ -5,6 +5,7 @@
 #include "mode_equations.h"
 #include "series.h"
 #include "step_limits.h"
+#include "tdmf_slip/automaton.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/solver.h"
 
@@ -91,9 +92,9 @@ bool tdmf_notes_strides(const tdmf_ensemble *ensemble);
  * done at positive power. */
 void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane);
 
-/* Takes the event that the lane has come to: its first CHANGING_FIELDS fields. False where the run has ended.
- */
-bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields);
+/* Takes the event that the lane has come to: its first CHANGING_FIELDS fields, and the guard whose zero it
+ * has reached, see tdmf_resolve_along. False where the run has ended. */
+bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guard reached);
 
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);

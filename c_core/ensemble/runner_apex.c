@@ -97,7 +97,7 @@ static bool resolve(tdmf_runner *runner) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_resolution resolution =
         tdmf_resolve_along(runner->model, &runner->inputs, motion->time, motion->state, runner->direction,
-                           &motion->mode, &motion->record);
+                           TDMF_GUARD_COUNT, &motion->mode, &motion->record);
     if (motion->mode.fallen || resolution.unresolved) {
         tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
         return false;

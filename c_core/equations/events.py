@@ -93,14 +93,16 @@ def leg_too_short(at):
 class Event(NamedTuple):
     """A row of the table.
 
-    `law` is the guard (None: only C has it), `scale` what divides it; `watched` tells for each contact the
-    phases in which it is watched, `only_while` a flag of the mode that must be set, or with "not" must not.
-    `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex" for either,
-    "by hand" where C arms it. `slack` is what C adds to the guard, `width` a
-    further scale that it asks for, `arguments` are further ones of the law,
-    with what C hands in. `takes` names the reset where it has not the event's name; it is "" where the record
-    alone knows of the event. `jumps` tells that a variation of the state jumps. `varied` is False where no
-    variation outlives the event, and "by hand" where C has the change of the guard.
+    `law` is the guard (None: only C has it), `scale` what divides it; `watched` tells for each contact
+    the phases in which it is watched, `only_while` a flag of the mode that must be set, or with "not"
+    must not. `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex"
+    for either, with a margin of its own, "by hand" where C arms it. `reach` tells how near to its zero it
+    is due where a solver has come there: within half of its margin, or of the dead band where nothing
+    depends on what is left of it. `slack` is what C adds to the guard, `width` a further scale that it
+    asks for, `arguments` are further ones of the law, with what C hands in. `takes` names the reset where
+    it has not the event's name; it is "" where the record alone knows of the event. `jumps` tells that a
+    variation of the state jumps. `varied` is False where no variation outlives the event, and "by hand"
+    where C has the change of the guard.
     """
 
     name: str
@@ -116,6 +118,7 @@ class Event(NamedTuple):
     jumps: bool = False
     is_impact: bool = False
     varied: bool | str = True
+    reach: str = "dead"
 
 
 ALL = ("drive", "coast", "retract", "place")
@@ -125,11 +128,12 @@ CONTACT = {"stick": ALL, "slip": ALL}
 FLIGHT, STICK, SLIP, GRAZE = ({mode: ALL} for mode in ("flight", "stick", "slip", "graze"))
 CONE = "tdmf_cone_width(at->model, at->inputs)"
 
-# In the order in which those are taken that are due at one instant.
+# In the order in which those are taken that are due at one instant. Of one force the sign tells contact and
+# graze apart, and a fall has to be seen by whoever looks at it: those are due within their margin only.
 EVENTS = [
     Event("new_ground", new_ground, "length", FLIGHT, band="by hand", arguments=(("line", "&line"),)),
-    Event("body_down", body_down, "length", ANYWHERE, takes="fall", varied=False),
-    Event("leg_too_short", leg_too_short, "length", ANYWHERE, takes="fall", varied=False),
+    Event("body_down", body_down, "length", ANYWHERE, takes="fall", varied=False, reach="margin"),
+    Event("leg_too_short", leg_too_short, "length", ANYWHERE, takes="fall", varied=False, reach="margin"),
     Event(
         "apex",
         apex,
@@ -150,7 +154,7 @@ EVENTS = [
     Event("clamp", clamp, "energy", {"flight": ("retract",)}, band="dead"),
     Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not thrusts"),
     Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mid_stance_pending"),
-    Event("lift_off", lift_off, "force", CONTACT),
+    Event("lift_off", lift_off, "force", CONTACT, reach="margin"),
     Event("slip_onset_positive", slip_onset_positive, "force", STICK, width=CONE),
     Event("slip_onset_negative", slip_onset_negative, "force", STICK, width=CONE),
     Event(
@@ -162,6 +166,6 @@ EVENTS = [
     ),
     Event("force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
     Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
-    Event("graze_to_contact", graze_to_contact, "force", GRAZE),
-    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand"),
+    Event("graze_to_contact", graze_to_contact, "force", GRAZE, reach="margin"),
+    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand", reach="margin"),
 ]

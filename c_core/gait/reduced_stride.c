@@ -99,8 +99,8 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
     }
     tdmf_run run = run_of(model, inputs, motion);
     tdmf_take_touchdown(&run);
-    tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, &motion->mode,
-                       &motion->record);
+    tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, TDMF_GUARD_COUNT,
+                       &motion->mode, &motion->record);
     return tdmf_in_contact(&motion->mode) ? TDMF_REDUCED_CLOSED : TDMF_REDUCED_NO_STANCE;
 }
 

@@ -16,19 +16,19 @@
 #include "mode_constants.h"
 #include "powers.h"
 
-/* A law has a kink where this guard turns: no event, but the step ends. */
-enum { KINK = TDMF_GUARD_COUNT };
+/* What ends a step: an event at the zero of this guard; a kink of a law, which is no event; or, with the
+ * guard added, an event whose guard has no zero to be told from its floor. */
+enum { KINK = TDMF_GUARD_COUNT, AT_FLOOR };
 
-/* What has been found is an event where `is_event`; else how far the step may be used. */
+/* What has been found ends the step, or tells how far it may be used. */
 typedef struct {
     real size; /* of the step; all other times here are shares of it */
     int order;
     choice live;
-    real beyond_margin; /* in a guard's scale: where it is due */
+    real beyond_margin; /* in a guard's scale: where it is known to be due, since its zero */
     real power[SERIES_TERMS];
     real time;
-    choice is_event;
-    whole guard;
+    whole end; /* a guard, KINK, or AT_FLOOR and a guard */
     /* The guard that a lane has yet to search, as a polynomial. */
     choice pending;
     whole pending_guard;
@@ -49,22 +49,21 @@ static inline void begin_search(event_search *search, int order, choice live, re
     search->live = live;
     search->beyond_margin = beyond_margin;
     search->time = real_of(INFINITY);
-    search->is_event = choice_of(false);
-    search->guard = whole_of(KINK);
+    search->end = whole_of(KINK);
     search->pending = choice_of(false);
     search->pending_guard = whole_of(KINK);
 }
 
 /* Notes what lanes have found that ends their step sooner. */
-static inline void note_found(event_search *search, choice lanes, real time, choice is_event, whole guard) {
+static inline void note_found(event_search *search, choice lanes, real time, whole end) {
     const choice sooner =
-        lanes & ((time < search->time) | ((time == search->time) & is_event & not(search->is_event)));
+        lanes & ((time < search->time) | ((time == search->time) & (search->end == whole_of(KINK))));
     search->time = pick(sooner, time, search->time);
-    search->is_event = (is_event & sooner) | (search->is_event & not(sooner));
-    search->guard = pick_whole(sooner, guard, search->guard);
+    search->end = pick_whole(sooner, end, search->end);
 }
 
-/* Finds the first root of the guards that are pending. */
+/* Finds the first root of the guards that are pending. An event takes place at its guard's zero, once it is
+ * known to be due; a kink is passed by its floor. */
 static inline void search_pending(event_search *search) {
     if (!any(search->pending)) {
         return;
@@ -72,8 +71,20 @@ static inline void search_pending(event_search *search) {
     const real to = smaller(real_of(1.0), search->time);
     const root found = first_root(search->c, search->order, search->floor, real_of(0.0), to, search->pending);
     const choice is_event = found.is_root & (search->pending_guard != whole_of(KINK));
-    note_found(search, search->pending, found.time, is_event, search->pending_guard);
+    const choice has_zero = found.zero < found.time;
+    const whole guard = pick_whole(has_zero, search->pending_guard, search->pending_guard + AT_FLOOR);
+    note_found(search, search->pending, pick(is_event, found.zero, found.time),
+               pick_whole(is_event, guard, whole_of(KINK)));
     search->pending = choice_of(false);
+}
+
+/* The guard of an event that ends a step, and the one whose zero the step has come to, if any. */
+static inline tdmf_guard guard_of_end(int end) {
+    return (tdmf_guard)(end > KINK ? end - AT_FLOOR : end);
+}
+
+static inline tdmf_guard guard_at_zero(int end) {
+    return end < KINK ? (tdmf_guard)end : TDMF_GUARD_COUNT;
 }
 
 /* Least of a guard's partial sums. */

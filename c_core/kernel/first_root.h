@@ -31,10 +31,12 @@ static const double third_derivative[SERIES_TERMS] = {
     0,    0,    0,    6,    24,   60,   120,  210,  336,   504,   720,   990,   1320,  1716,  2184,
     2730, 3360, 4080, 4896, 5814, 6840, 7980, 9240, 10626, 12144, 13800, 15600, 17550, 19656, 21924};
 
-/* What a search has found: the time of a root, or how far there is none. */
+/* What a search has found: the time of a root, or how far there is none. And the time before it from which a
+ * polynomial falls from zero down to its floor; that of the root where it is not seen to. */
 typedef struct {
     real time;
     choice is_root;
+    real zero;
 } root;
 
 /* A polynomial's value and derivatives. */
@@ -124,6 +126,16 @@ static inline real safe_distance(const expansion *at, real bound, real left, cho
     }
 }
 
+/* Next to its floor a polynomial that crosses it is a straight line, from well above zero on: else it began
+ * about there, or only touches, and zero is not to be told from the floor. */
+static inline real zero_before(const expansion *at, real time, real from) {
+    const real since = at->value / at->slope;
+    const real above = (1.0 + close_enough) * since;
+    const choice is_line = (at->slope < 0.0) & (time - above >= from) &
+                           (real_abs(at->curvature) * above <= close_enough * real_abs(at->slope));
+    return pick(is_line, time - since, time);
+}
+
 /* The first t in [from, to], in the lanes that search, at which a polynomial is no larger than `floor`, which
  * is below zero. Without one, time is infinity, or less than `to` where the search took too long: there is no
  * root before. `from` is not negative, and in all lanes zero or in none; `to` is no larger than 1. */
@@ -132,16 +144,16 @@ static inline root first_root(const real *c, int order, real floor, real from, r
     const real down = close_enough * real_abs(floor);
     expansion at = from_start ? expansion_at_start(c, order) : expansion_at(c, order, from);
     real bound = from_start ? 6.0 * sum_of_tail(c, order) : bound_of_derivative(c, third_derivative, order);
-    root found = {from, choice_of(false)};
+    root found = {from, choice_of(false), from};
     for (int i = 0; i < ROOT_ITERATION_LIMIT; ++i) {
-        at.value -= floor;
-        const choice due = searching & not(at.value > down);
+        const expansion above = {at.value - floor, at.slope, at.curvature};
+        const choice due = searching & not(above.value > down);
         found.is_root |= due;
         searching &= not(due);
         if (!any(searching)) {
             break;
         }
-        const real next = found.time + safe_distance(&at, bound, to - found.time, searching);
+        const real next = found.time + safe_distance(&above, bound, to - found.time, searching);
         const choice past_end = searching & (next > to);
         found.time = pick(past_end, real_of(INFINITY), pick(searching, next, found.time));
         searching &= not(past_end);
@@ -153,6 +165,7 @@ static inline root first_root(const real *c, int order, real floor, real from, r
         }
         at = expansion_at(c, order, found.time);
     }
+    found.zero = zero_before(&at, found.time, from);
     return found;
 }
 

@@ -34,7 +34,7 @@ static inline void trust_drop(event_search *search, const flight_constants *c, c
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
     note_remainder(&remainder, drop, search->order, c->mode.length_scale);
     const real trusted = trusted_size(&remainder, real_of(INFINITY), search->order, real_of(tolerance));
-    note_found(search, lanes, trusted / search->size, choice_of(false), whole_of(KINK));
+    note_found(search, lanes, trusted / search->size, whole_of(KINK));
 }
 
 /* The heights of foot and body: a parabola and a share of the leg's drop. */
@@ -94,11 +94,8 @@ static inline void watch_new_ground(event_search *search, const flight_constants
 static inline void watch_apex_in_flight(event_search *search, const flight_constants *c,
                                         const ballistic *com) {
     const real gravity = c->mode.gravity;
-    const real above = com->rise_rate - search->beyond_margin * c->mode.speed_scale;
-    const real time = larger(above, real_of(0.0)) / (gravity * search->size);
-    const choice falls = (gravity > 0.0) | not(above > 0.0);
-    note_found(search, search->live & falls & (time <= 1.0), time, choice_of(true),
-               whole_of(TDMF_GUARD_APEX));
+    const real time = larger(com->rise_rate, real_of(0.0)) / (gravity * search->size);
+    note_found(search, search->live & (gravity > 0.0) & (time <= 1.0), time, whole_of(TDMF_GUARD_APEX));
 }
 
 /* The same where the push on the body ramps; until the centre of mass rises, for a kink where it begins to.

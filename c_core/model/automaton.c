@@ -9,7 +9,7 @@
 
 tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                                    double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                   tdmf_mode *mode, tdmf_record *record) {
+                                   tdmf_guard reached, tdmf_mode *mode, tdmf_record *record) {
     static const tdmf_resolution no_mode = {.unresolved = true};
     if (!tdmf_is_mode(mode)) {
         return no_mode;
@@ -23,7 +23,7 @@ tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *i
         tdmf_account_for_rest_length(&run);
     }
     tdmf_observe_along(model, inputs, state, direction, mode, record);
-    const bool resolved = tdmf_take_transitions(&run);
+    const bool resolved = tdmf_take_transitions(&run, reached);
     tdmf_observe_along(model, inputs, state, direction, mode, record);
 
     const tdmf_resolution resolution = {
@@ -36,5 +36,6 @@ tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *i
 
 tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                              double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
-    return tdmf_resolve_along(model, inputs, time, state, tdmf_leg_direction_of(state), mode, record);
+    return tdmf_resolve_along(model, inputs, time, state, tdmf_leg_direction_of(state), TDMF_GUARD_COUNT,
+                              mode, record);
 }

@@ -22,6 +22,11 @@ static inline double tdmf_beyond_margin(double tolerance) {
     return -2.0 * TDMF_GUARD_MARGIN - (error < deepest ? error : deepest);
 }
 
+/* Up to this a guard is due that a solver has followed to its zero, the margin or dead band that it carries
+ * included: by the model's own rounding and the solver's error it may lie by half of that before its zero. */
+#define TDMF_REACH_WITHIN_MARGIN    (1.5 * TDMF_GUARD_MARGIN)
+#define TDMF_REACH_WITHIN_DEAD_BAND (1.5 * TDMF_DEAD_BAND)
+
 /* How much further below zero a guard has to be after false crossings: those that a series has found and the
  * model, whose rounding is another, has not. Without it a search would find the same one for ever. */
 static inline double tdmf_margin_factor(int false_crossings) {
@@ -31,6 +36,9 @@ static inline double tdmf_margin_factor(int false_crossings) {
 /* Up to this a start's distance from the ground and its velocity across it are zero, and so is the distance
  * of a foot from a ground that waits to be in force. */
 #define TDMF_AT_GROUND 1e-12
+
+/* Of a centre of mass that rises. */
+#define TDMF_APEX_MARGIN (1e-3 * TDMF_GUARD_MARGIN)
 
 /* A start in flight with a vertical velocity of the centre of mass up to this is an apex. */
 #define TDMF_APEX_AT_START 1e-12

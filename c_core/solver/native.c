@@ -225,11 +225,11 @@ static void end_thrust(integration *integration) {
     tdmf_end_thrust(&run);
 }
 
-static bool take_transitions(integration *integration) {
+static bool take_transitions(integration *integration, tdmf_guard reached) {
     tdmf_motion *motion = integration->motion;
     const tdmf_resolution taken =
         tdmf_resolve_along(integration->model, &integration->inputs, motion->time, motion->state,
-                           integration->direction, &motion->mode, &motion->record);
+                           integration->direction, reached, &motion->mode, &motion->record);
     if (stance_is_over(integration)) {
         end_thrust(integration);
     }
@@ -244,33 +244,33 @@ static bool take_transitions(integration *integration) {
 
 /* Takes what is due now, on the motion and on its variations. Nothing may be: series know a guard up to the
  * tolerance, and the model finds it above its margin still. */
-static bool resolve(integration *integration, tdmf_guard guard) {
+static bool resolve(integration *integration, const tdmf_step_end *end) {
     tdmf_motion *motion = integration->motion;
     if (integration->count == 0 && !integration->solver->log) {
-        return take_transitions(integration);
+        return take_transitions(integration, end->reached);
     }
     const tdmf_side before = side_of(integration);
-    if (!take_transitions(integration)) {
+    if (!take_transitions(integration, end->reached)) {
         return false;
     }
     const tdmf_side after = side_after(integration);
-    log_event(integration->solver->log, motion->time, guard, &before, &after.mode);
+    log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
-            tdmf_saltation(integration->model, &integration->inputs, guard, &before, &after,
+            tdmf_saltation(integration->model, &integration->inputs, end->guard, &before, &after,
                            &integration->changes[i], &integration->variations[i]);
     }
     return true;
 }
 
-/* Takes the event that is due after `elapsed`. */
-static void stop_at_event(integration *integration, tdmf_guard guard, double elapsed,
+/* Takes the event that ends a step. */
+static void stop_at_event(integration *integration, const tdmf_step_end *end,
                           const tdmf_mode_coordinates *reached) {
     --integration->events_left;
-    write_state(integration, elapsed, reached);
-    move_time(integration, elapsed);
-    move_inputs(integration, elapsed);
-    integration->solver->events += resolve(integration, guard);
+    write_state(integration, end->time, reached);
+    move_time(integration, end->time);
+    move_inputs(integration, end->time);
+    integration->solver->events += resolve(integration, end);
     ++integration->events_in_span;
     open_mode(integration);
 }
@@ -392,7 +392,7 @@ static tdmf_outcome advance_once(integration *integration) {
                                     &integration->varied_mode[i]);
     }
     if (end.is_event) {
-        stop_at_event(integration, end.guard, end.time, &reached);
+        stop_at_event(integration, &end, &reached);
     } else {
         go_on(integration, end.time, &reached);
     }
@@ -422,8 +422,8 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->events_in_span = 0;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
-    tdmf_resolve_along(model, inputs, motion->time, motion->state, integration->direction, &motion->mode,
-                       &motion->record);
+    tdmf_resolve_along(model, inputs, motion->time, motion->state, integration->direction, TDMF_GUARD_COUNT,
+                       &motion->mode, &motion->record);
     open_mode(integration);
     return true;
 }

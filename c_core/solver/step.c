@@ -138,8 +138,12 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode) {
         search_ground(step);
     }
     const bool within = search->time <= 1.0;
-    const tdmf_step_end end = {within ? search->time * step->size : step->size, within && search->is_event,
-                               (tdmf_guard)search->guard};
+    const tdmf_step_end end = {
+        .time = within ? search->time * step->size : step->size,
+        .is_event = within && search->end != KINK,
+        .guard = guard_of_end(search->end),
+        .reached = guard_at_zero(search->end),
+    };
     return end;
 }
 

@@ -30,6 +30,7 @@ typedef struct {
     double time;
     bool is_event;
     tdmf_guard guard;
+    tdmf_guard reached; /* the same, if the step ends at its zero: see tdmf_resolve_along */
 } tdmf_step_end;
 
 /* The order at which steps of a relative tolerance cost least. */

@@ -219,7 +219,7 @@ static void note_factors_on_ground(const tdmf_step *step, double zero, double en
 
 /* The first time after `from` at which the power changes its sign, or `end`. */
 static double next_turn(const tdmf_step *step, changing_factors *changing, double from, double end) {
-    root first = {INFINITY, 0};
+    root first = {INFINITY, 0, INFINITY};
     int turning = 0;
     for (int i = 0; i < changing->count; ++i) {
         const factor *f = &changing->of[i];

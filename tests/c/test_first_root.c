@@ -14,7 +14,7 @@ typedef struct {
 
 /* On [0, 1], going on where a search takes too long. */
 static double root_of(const polynomial *p) {
-    root found = {0.0, 0};
+    root found = {0.0, 0, 0.0};
     for (int i = 0; i < 1000 && !found.is_root && found.time < 1.0; ++i) {
         found = first_root(p->c, p->order, level, found.time, 1.0, 1);
     }

@@ -1,6 +1,7 @@
 /* The unit's Co-Simulation: steps that arrive, inputs that move, what is refused. */
 #include "compare.h"
 #include "fmi2_importer.h"
+#include "proved_gaits.h"
 
 #include "tdmf_slip/cvode.h"
 #include "unit.h"
@@ -49,6 +50,46 @@ static void steps_arrive_and_the_grid_does_not_matter(void **state) {
         assert_close(get_real(component, "stride.period"), period, 1e-8);
         assert_close(get_real(component, "stride.cost_of_transport"), 0.3717046558598356, 1e-9);
         fmi2FreeInstance(component);
+    }
+}
+
+static void start_on_gait(fmi2Component component, const proved_gait *gait) {
+    static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
+                                                             "leg.angle",       "foot.vx",       "foot.vy",
+                                                             "leg.length_rate", "leg.angle_rate"};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_model model;
+    double state[TDMF_STATE_COUNT];
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_section_state(&model, &inputs, gait->apex, state);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        assert_int_equal(set_real(component, names[i], state[i]), fmi2OK);
+    }
+    assert_int_equal(set_real(component, "ground.friction", gait->friction), fmi2OK);
+    assert_int_equal(set_real(component, "solver.relative_tolerance", 1e-13), fmi2OK);
+    initialize(component);
+}
+
+/* Also where steps end at events. */
+static void a_stride_takes_the_proved_time(void **state) {
+    (void)state;
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        for (int stops = 0; stops < 2; ++stops) {
+            fmi2Component component = new_slave();
+            double time = 0.0;
+            start_on_gait(component, gait);
+            for (int k = 0; k < gait->event_count && stops; ++k) {
+                assert_int_equal(fmi2DoStep(component, time, gait->events[k].time - time, fmi2True), fmi2OK);
+                time = gait->events[k].time;
+            }
+            assert_int_equal(fmi2DoStep(component, time, gait->period + 1.0 - time, fmi2True), fmi2OK);
+            assert_int_equal(get_integer(component, "stride.count"), 1);
+            assert_close(get_real(component, "stride.period"), gait->period, 1e-13 * gait->period);
+            assert_close(get_real(component, "apex.time"), gait->period, 1e-13 * gait->period);
+            fmi2FreeInstance(component);
+        }
     }
 }
 
@@ -351,6 +392,7 @@ static void ten_strides_raise_no_floating_point_exception(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_arrive_and_the_grid_does_not_matter),
+        cmocka_unit_test(a_stride_takes_the_proved_time),
         ON_FRESH_INSTANCE(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
         ON_FRESH_INSTANCE(a_step_taken_before_is_refused),
         ON_FRESH_INSTANCE(no_step_goes_beyond_the_stop_time),

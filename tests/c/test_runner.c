@@ -28,7 +28,7 @@ static void limits_of_steps_go_along(void **state) {
     const step_count made = {77.0, 0.25, 3.0};
     now.steps = made;
     memcpy(fields, &now, sizeof now);
-    assert_true(tdmf_runner_take_event(&runner, fields));
+    assert_true(tdmf_runner_take_event(&runner, fields, TDMF_GUARD_COUNT));
     assert_int_equal(tdmf_runner_load(&runner, fields), FLYING_FIELDS);
     memcpy(&now, fields, sizeof now);
     assert_memory_equal(&now.steps, &made, sizeof made);

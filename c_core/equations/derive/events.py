@@ -5,8 +5,9 @@ from ..events import ALL, EVENTS, Event
 BANDS = {
     "": "TDMF_GUARD_MARGIN",
     "dead": "TDMF_DEAD_BAND",
-    "apex": "(at->mode->rises ? TDMF_GUARD_MARGIN : TDMF_DEAD_BAND)",
+    "apex": "(at->mode->rises ? TDMF_APEX_MARGIN : TDMF_DEAD_BAND)",
 }
+REACHES = {"margin": "TDMF_REACH_WITHIN_MARGIN", "dead": "TDMF_REACH_WITHIN_DEAD_BAND"}
 CONTACTS = {
     "flight": ["FLIGHT"],
     "stick": ["STICK"],
@@ -89,6 +90,7 @@ def row(event: Event) -> str:
         f".guard = {'tdmf_armed_' if by_hand else 'armed_'}{event.name}",
         *([f".vary_guard = {change_of(event)}"] if event.varied else []),
         *([f".reset = {taken_by(event)}"] if event.takes != "" else []),
+        *([f".reach = {REACHES[event.reach]}"] if event.takes != "" else []),
         *([f".vary_reset = tdmf_vary_take_{event.name}"] if event.jumps else []),
         *([".is_impact = true"] if event.is_impact else []),
     ]
@@ -96,21 +98,25 @@ def row(event: Event) -> str:
 
 
 def watch_list(contact: str) -> str:
-    """Write what a contact mode watches."""
+    """Write what a contact mode watches, and how many of that have no reset, which come last."""
     rows = []
-    for event in EVENTS:
+    observed = [event for event in EVENTS if event.takes == "" and contact in event.watched]
+    for event in [event for event in EVENTS if event not in observed] + observed:
         phases = event.watched.get(contact, ())
         if phases:
             bits = "ALWAYS" if phases == ALL else " | ".join(phase.upper() for phase in phases)
             rows.append(f"{{TDMF_GUARD_{event.name.upper()}, {bits}}},\n")
-    return f"static const watched in_{contact}[] = {{\n{''.join(rows)}}};\n"
+    return (
+        f"static const watched in_{contact}[] = {{\n{''.join(rows)}}};\n"
+        f"enum {{ OBSERVED_IN_{contact.upper()} = {len(observed)} }};\n"
+    )
 
 
 def table() -> str:
     """Write the table."""
     by_table = [event for event in EVENTS if event.band != "by hand"]
     watched_by = "".join(
-        f"[TDMF_CONTACT_{mode}] = LIST(in_{contact}),\n"
+        f"[TDMF_CONTACT_{mode}] = LIST(in_{contact}, OBSERVED_IN_{contact.upper()}),\n"
         for contact, modes in CONTACTS.items()
         for mode in modes
     )
@@ -123,7 +129,8 @@ def table() -> str:
             "static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {\n" + "".join(map(row, EVENTS)) + "};\n",
             "/* In the order in which they are taken at one instant. */",
             *(watch_list(contact) for contact in CONTACTS),
-            "#define LIST(events) {events, (events) + sizeof(events) / sizeof((events)[0])}\n",
+            "#define END(events) ((events) + sizeof(events) / sizeof((events)[0]))\n"
+            "#define LIST(events, observed) {events, END(events) - (observed), END(events)}\n",
             "static const watch_list watched_by[] = {\n" + watched_by + "};\n",
         ]
     )

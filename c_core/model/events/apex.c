@@ -1,6 +1,9 @@
 /* Apex: the centre of mass is highest. The hip goes from retract to place; in flight a stride closes, also
  * where the hip is in place already, which it then begins anew. An apex is to come only while the centre of
- * mass rises. In place it may begin to: an upward force lifts it. */
+ * mass rises. In place it may begin to: an upward force lifts it.
+ *
+ * Where gravity is weak the margin of a velocity is a long time. As the dead band already keeps an apex from
+ * being met twice, it does with a margin that only tells it from an exact zero. */
 #include "apex.h"
 
 #include "event_declarations.h"

@@ -21,6 +21,12 @@ static double rise_rate(const tdmf_run *run) {
     return tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
 }
 
+/* In place an apex has been passed, maybe at this instant: the centre of mass rises anew beyond the dead band
+ * only. */
+static bool rises_in_place(const tdmf_run *run) {
+    return rise_rate(run) > TDMF_DEAD_BAND * run->model->scales.speed;
+}
+
 /* Once begun, place lasts until the foot is loaded; else the centre of mass decides. */
 static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
     if (run->mode->phase == TDMF_PHASE_PLACE) {
@@ -36,7 +42,7 @@ static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phas
         tdmf_end_thrust(run);
     }
     run->mode->phase = phase;
-    run->mode->rises = phase == TDMF_PHASE_RETRACT || rise_rate(run) > 0.0;
+    run->mode->rises = phase == TDMF_PHASE_RETRACT || rises_in_place(run);
     run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT &&
                               tdmf_servo_torque(run->model, run->inputs, run->mode, run->state) < 0.0;
 }

@@ -15,8 +15,9 @@ typedef struct {
     int phases;
 } watched;
 
+/* Events that have a reset come first, up to `observed`. */
 typedef struct {
-    const watched *first, *end;
+    const watched *first, *observed, *end;
 } watch_list;
 
 #include "event_table.h"
@@ -44,13 +45,16 @@ void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_
 }
 
 /* The guard of the transition that is taken first, if any is due. */
-static tdmf_guard first_due(const tdmf_evaluation *at) {
+static tdmf_guard first_due(const tdmf_evaluation *at, tdmf_guard reached) {
     const watch_list list = watched_by[at->mode->contact];
     const int phase = at->mode->fallen ? 0 : 1 << at->mode->phase;
-    for (const watched *event = list.first; event != list.end; ++event) {
-        const tdmf_event_kind *kind = &kinds[event->guard];
-        if (kind->reset != NULL && (event->phases & phase) != 0 && kind->guard(at) <= 0.0) {
-            return event->guard;
+    for (const watched *event = list.first; event != list.observed; ++event) {
+        if ((event->phases & phase) != 0) {
+            const tdmf_event_kind *kind = &kinds[event->guard];
+            const double value = kind->guard(at);
+            if (value <= 0.0 || (event->guard == reached && value <= kind->reach)) {
+                return event->guard;
+            }
         }
     }
     return TDMF_GUARD_COUNT;
@@ -59,7 +63,7 @@ static tdmf_guard first_due(const tdmf_evaluation *at) {
 tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                           const double state[TDMF_STATE_COUNT]) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
-    return tdmf_is_mode(mode) ? first_due(&at) : TDMF_GUARD_COUNT;
+    return tdmf_is_mode(mode) ? first_due(&at, TDMF_GUARD_COUNT) : TDMF_GUARD_COUNT;
 }
 
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
@@ -67,13 +71,14 @@ tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
     return tdmf_evaluate_leg(run->model, run->inputs, mode, run->state, &leg);
 }
 
-bool tdmf_take_transitions(tdmf_run *run) {
+bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached) {
     for (int links = 0; links < TDMF_CHAIN_LIMIT; ++links) {
         const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
-        const tdmf_guard due = first_due(&at);
+        const tdmf_guard due = first_due(&at, reached);
         if (due == TDMF_GUARD_COUNT) {
             return true;
         }
+        reached = due == reached ? TDMF_GUARD_COUNT : reached;
         kinds[due].reset(run);
     }
     return false;

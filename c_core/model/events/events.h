@@ -19,10 +19,11 @@ typedef struct {
     tdmf_leg_direction direction;
 } tdmf_run;
 
-/* tdmf_resolve, where the leg's direction is at hand. */
+/* tdmf_resolve, where the leg's direction is at hand. `reached` is the guard whose zero a solver has come to,
+ * and which is due there, before its margin is passed; TDMF_GUARD_COUNT for none. */
 tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
                                    double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                   tdmf_mode *mode, tdmf_record *record);
+                                   tdmf_guard reached, tdmf_mode *mode, tdmf_record *record);
 
 /* The run in a mode as it is now, or in another that it might be in. */
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
@@ -44,15 +45,17 @@ typedef struct {
     void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                        const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
                        double d_state[TDMF_STATE_COUNT]);
+    /* Up to which the guard is due where a solver has come to its zero. */
+    double reach;
     bool is_impact; /* the foot comes to the ground with a velocity */
 } tdmf_event_kind;
 
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
 
-/* Takes all that are due, as tdmf_resolve does, but does not see to the peaks of the ground force. False
- * where the chain did not come to rest. */
-bool tdmf_take_transitions(tdmf_run *run);
+/* Takes all that are due, as tdmf_resolve_along does, but does not see to the peaks of the ground force.
+ * False where the chain did not come to rest. */
+bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached);
 
 /* The right-hand side and the ground are the same: contact, phase, clamp, thrust, line and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {

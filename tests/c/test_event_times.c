@@ -1,0 +1,183 @@
+/* Times of events: that of a guard's zero, in every solver, however weak gravity is. */
+#include "compare.h"
+#include "proved_gaits.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/orbit.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double tightest = 1e-13;
+
+/* ---- a stride, by whichever solver --------------------------------------------------------------------- */
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_solver solver;
+    tdmf_motion motion;
+    tdmf_event_log log;
+} run;
+
+static void start(run *run, const tdmf_parameters *parameters, double friction, double tolerance,
+                  const double apex[TDMF_SECTION_COUNT]) {
+    memset(run, 0, sizeof *run);
+    run->inputs = tdmf_default_inputs();
+    run->inputs.ground.friction = friction;
+    run->solver = tdmf_solver_default();
+    run->solver.relative_tolerance = tolerance;
+    assert_null(tdmf_model_create(&run->model, parameters).variable);
+    tdmf_section_state(&run->model, &run->inputs, apex, run->motion.state);
+    assert_null(
+        tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
+            .variable);
+}
+
+static void stride(run *run) {
+    run->log.count = 0;
+    run->solver.log = &run->log;
+    assert_true(tdmf_native_stride(&run->solver, &run->model, &run->inputs, 1e4, &run->motion).closed);
+    run->solver.log = NULL;
+}
+
+static void start_on_gait(run *run, const proved_gait *gait, double tolerance) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    start(run, &parameters, gait->friction, tolerance, gait->apex);
+}
+
+static void assert_relative(double actual, double expected, double tolerance) {
+    assert_close(actual, expected, tolerance * fabs(expected));
+}
+
+static void assert_event_times(const run *run, const proved_event *events, int count, double tolerance) {
+    assert_int_equal(run->log.count, count);
+    for (int i = 0; i < count; ++i) {
+        assert_int_equal(run->log.events[i].guard, events[i].guard);
+        assert_relative(run->log.events[i].time, events[i].time, tolerance);
+    }
+}
+
+/* ---- against proved values ----------------------------------------------------------------------------- */
+
+static void events_of_the_published_gaits_have_the_proved_times(void **state) {
+    run run;
+    (void)state;
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        start_on_gait(&run, gait, tightest);
+        stride(&run);
+        assert_event_times(&run, gait->events, gait->event_count, 3e-15);
+        assert_relative(run.motion.record.stride.period, gait->period, 3e-15);
+        assert_relative(run.motion.record.stride.length, gait->length, 1e-14);
+        assert_relative(run.motion.record.apex.com_height, gait->apex[0], 1e-14);
+    }
+}
+
+/* A tolerance bounds what steps err by; events add nothing to that. */
+static void events_add_nothing_to_the_error_of_any_tolerance(void **state) {
+    run run;
+    (void)state;
+    for (double tolerance = 1e-12; tolerance < 1e-7; tolerance *= 10.0) {
+        for (int i = 0; i < PROVED_GAITS; ++i) {
+            start_on_gait(&run, &proved_gaits[i], tolerance);
+            stride(&run);
+            assert_relative(run.motion.record.stride.period, proved_gaits[i].period, 0.1 * tolerance);
+        }
+    }
+}
+
+static void a_search_finds_the_proved_gaits(void **state) {
+    run run;
+    (void)state;
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        double guess[TDMF_SECTION_COUNT];
+        memcpy(guess, gait->apex, sizeof guess);
+        guess[TDMF_SECTION_COM_SPEED] *= 1.001;
+        start_on_gait(&run, gait, 1e-12);
+        const tdmf_orbit orbit = tdmf_find_orbit(&run.solver, &run.model, &run.inputs, guess, NULL);
+        assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
+        assert_relative(orbit.stride.stride.period, gait->period, 1e-13);
+        assert_relative(orbit.section[0], gait->apex[0], 1e-13);
+    }
+}
+
+static void the_clock_of_a_run_goes_with_its_gait(void **state) {
+    enum { STRIDES = 100 };
+    run run;
+    (void)state;
+    start_on_gait(&run, &proved_gaits[2], 1e-12);
+    for (int i = 0; i < STRIDES; ++i) {
+        stride(&run);
+    }
+    assert_relative(run.motion.time, STRIDES * proved_gaits[2].period, 3e-14);
+}
+
+static void lanes_have_the_proved_periods(void **state) {
+    int sets = 0;
+    (void)state;
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        run run;
+        start_on_gait(&run, gait, tightest);
+        const tdmf_ensemble_case its_case = {
+            .model = &run.model, .inputs = run.inputs, .rules = {.most_strides = 1}};
+        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+            const tdmf_ensemble ensemble = {.cases = &its_case,
+                                            .case_count = 1,
+                                            .starts = &gait->apex,
+                                            .count = 1,
+                                            .relative_tolerance = tightest,
+                                            .instructions = (tdmf_instructions)set,
+                                            .threads = 1};
+            tdmf_ensemble_end end;
+            if (tdmf_has_instructions((tdmf_instructions)set)) {
+                assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
+                assert_relative(end.time, gait->period, 5e-15);
+                assert_relative(end.distance, gait->length, 1e-14);
+                ++sets;
+            }
+        }
+    }
+    assert_true(sets >= 2 * PROVED_GAITS);
+}
+
+static double rise_rate(const run *run, const tdmf_event *event) {
+    return tdmf_center_of_mass(&run->model, event->state).vy;
+}
+
+/* Its own steps err by more than any margin makes. Where it finds the apex its root search tells. */
+static void cvode_finds_the_apex_where_the_center_of_mass_stops_rising(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        run run;
+        start_on_gait(&run, gait, 1e-14);
+        run.solver.log = &run.log;
+        assert_int_equal(
+            tdmf_cvode_advance(&run.solver, &run.model, &run.inputs, NULL, gait->period + 1.0, &run.motion),
+            TDMF_ARRIVED);
+        const tdmf_event *apex = &run.log.events[run.log.count - 1];
+        assert_int_equal(apex->guard, TDMF_GUARD_APEX);
+        assert_close(rise_rate(&run, apex), 0.0, 2e-14);
+        assert_relative(run.motion.record.stride.period, gait->period, 1e-10);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(events_of_the_published_gaits_have_the_proved_times),
+        cmocka_unit_test(events_add_nothing_to_the_error_of_any_tolerance),
+        cmocka_unit_test(a_search_finds_the_proved_gaits),
+        cmocka_unit_test(the_clock_of_a_run_goes_with_its_gait),
+        cmocka_unit_test(lanes_have_the_proved_periods),
+        cmocka_unit_test(cvode_finds_the_apex_where_the_center_of_mass_stops_rising),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
