@@ -24,6 +24,7 @@ extensions = [
     "c_reference",
     "command_reference",
     "content_security_policy",
+    "laws",
     "mathml",
     "python_reference",
     "variable_reference",
