@@ -173,19 +173,7 @@ void unit_event_indicators(const unit *unit, double indicators[TDMF_GUARD_COUNT]
 }
 
 void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]) {
-    const tdmf_scales *scales = &unit->model.scales;
-    nominals[TDMF_FOOT_X] = scales->length;
-    nominals[TDMF_FOOT_Y] = scales->length;
-    nominals[TDMF_LEG_LENGTH] = scales->length;
-    nominals[TDMF_LEG_ANGLE] = 1.0;
-    nominals[TDMF_FOOT_VX] = scales->speed;
-    nominals[TDMF_FOOT_VY] = scales->speed;
-    nominals[TDMF_LEG_LENGTH_RATE] = scales->speed;
-    nominals[TDMF_LEG_ANGLE_RATE] = 1.0 / scales->time;
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        nominals[i] = scales->energy;
-    }
-    nominals[TDMF_HIP_PLACE_TIME] = scales->time;
+    tdmf_state_scales(&unit->model, nominals);
 }
 
 void unit_observe(unit *unit) {

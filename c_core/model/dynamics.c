@@ -85,6 +85,18 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
                          derivatives);
 }
 
+void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]) {
+    const tdmf_scales *units = &model->scales;
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        scales[i] = units->energy;
+    }
+    scales[TDMF_FOOT_X] = scales[TDMF_FOOT_Y] = scales[TDMF_LEG_LENGTH] = units->length;
+    scales[TDMF_FOOT_VX] = scales[TDMF_FOOT_VY] = scales[TDMF_LEG_LENGTH_RATE] = units->speed;
+    scales[TDMF_LEG_ANGLE] = 1.0;
+    scales[TDMF_LEG_ANGLE_RATE] = 1.0 / units->time;
+    scales[TDMF_HIP_PLACE_TIME] = units->time;
+}
+
 /* ---- how the ground force changes --------------------------------------------------------------------- */
 
 tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {

@@ -106,12 +106,8 @@ static void stay_silent(int code, const char *module, const char *function, char
 /* ---- setting up --------------------------------------------------------------------------------------- */
 
 static void set_tolerances(const tdmf_model *model, double relative, N_Vector tolerances) {
-    const tdmf_scales *scales = &model->scales;
-    double units[TDMF_STATE_COUNT] = {scales->length, scales->length, scales->length, 1.0,
-                                      scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time};
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        units[i] = scales->energy;
-    }
+    double units[TDMF_STATE_COUNT];
+    tdmf_state_scales(model, units);
     leave_out_clock(units, tolerances);
     N_VScale(relative, tolerances, tolerances);
 }

@@ -15,6 +15,9 @@ extern "C" {
 void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                       const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 
+/* The natural unit of each element of the state, by the model's scales; angles are in rad. */
+void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]);
+
 /* Rate of the ground force across the ground, N/s, with the inputs held, for a foot that is loaded. */
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]);
