@@ -1,6 +1,7 @@
 """The command `prove`: a gait, proved by interval arithmetic."""
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -10,7 +11,15 @@ from ..library.runner import Runner
 from ..terminal.text import columns
 from ..unit.parameters import read_parameters
 from ..unit.unit import FRICTION, load
-from .options import JSON_OPTION, PARAMETERS_OPTION, SET_OPTION, Command, refuse_given, values_given
+from .options import (
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SET_OPTION,
+    WORKERS_OPTION,
+    Command,
+    refuse_given,
+    values_given,
+)
 from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
@@ -40,6 +49,19 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     help="Instead of a gait, the borders between gait words from one friction to another, and a gait on each "
     "side of each.",
 )
+@click.option(
+    "--vary",
+    metavar="NAME=A:B",
+    help="Instead of a gait, all gaits over a range of a parameter, by subdivision, as in "
+    "ground.friction=0.5999:0.6001.",
+)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="With --vary: JSON lines, added to part by part; a proof goes on from a file that is there.",
+)
+@WORKERS_OPTION
 @JSON_OPTION
 def prove_command(
     friction: str | None,
@@ -48,6 +70,9 @@ def prove_command(
     box: str | None,
     digits: int,
     border: str | None,
+    vary: str | None,
+    output: Path | None,
+    workers: int | None,
     as_json_object: bool,
 ) -> None:
     """A periodic gait, proved: there is exactly one in a box, with its word, stability and enclosures.
@@ -69,6 +94,13 @@ def prove_command(
     if border is not None:
         _prove_borders(runner, told, border, digits, as_json_object)
         return
+    if vary is not None:
+        if box is not None:
+            raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
+        _prove_range(told, vary, output, workers, as_json_object)
+        return
+    if output is not None or workers is not None:
+        raise InputError("--output, --workers: are of use for a range only; allowed: with --vary")
     from ..proof.prove import prove  # FLINT is slow to load
 
     proof = prove(told, box=box, digits=digits)
@@ -92,6 +124,20 @@ def _prove_borders(
     else:
         print("\n\n".join(proof.sentence for proof in proofs))
     _end(all(proof.proved for proof in proofs))
+
+
+def _prove_range(
+    told: dict[str, object], vary: str, output: Path | None, workers: int | None, as_json_object: bool
+) -> None:
+    from ..proof.prove import prove
+
+    name, equals, span = (part.strip() for part in vary.partition("="))
+    begin, colon, end = (part.strip() for part in span.partition(":"))
+    if not (equals and colon):
+        raise InputError(f"--vary {vary}: allowed: NAME=A:B")
+    proof = prove(told, vary={name: (begin, end)}, output=output, workers=workers, show_progress=True)
+    print(json_text(proof.as_json()) if as_json_object else proof.sentence)
+    _end(proof.proved)
 
 
 def _end(proved: bool) -> None:

@@ -65,6 +65,58 @@ def eigenvalues(matrix: arb_mat, rank: int) -> Eigenvalues:
     return Eigenvalues(sorted(real, key=lambda disc: -float(abs(disc).mid())))
 
 
+def is_contracting(matrix: arb_mat) -> bool:
+    """Whether it is proved that all eigenvalues of every matrix in an enclosure are inside the unit circle.
+
+    In a basis in which the matrix is nearly diagonal, and over the Perron vector of its absolute values, the
+    largest sum of a row bounds them all.
+
+    Parameters
+    ----------
+    matrix : arb_mat, shape (n, n)
+        The enclosure.
+
+    Returns
+    -------
+    bool
+        False says nothing.
+    """
+    return contraction(matrix)[0] < 1
+
+
+def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
+    """A norm in which every matrix of an enclosure is small, and how small.
+
+    Parameters
+    ----------
+    matrix : arb_mat, shape (n, n)
+        The enclosure.
+
+    Returns
+    -------
+    arb
+        An upper bound of all norms.
+    acb_mat
+        The basis S.
+    list of float
+        Weights w: the norm of x is the largest |(S^-1 x)_i| / w_i.
+    """
+    size = matrix.nrows()
+    basis = _basis(matrix)
+    turned = basis.solve(acb_mat(matrix) * basis)
+    sizes = np.array([[float(abs(turned[i, j]).upper()) for j in range(size)] for i in range(size)])
+    weights = np.ones(size)
+    for _ in range(60):
+        weights = sizes @ weights + 1e-6 * np.max(sizes @ weights)
+        weights = weights / np.max(weights)
+    exact = [arb(float(w)) for w in weights]
+    rows = (sum((abs(turned[i, j]) * exact[j] for j in range(size)), arb(0)) / exact[i] for i in range(size))
+    bound = arb(0)
+    for row in rows:
+        bound = bound.max(row) if row.is_finite() else arb("inf")
+    return bound.upper(), basis, [float(w) for w in weights]
+
+
 def _basis(matrix: arb_mat) -> acb_mat:
     """Nearly eigenvectors, and a complement of those that are left out; points, and nothing rests on them."""
     size = matrix.nrows()

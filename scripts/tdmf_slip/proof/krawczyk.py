@@ -123,6 +123,15 @@ def proved_stride(
     return SetTraveller(parameters, starts, fineness, coarseness, forced).stride()
 
 
+class NotIncludedError(UndecidedError):
+    """The operator does not map a box into itself."""
+
+    def __init__(self, image: list[float]) -> None:
+        """What it maps it to: radii around the centre."""
+        super().__init__("the inclusion of the fixed point in the box")
+        self.image = image
+
+
 class Inclusion:
     """Krawczyk's operator on a box, and what it proves."""
 
@@ -158,10 +167,12 @@ class Inclusion:
         rest = identity(unknowns) - inverse * square
         radii = arb_mat(unknowns, 1, [arb(0, r) for r in starts.radii[:unknowns]])
         image = shift + rest * radii
-        for of_image, radius in zip(image.entries(), starts.radii, strict=False):
-            if not (of_image.is_finite() and abs(of_image) < radius):
-                raise UndecidedError("the inclusion of the fixed point in the box")
+        balls = zip(image.entries(), starts.radii, strict=False)
+        if not all(ball.is_finite() and abs(ball) < radius for ball, radius in balls):
+            raise NotIncludedError([float(abs(ball).upper()) for ball in image.entries()])
         for _ in range(SHARPENINGS):
             image = shift + rest * image
+        self.image = [float(abs(ball).upper()) for ball in image.entries()]
+        """Radii around the centre that hold the solution, to rounding of doubles."""
         self.solution = [x + dx for x, dx in zip(starts.centre, image.entries(), strict=False)]
         """Enclosed, shape (6,) or (7,)."""

@@ -1,31 +1,32 @@
 """Proofs of gaits."""
 
 import math
+import os
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from pathlib import Path
+from typing import overload
 
 import numpy as np
 from flint import arb, ctx
 
-from ..analysis.search import find_orbit
 from ..checks import check_kind, checked_whole
 from ..errors import InputError
-from ..library.members import VARIED
+from ..library.members import check_varied
 from ..library.orbit import Orbit
-from ..library.runner import Runner
 from ..unit.unit import load
 from .eigenvalues import eigenvalues
-from .exact import Exact, exact_values
+from .exact import Exact, exact_value
+from .given import MOST_DIGITS, Given, Radius, gait_of, radius_of
 from .krawczyk import Inclusion, proved_stride, refined
 from .parameters import Parameters
 from .proof import Box, Proof
+from .prove_range import prove_range
+from .range_proof import RangeProof
 from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
 DEFAULT_DIGITS = 20
-MOST_DIGITS = 200
-LEAST_BOX = Fraction(1, 10**MOST_DIGITS)
 BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
 """Radii that are tried where none is asked for, in units of the coordinates' scales."""
 BEYOND = 8
@@ -33,17 +34,45 @@ BEYOND = 8
 GUARD_BITS = 32
 COARSE_BITS = 64
 
-Given = Orbit | Runner | Mapping[str, object] | None
+
+@overload
+def prove(
+    gait: Given = ...,
+    *,
+    box: Radius | None = ...,
+    digits: int = ...,
+    vary: None = ...,
+    output: None = ...,
+    workers: None = ...,
+    show_progress: bool = ...,
+) -> Proof: ...
+
+
+@overload
+def prove(
+    gait: Given = ...,
+    *,
+    vary: Mapping[str, tuple[Radius, Radius]],
+    output: str | os.PathLike[str] | None = ...,
+    workers: int | None = ...,
+    show_progress: bool = ...,
+) -> RangeProof: ...
 
 
 def prove(
     gait: Given = None,
     *,
-    box: float | str | Fraction | None = None,
+    box: Radius | None = None,
     digits: int = DEFAULT_DIGITS,
-    exact: Mapping[str, Exact] | None = None,
-) -> Proof:
+    vary: Mapping[str, tuple[Radius, Radius]] | None = None,
+    output: str | os.PathLike[str] | None = None,
+    workers: int | None = None,
+    show_progress: bool = False,
+) -> Proof | RangeProof:
     """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
+
+    With `vary`, gaits over a whole range of a parameter: for each value exactly one in a box, with its word,
+    and whether all are stable.
 
     Parameters
     ----------
@@ -57,13 +86,20 @@ def prove(
         proved of some that are tried.
     digits : int, default 20
         That the enclosures are to have, from 5 to 200.
-    exact : mapping of str to Exact, optional
-        The parameters of a gait's runner, where they are known exactly.
+    vary : mapping of str to pair, optional
+        A parameter, and the ends of its range; exact like all values.
+    output : str or path, optional
+        With `vary`: a file of JSON lines that each part of the range is added to as it is done, and that a
+        proof goes on from.
+    workers : int, optional
+        With `vary`: processes; by default one for each processor.
+    show_progress : bool, default False
+        With `vary`: a bar on stderr.
 
     Returns
     -------
-    Proof
-        Where `proved` is false, it is undecided, and `undecided` tells the guard and the time.
+    Proof or RangeProof
+        Where `proved` is false, it is undecided, and tells where.
 
     Raises
     ------
@@ -79,78 +115,78 @@ def prove(
     >>> proof.proved, proof.word, proof.stable
     (True, '+0-0+', True)
     """
+    if vary is not None:
+        if box is not None:
+            raise InputError(f"box = {box!r}: with vary it is chosen by itself; allowed: without vary")
+        return _over(gait, vary, output, workers, show_progress)
+    if output is not None or workers is not None:
+        raise InputError("output, workers: are of use for a range only; allowed: with vary")
     orbit, values = gait_of(gait)
-    values |= exact or {}
+    return prove_exactly(orbit, values, digits, box, given=isinstance(gait, Orbit))
+
+
+def prove_exactly(
+    orbit: Orbit, values: Mapping[str, Exact], digits: int, box: Radius | None, *, given: bool
+) -> Proof:
+    """A gait whose parameters are known exactly.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        In doubles.
+    values : mapping of str to Exact
+        The parameters.
+    digits : int
+        As in `prove`.
+    box : float, str or Fraction, optional
+        As in `prove`.
+    given : bool
+        The box is around the gait's own apex, else around the one that is found from it.
+
+    Returns
+    -------
+    Proof
+        As of `prove`.
+
+    Raises
+    ------
+    InputError
+        The box or the digits are refused.
+    """
     digits = checked_whole("digits", digits, 5, MOST_DIGITS)
     asked = None if box is None else radius_of(box)
-    return _Prover(orbit, values, digits, isinstance(gait, Orbit)).proof(asked)
+    return _Prover(orbit, values, digits, given).proof(asked)
 
 
-def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
-    """A gait, and its runner's parameters exactly.
-
-    Parameters
-    ----------
-    gait : Orbit, Runner or mapping of str to value, optional
-        As in `prove`.
-
-    Returns
-    -------
-    Orbit
-        In doubles.
-    dict of str to Exact
-        By the unit's names.
-
-    Raises
-    ------
-    InputError
-        It is something else, or has no proofs.
-    """
-    unit = load()
-    given: dict[str, object] = {}
-    if isinstance(gait, Orbit):
-        orbit = gait
-    elif gait is None or isinstance(gait, Runner):
-        orbit = find_orbit(gait, unit=unit)
-    else:
-        check_kind(gait, Mapping, "gait", "an Orbit, a Runner, or start values by name")
-        given = dict(gait)
-        exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
-        floats = {
-            name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
-        }
-        orbit = find_orbit(floats, unit=unit)  # type: ignore[arg-type] # what is no variable is refused there
-    if orbit.runner.reduced:
-        raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
-    if orbit.following:
-        raise InputError(
-            f"a gait of {orbit.strides} strides is not proved; allowed: one that repeats each stride"
-        )
-    own = {name: orbit.runner.values[name] for name in VARIED}
-    return orbit, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
-
-
-def gait_near(given: Mapping[str, object]) -> dict[str, Any]:
-    """Start values as floats, near those that are meant.
-
-    Parameters
-    ----------
-    given : mapping of str to value
-        Floats, fractions and texts, by the unit's names.
-
-    Returns
-    -------
-    dict of str to float
-        What is no variable's is left as it is.
-
-    Raises
-    ------
-    InputError
-        A value is none.
-    """
-    unit = load()
-    exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
-    return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
+def _over(
+    gait: Given,
+    vary: Mapping[str, tuple[Radius, Radius]],
+    output: str | os.PathLike[str] | None,
+    workers: int | None,
+    show_progress: bool,
+) -> RangeProof:
+    check_kind(vary, Mapping, "vary", "a parameter with the ends of its range")
+    if len(vary) != 1:
+        raise InputError(f"vary = {dict(vary)!r}: {len(vary)} parameters; allowed: one")
+    ((name, span),) = vary.items()
+    check_varied(name, "vary")
+    if not isinstance(span, Sequence) or isinstance(span, str) or len(span) != 2:
+        raise InputError(f"vary: {name} = {span!r}; allowed: the two ends of a range")
+    ends = [exact_value(load().variables[name], end, "vary") for end in span]
+    if any(end.turns for end in ends):
+        raise InputError(f"vary: {name} from {ends[0]} to {ends[1]}; allowed: rational ends")
+    begin, end = (end.rational for end in ends)
+    if not begin < end:
+        raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
+    if workers is not None:
+        checked_whole("workers", workers, 1, 1024)
+    if gait is None or (isinstance(gait, Mapping) and name not in gait):
+        gait = {**(gait or {}), name: begin}
+    orbit, values = gait_of(gait)
+    path = None if output is None else Path(output)
+    return prove_range(
+        orbit, values, name, (begin, end), output=path, workers=workers, show_progress=show_progress
+    )
 
 
 def bits_for(places: int) -> int:
@@ -158,37 +194,10 @@ def bits_for(places: int) -> int:
     return round(3.33 * places) + GUARD_BITS
 
 
-def radius_of(box: float | str | Fraction) -> Fraction:
-    """A radius that is asked for.
-
-    Parameters
-    ----------
-    box : float, str or Fraction
-        A float is the decimal that it is written as.
-
-    Returns
-    -------
-    Fraction
-        Above 0, up to 1.
-
-    Raises
-    ------
-    InputError
-        It is none.
-    """
-    try:
-        radius = Fraction(repr(box) if isinstance(box, float) else box)
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        radius = Fraction(0)
-    if not LEAST_BOX <= radius <= 1:
-        raise InputError(f"box = {box!r} is not allowed; allowed: from 1e-{MOST_DIGITS} to 1")
-    return radius
-
-
 class _Prover:
     """One gait."""
 
-    def __init__(self, orbit: Orbit, values: dict[str, Exact], digits: int, given: bool) -> None:
+    def __init__(self, orbit: Orbit, values: Mapping[str, Exact], digits: int, given: bool) -> None:
         self.orbit, self.values, self.digits, self.given = orbit, values, digits, given
         self.parameters = Parameters(values)
         self.scales = [float(scale) for scale in orbit.runner.scales]

@@ -16,18 +16,11 @@ from ..library.runner import Runner
 from ..unit.unit import FRICTION, load
 from .exact import Exact, exact_values
 from .forced import Forced
+from .given import MOST_DIGITS, gait_near
 from .krawczyk import Inclusion, middle_of, proved_stride, refined, slopes_of
 from .parameters import Parameters
 from .proof import Box, Proof, assumptions, decimal, exactly, short, text_of, told
-from .prove import (
-    BEYOND,
-    COARSE_BITS,
-    DEFAULT_DIGITS,
-    MOST_DIGITS,
-    bits_for,
-    gait_near,
-    prove,
-)
+from .prove import BEYOND, COARSE_BITS, DEFAULT_DIGITS, bits_for, prove_exactly
 from .starts import Fineness, Starts
 from .stride import Stride, Traveller
 from .undecided import UndecidedError
@@ -244,7 +237,7 @@ class _BorderProver:
 def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:
     """The gait of a runner with exact values, at a value of one of them."""
     orbit = find_orbit(runner.but(name, float(value)))
-    return prove(orbit, exact={**values, name: Exact(value)}, digits=6)
+    return prove_exactly(orbit, {**values, name: Exact(value)}, 6, None, given=False)
 
 
 def _told_apart(one: tuple[Orbit, Stride], other: tuple[Orbit, Stride]) -> tuple[Forced, Orbit]:

@@ -1,0 +1,113 @@
+"""Whose gait is to be proved, as it is given: in doubles, and exactly."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from ..analysis.search import find_orbit
+from ..checks import check_kind
+from ..errors import InputError
+from ..library.members import VARIED
+from ..library.orbit import Orbit
+from ..library.runner import Runner
+from ..unit.unit import load
+from .exact import Exact, exact_values
+
+MOST_DIGITS = 200
+LEAST_BOX = Fraction(1, 10**MOST_DIGITS)
+Given = Orbit | Runner | Mapping[str, object] | None
+Radius = float | str | Fraction
+
+
+def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
+    """A gait, and its runner's parameters exactly.
+
+    Parameters
+    ----------
+    gait : Orbit, Runner or mapping of str to value, optional
+        As in `prove`.
+
+    Returns
+    -------
+    Orbit
+        In doubles.
+    dict of str to Exact
+        By the unit's names.
+
+    Raises
+    ------
+    InputError
+        It is something else, or has no proofs.
+    """
+    unit = load()
+    given: dict[str, object] = {}
+    if isinstance(gait, Orbit):
+        orbit = gait
+    elif gait is None or isinstance(gait, Runner):
+        orbit = find_orbit(gait, unit=unit)
+    else:
+        check_kind(gait, Mapping, "gait", "an Orbit, a Runner, or start values by name")
+        given = dict(gait)
+        exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
+        floats = {
+            name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
+        }
+        orbit = find_orbit(floats, unit=unit)  # type: ignore[arg-type] # what is no variable is refused there
+    if orbit.runner.reduced:
+        raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
+    if orbit.following:
+        raise InputError(
+            f"a gait of {orbit.strides} strides is not proved; allowed: one that repeats each stride"
+        )
+    own = {name: orbit.runner.values[name] for name in VARIED}
+    return orbit, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
+
+
+def gait_near(given: Mapping[str, object]) -> dict[str, Any]:
+    """Start values as floats, near those that are meant.
+
+    Parameters
+    ----------
+    given : mapping of str to value
+        Floats, fractions and texts, by the unit's names.
+
+    Returns
+    -------
+    dict of str to float
+        What is no variable's is left as it is.
+
+    Raises
+    ------
+    InputError
+        A value is none.
+    """
+    unit = load()
+    exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
+    return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
+
+
+def radius_of(box: Radius) -> Fraction:
+    """A radius that is asked for.
+
+    Parameters
+    ----------
+    box : float, str or Fraction
+        A float is the decimal that it is written as.
+
+    Returns
+    -------
+    Fraction
+        Above 0, up to 1.
+
+    Raises
+    ------
+    InputError
+        It is none.
+    """
+    try:
+        radius = Fraction(repr(box) if isinstance(box, float) else box)
+    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
+        radius = Fraction(0)
+    if not LEAST_BOX <= radius <= 1:
+        raise InputError(f"box = {box!r} is not allowed; allowed: from 1e-{MOST_DIGITS} to 1")
+    return radius

@@ -1,0 +1,149 @@
+"""Proofs of gaits off Table 1: slopes, thrust, retraction, pushes; of whole ranges; of random runners."""
+
+import json
+import os
+import pathlib
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip.errors import InputError, TdmfSlipError
+from tdmf_slip.library.orbit import orbit_near
+
+pytest.importorskip("flint")
+
+from tdmf_slip.proof.range_proof import Piece
+
+FURTHER = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
+    "gaits"
+]
+LONG = pytest.mark.skipif("TDMF_SLIP_LONG" not in os.environ, reason="proofs that take minutes: --long")
+EVERYTHING = next(gait for gait in FURTHER if len(gait["start_values"]) > 4)
+RANDOM, PROVED_AT_LEAST = 40, 35
+
+
+def check_further(gait):
+    """Against a gait that an independent program has computed to 1e-12."""
+    given = {name: np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
+             for name, value in gait["start_values"].items()}  # fmt: skip
+    orbit = orbit_near(tdmf_slip.Runner.of(given), gait["apex"])
+    proof = tdmf_slip.prove(orbit, digits=6)
+    assert proof.proved, proof.sentence
+    assert proof.word == gait["word"]
+    for ball, value in zip(proof.apex, gait["apex"], strict=True):
+        assert abs(float(ball) - value) < 1e-12
+    for name in ("period", "length", "hip_work", "leg_work", "speed", "cost_of_transport", "liftoff_angle"):
+        assert abs(float(proof.quantities[name]) - gait[name]) < 1e-12 * max(1.0, abs(gait[name])), name
+    assert proof.stable is orbit.stable
+
+
+def test_a_gait_with_slope_retraction_static_friction_and_thrust_is_proved():
+    check_further(EVERYTHING)
+
+
+@LONG
+@pytest.mark.parametrize("gait", FURTHER, ids=lambda gait: str(gait["start_values"]))
+def test_every_gait_of_an_independent_program_is_proved(gait):
+    check_further(gait)
+
+
+def random_runner(rng):
+    """Light feet, slopes, thrust and the like, as decimals."""
+    draw = rng.uniform
+    given = {
+        "ground.friction": 10 ** draw(-1, 1),
+        "foot.mass": 10 ** draw(-2.5, -0.5),
+        "leg.damping": draw(0.1, 0.3),
+        "hip.stance_torque": draw(0.1, 0.25),
+        "hip.touchdown_angle": draw(0.56, 0.8),
+        "hip.kp": draw(0.05, 0.2),
+        "hip.kd": draw(0.05, 0.2),
+        "gravity": 10 ** draw(-2.2, -1.6),
+        "hip.liftoff_angle_factor": draw(1, 1.4),
+    }
+    further = {
+        "ground.slope": draw(-0.05, 0.08),
+        "ground.static_friction_ratio": draw(1, 1.6),
+        "leg.thrust": draw(0, 0.05),
+        "hip.retraction_rate": draw(-0.02, 0.05),
+        "body.external_fx": draw(-0.001, 0.001),
+        "body.external_fy": draw(-0.001, 0.001),
+        "leg.extension": draw(-0.02, 0.02),
+        "hip.external_torque": draw(-0.002, 0.002),
+    }
+    given |= {name: value for name, value in further.items() if rng.random() < 0.35}
+    return {name: f"{value:.4g}" for name, value in given.items()}
+
+
+@LONG
+def test_gaits_of_random_runners_are_proved_with_the_words_that_the_library_finds():
+    rng = np.random.default_rng(40)
+    seen = proved = unstable = 0
+    words = set()
+    while seen < RANDOM:
+        given = random_runner(rng)
+        try:
+            gait = tdmf_slip.find_orbit({name: float(value) for name, value in given.items()})
+        except TdmfSlipError:
+            continue
+        seen += 1
+        proof = tdmf_slip.prove(given, digits=6)
+        if not proof.proved:
+            assert proof.undecided["guard"], given
+            continue
+        proved, unstable = proved + 1, unstable + (not gait.stable)
+        words.add(proof.word)
+        assert (proof.word, proof.stable) == (gait.word, gait.stable), given
+    assert proved >= PROVED_AT_LEAST
+    assert unstable > 0
+    assert len(words) >= 5
+
+
+@pytest.fixture(scope="module")
+def span(tmp_path_factory):
+    """A short range, and the file that it is on."""
+    file = tmp_path_factory.mktemp("range") / "range.jsonl"
+    given = {"ground.friction": "10"}
+    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.000004")}, output=file, workers=1), file
+
+
+def test_a_whole_range_is_proved_by_subdivision(span):
+    proof, _ = span
+    assert proof.proved, proof.sentence
+    assert proof.words == ("0+",)
+    assert proof.stable
+    assert proof.is_one_branch
+    assert len(proof.pieces) >= 2
+    assert proof.pieces[0].begin == 10
+    assert proof.pieces[-1].end == Fraction("10.000004")
+    assert all(one.end == other.begin for one, other in zip(proof.pieces, proof.pieces[1:], strict=False))
+
+
+def test_a_proof_of_a_range_goes_on_from_its_file(span):
+    proof, file = span
+    text = file.read_text(encoding="utf-8")
+    vary = {"ground.friction": ("10", "10.000004")}
+    assert (
+        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, workers=1).pieces == proof.pieces
+    )
+    assert file.read_text(encoding="utf-8") == text
+    with pytest.raises(InputError, match="not of this range"):
+        tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)
+
+
+def test_pieces_that_do_not_meet_are_no_branch(span):
+    first, second = span[0].pieces[:2]
+    assert first.meets(second)
+    apart = Piece.of_row({**second.as_row(), "centre": [x + 1e-3 for x in second.centre]})
+    assert not first.meets(apart)
+
+
+@pytest.mark.parametrize(
+    "vary",
+    [{}, {"ground.friction": ("0.6", "0.5")}, {"ground.friction": ("0.5", "x")}, {"nothing": ("0", "1")},
+     {"ground.friction": "0.5"}],
+)  # fmt: skip
+def test_a_range_that_is_none_is_refused(vary):
+    with pytest.raises(InputError):
+        tdmf_slip.prove(vary=vary)
