@@ -39,7 +39,7 @@ KNOWS = {
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
-LAWS = {"proof": {"equations"}}
+LAWS = {"proof": {"equations"}, "bench": {"equations"}}
 """By part: what is installed into the package from elsewhere, the pages of laws in `c_core/equations`."""
 
 
