@@ -2,10 +2,13 @@
 
 import ast
 import pathlib
+import sys
 
 import pytest
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "scripts/tdmf_slip"
+PAGES = ROOT / "c_core/equations"
 GROUND = {"checks", "contents", "drawable", "errors", "given", "version"}
 KNOWS = {
     "terminal": GROUND,
@@ -39,8 +42,9 @@ KNOWS = {
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
-LAWS = {"proof": {"equations"}, "bench": {"equations"}}
-"""By part: what is installed into the package from elsewhere, the pages of laws in `c_core/equations`."""
+EVALUATES_LAWS = {"bench", "proof"}
+"""Who may import the pages of laws, `c_core/equations`, which are installed as its lowest part. Others
+get their numbers from the core, which is derived from these pages."""
 
 
 def imported(path, text):
@@ -57,7 +61,8 @@ def imported(path, text):
 
 
 def forbidden(part, path, text):
-    return set(imported(path, text)) - KNOWS[part] - LAWS.get(part, set()) - GROUND - {part}
+    laws = {"equations"} if part in EVALUATES_LAWS else set()
+    return set(imported(path, text)) - KNOWS[part] - laws - GROUND - {part}
 
 
 def test_every_part_has_its_place():
@@ -91,6 +96,7 @@ def test_a_part_imports_what_is_below_it_only(part):
         ("analysis", "def late():\n    from .. import cli"),
         ("paper", "from ..bench.running import bench"),
         ("files", "from ..unit import section as where"),
+        ("analysis", "from ..equations import leg"),
     ],
 )
 def test_a_wrong_arrow_is_seen(part, text):
@@ -101,6 +107,20 @@ def test_the_ground_knows_itself_only():
     for name in GROUND:
         path = PACKAGE / f"{name}.py"
         assert set(imported(path, path.read_text(encoding="utf-8"))) <= GROUND
+
+
+def test_the_laws_know_themselves_only():
+    """And the standard library: they are read before anything is built, by any Python."""
+    modules = list(PAGES.rglob("*.py"))
+    assert len(modules) >= 20
+    for path in modules:
+        depth = len(path.relative_to(PAGES).parts)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                assert node.level <= depth, path
+            elif isinstance(node, ast.ImportFrom | ast.Import):
+                names = [node.module] if isinstance(node, ast.ImportFrom) else [a.name for a in node.names]
+                assert {name.split(".")[0] for name in names} <= sys.stdlib_module_names, path
 
 
 def test_no_module_is_too_long_to_be_about_one_thing():
