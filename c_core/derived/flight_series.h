@@ -244,11 +244,10 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     const real length_times_rate_square =
         product_of(k, sum->length_times_rate_square, s->length, s->rate_square);
     /* cosine = cos(angle) */
-    s->cosine[k] = cos_of(k, s->angle, s->sine);
+    turn_by(k, s->angle, s->angle_rate, s->sine, s->cosine);
     /* push_y_times_cosine = push_y * cosine */
     const real push_y_times_cosine = ramp_times(k, c->push_y, c->push_y_rate, s->cosine);
     /* sine = sin(angle) */
-    s->sine[k] = sin_of(k, s->angle, s->cosine);
     /* push_x_times_sine = push_x * sine */
     const real push_x_times_sine = ramp_times(k, c->push_x, c->push_x_rate, s->sine);
     /* push_along = push_y_times_cosine - push_x_times_sine */

@@ -66,16 +66,15 @@ static inline void expand_torque(const real *angle, const real *angle_rate, cons
 }
 
 /* r cos(theta - sigma), which the body is above the foot over a ground of that slope. */
-static inline void expand_drop(const real *length, const real *angle, real slope, int order,
-                               real drop[SERIES_TERMS]) {
+static inline void expand_drop(const real *length, const real *angle, real slope, const real *angle_rate,
+                               int order, real drop[SERIES_TERMS]) {
     real seen[SERIES_TERMS];
     real sin_of_seen[SERIES_TERMS];
     real cos_of_seen[SERIES_TERMS];
     int k = 0;
     do {
         seen[k] = with_constant(k, angle[k], -slope);
-        sin_of_seen[k] = sin_of(k, seen, cos_of_seen);
-        cos_of_seen[k] = cos_of(k, seen, sin_of_seen);
+        turn_by(k, seen, angle_rate, sin_of_seen, cos_of_seen);
         drop[k] = product(length, cos_of_seen, k);
     } while (++k <= order);
 }

@@ -51,7 +51,7 @@ static inline void watch_heights(event_search *search, const flight_constants *c
     if (!any(low)) {
         return;
     }
-    expand_drop(f->length, f->angle, c->slope, search->order, drop);
+    expand_drop(f->length, f->angle, c->slope, f->angle_rate, search->order, drop);
     trust_drop(search, c, drop, tolerance, low);
     const int order = search->order;
     const real floor = search->beyond_margin * c->mode.length_scale;
@@ -75,7 +75,7 @@ static inline void watch_heights(event_search *search, const flight_constants *c
 static inline void watch_new_ground(event_search *search, const flight_constants *c, const flight_series *f,
                                     double tolerance, const ballistic *com) {
     real drop[SERIES_TERMS], depth[SERIES_TERMS];
-    expand_drop(f->length, f->angle, c->new_slope, search->order, drop);
+    expand_drop(f->length, f->angle, c->new_slope, f->angle_rate, search->order, drop);
     trust_drop(search, c, drop, tolerance, search->live);
     depth[1] = c->body_share * drop[1] - com->new_ground.rate;
     for (int k = 2; k <= search->order; ++k) {

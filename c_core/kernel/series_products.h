@@ -105,6 +105,21 @@ static inline real cos_of(int k, const real *a, const real *sine) {
     return -product_with_rate(a, sine, k) * series_reciprocal[k];
 }
 
+/* Of both, by themselves up to k - 1, where the rate of a is a series. */
+static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
+    real rise = real_of(0.0), fall = real_of(0.0);
+    if (k == 0) {
+        sine_and_cosine(a[0], &sine[0], &cosine[0]);
+        return;
+    }
+    for (int i = 0; i < k; ++i) {
+        rise += rate[i] * cosine[k - 1 - i];
+        fall += rate[i] * sine[k - 1 - i];
+    }
+    sine[k] = rise * series_reciprocal[k];
+    cosine[k] = -fall * series_reciprocal[k];
+}
+
 /* Of exp(a), by itself up to k - 1. */
 static inline real exp_of(int k, const real *a, const real *exponential) {
     return k == 0 ? real_exp(a[0]) : product_with_rate(a, exponential, k) * series_reciprocal[k];

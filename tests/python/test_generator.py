@@ -39,6 +39,7 @@ def page(functions):
     def motion(c, s):
         """The oscillator."""
         distance = functions.sqrt(1 + s.x * s.x)
+        exponent = s.x - s.v
         acceleration = c.pull - c.stiffness * s.x - 2 * (c.damping * s.v)
         return Record(
             rates=Record(x=s.v, v=acceleration),
@@ -46,7 +47,7 @@ def page(functions):
             distance_rate=s.x * s.v / distance,
             ratio=(c.pull + s.v) / distance,
             wave=functions.sin(s.x) * functions.cos(s.x),
-            growth=functions.exp(s.x - s.v),
+            growth=functions.exp(exponent),
             pulled=c.pull * s.x,
             power=acceleration * s.v,
         )

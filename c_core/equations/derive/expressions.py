@@ -25,7 +25,7 @@ class Expression:
         if key not in cls.table:
             made = super().__new__(cls)
             made.operation, made.operands, made.value, made.marks = operation, operands, value, marks
-            made.name, made.number = None, len(cls.table)
+            made.name = None
             given = operation != "symbol" or bool(marks.get("constant"))
             made.is_constant = given and all(operand.is_constant for operand in operands)
             cls.table[key] = made
@@ -36,7 +36,6 @@ class Expression:
     value: Any  # of a number a Fraction or float, of a symbol its C text
     marks: dict[str, Any]  # of a symbol, for whoever made it
     name: str | None
-    number: int
     is_constant: bool  # it holds no symbol but those marked so
 
     def named(self, name: str) -> "Expression":
@@ -288,23 +287,3 @@ def c_text(
         return text if strength >= least else f"({text})"
 
     return write(expression, 0)
-
-
-def c_statements(
-    roots: Iterable[Expression], text_of: Callable[[Expression], str | None], number_type: str = "double"
-) -> list[str]:
-    """Write what has a name, or is needed twice, as C variables; `text_of` knows what stands already."""
-    nodes = [node for node in ordered(roots) if node.operation not in LEAVES]
-    uses: dict[Expression, int] = {}
-    for node in nodes:
-        for operand in node.operands:
-            uses[operand] = uses.get(operand, 0) + 1
-    written: dict[Expression, str] = {}
-    lines = []
-    for node in nodes:
-        if text_of(node) is None and (node.name or uses.get(node, 0) > 1):
-            name = node.name or f"term_{len(written)}"
-            text = c_text(node, lambda other: text_of(other) or written.get(other))
-            lines.append(f"const {number_type} {name} = {text};")
-            written[node] = name
-    return lines

@@ -67,9 +67,15 @@ def guard_series() -> str:
         ("lever", ground.lever, {"x": None, "square": None}),
         ("load", ground.load, {"axial_y": None, "torque": None, "lever": None, "weight_y": "weight_y"}),
         ("torque", torque, {"angle": None, "angle_rate": None, "servo": servo}),
-        ("drop", flight.drop, {"length": None, "angle": None, "slope": "slope"}),
+        (
+            "drop",
+            flight.drop,
+            {"length": None, "angle": None, "slope": "slope", "rates": {"angle": "angle_rate"}},
+        ),
     ]
-    lines = [line for name, law, given in made for line in Expansion(name, law, **given).source()]
+    lines = [
+        line for name, law, given in made for line in Expansion(name, law, **{"rates": {}, **given}).source()
+    ]
     return header("guard_series", "ground.py, flight.py and hip", "mode_constants.h", lines)
 
 

@@ -128,6 +128,18 @@ def changes_of_constants(
     return {leaf: symbol("d" + leaf.value[1:], constant=True) for leaf in leaves if leaf not in known}
 
 
+def constant_name(node: Expression) -> str:
+    """Name what is made of constants alone by these, unless a page has named it."""
+    words = {"*": "_", "/": "_over_", "+": "_plus_", "-": "_minus_", "negative": "minus_"}
+    if node.is_number():
+        return "".join(sign if sign.isalnum() else "_" for sign in str(node.value))
+    if node.name is None:
+        word = words.get(node.operation, node.operation + "_of_")
+        name = word.join(["", *map(constant_name, node.operands)][-2:])
+        node.name = f"by_{name}" if name[0].isdigit() else name
+    return "d_" + node.name if str(node.value).startswith("d->") else node.name
+
+
 def divided(rate: str) -> str:
     """Write a state's next coefficient, by that of its rate."""
     one = " " not in rate or rate.startswith(("with_", "ramp_of", "constant_of"))
@@ -244,6 +256,9 @@ class Motion:
     def moving(self, roots: Iterable[Expression]) -> list[Expression]:
         """Give what moves of all that the roots are made of, operands first, and note kinds and names."""
         nodes = [node for node in ordered(roots) if not is_steady(node)]
+        for node in ordered(roots):
+            if node.is_constant and node.operands:
+                constant_name(node)
         others = [
             getattr(node.operands[0], OTHER[node.operation])() for node in nodes if node.operation in OTHER
         ]
@@ -300,6 +315,11 @@ class Motion:
                 changes = {**dict.fromkeys(atoms, number(0)), **changes_of_constants(moving, atoms)}
                 met.update(part for part in ordered([derivative(moving, changes)], atoms) if part in atoms)
         self.kept |= met
+        for node in self.kept:
+            if node.name is None and not is_steady(node):
+                raise ValueError(
+                    f"{self.case}: {c_text(node)} is needed as a series: give it a variable in its page"
+                )
         needed = set[Expression]().union(*map(self.convolved, self.varied_nodes))
         self.varied_kept = {*self.rates, *self.varied.values()} | needed
         self.arrays = [node for node in self.varied.values() if node in needed - self.kept]
@@ -360,12 +380,10 @@ class Motion:
 
         def text(node: Expression) -> str | None:
             if node.is_constant and node.operands:
-                leaves = {
-                    str(leaf.value): leaf.name for leaf in ordered([node]) if leaf.operation == "symbol"
-                }
-                d = "d_" if any(leaf.startswith("d->") for leaf in leaves) else ""
-                node.name = node.name or d + "_".join(dict.fromkeys(map(str, leaves.values())))
-                return prefix + factors.setdefault(node, node.name)
+                name = factors.setdefault(node, constant_name(node))
+                if list(factors.values()).count(name) > 1:
+                    raise ValueError(f"two constants are called {name}: give them variables in their page")
+                return prefix + name
             if node.is_constant or node not in self.kind:
                 return None
             if node in self.arrays:
@@ -431,6 +449,19 @@ class Motion:
         other = self.other[node].name if kind in OTHER else ""
         return (VARIATION if varied else self.values)[kind].format(k=k, over=over, other=other, **names)
 
+    def turn(self, node: Expression, k: str) -> str | None:
+        """Write sine and cosine at once, where the angle's rate is a series."""
+        leaves = [leaf for leaf in ordered(node.operands) if not leaf.operands and not is_steady(leaf)]
+        if self.kind[node] not in OTHER or not all(leaf in self.rates for leaf in leaves):
+            return None
+        rate = derivative(node.operands[0], {leaf: self.rates[leaf] for leaf in leaves})
+        pair = sorted([node, self.other[node]], key=lambda part: part.operation, reverse=True)
+        series = [node.operands[0], rate, *pair]  # sine before cosine
+        if not all(part in self.kept or part in self.arrays for part in series):
+            return None
+        names = [str(part.name) if part in self.arrays else f"s->{part.name}" for part in series]
+        return f"turn_by({k}, {', '.join(names)});"
+
     def define(self, node: Expression, k: str, factors: dict[Expression, str]) -> list[str]:
         """Write coefficient k of a quantity into its place, below the page's formula."""
 
@@ -442,7 +473,10 @@ class Motion:
             return []
         place = f"s->{node.name}[{k}]" if node in self.kept else f"const real {node.name}"
         formula = f"/* {node.name} = {c_text(node, name_of)} */"
-        return [formula, f"{place} = {self.coefficient(node, k, factors)};"]
+        turn = self.turn(node, k)
+        if turn is not None and self.nodes.index(self.other[node]) < self.nodes.index(node):
+            return [formula]
+        return [formula, turn or f"{place} = {self.coefficient(node, k, factors)};"]
 
     def source(self) -> list[str]:
         """Write the functions of the case, the last of which expands the series."""
@@ -618,21 +652,19 @@ class Expansion(Motion):
 
     values = WHOLE
 
-    def __init__(self, name: str, law: Callable[..., Any], **given: Any) -> None:
+    def __init__(self, name: str, law: Callable[..., Any], rates: dict[str, str], **given: Any) -> None:
         """Trace a law; `given` has None for a series, the text of a constant, two of one that drifts."""
         forget()
-        self.name, self.law, self.rates, self.parameters = (
-            name,
-            law,
-            {},
-            list(dict.fromkeys(parameters(given))),
-        )
+        self.name, self.law, self.case = name, law, name
+        self.parameters = list(dict.fromkeys(parameters({**given, **dict.fromkeys(rates.values())})))
+        self.rates = {symbol(of): symbol(rate) for of, rate in rates.items()}
         self.kind, self.other, self.kept, self.ahead = {}, {}, set[Expression](), []
         result = trace(law, **{key: symbols(key, value) for key, value in given.items()})
         result.name = name
         self.nodes = self.moving([result])
         needed = {result}.union(*map(self.convolved, self.nodes))
         self.arrays = [node for node in self.nodes if not node.operands or node in needed]
+        self.arrays += self.rates.values()
 
     def source(self) -> list[str]:
         """Write a function that expands the law."""
@@ -640,7 +672,9 @@ class Expansion(Motion):
         for node in self.nodes:
             if node.operands and self.stands(node):
                 place = f"{node.name}[k]" if node in self.arrays else f"const real {node.name}"
-                lines.append(f"{place} = {self.coefficient(node, 'k', factors)};")
+                turn = self.turn(node, "k")
+                lines.append(turn or f"{place} = {self.coefficient(node, 'k', factors)};")
+        lines = list(dict.fromkeys(lines))
         local = [node for node in self.arrays if node.operands and node.name != self.name]
         divisors = dict.fromkeys(
             node.operands[1].name for node in self.nodes if self.kind[node] == "quotient"
