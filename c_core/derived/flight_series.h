@@ -153,7 +153,7 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
 KERNEL void expand_flight_by_two(const flight_coefficients *c, const flight_factors *by, int k,
                                  flight_series *s) {
     const int middle = k / 2;
-    static const flight_sums no_sum;
+    static const flight_sums no_sum = {0};
     flight_sums sum = no_sum, next_sum = no_sum;
     begin_flight_sums(s, middle, &sum);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
@@ -168,7 +168,7 @@ KERNEL void expand_flight_by_two(const flight_coefficients *c, const flight_fact
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
-    static const flight_sums no_sum;
+    static const flight_sums no_sum = {0};
     flight_sums sum = no_sum;
     s->square[0] = s->length[0] * s->length[0];
     const flight_factors factors = {
@@ -283,7 +283,7 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
 KERNEL void expand_pushed_flight_by_two(const flight_coefficients *c, const pushed_flight_factors *by, int k,
                                         flight_series *s) {
     const int middle = k / 2;
-    static const pushed_flight_sums no_sum;
+    static const pushed_flight_sums no_sum = {0};
     pushed_flight_sums sum = no_sum, next_sum = no_sum;
     begin_pushed_flight_sums(s, middle, &sum);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
@@ -298,7 +298,7 @@ KERNEL void expand_pushed_flight_by_two(const flight_coefficients *c, const push
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
-    static const pushed_flight_sums no_sum;
+    static const pushed_flight_sums no_sum = {0};
     pushed_flight_sums sum = no_sum;
     s->square[0] = s->length[0] * s->length[0];
     const pushed_flight_factors factors = {

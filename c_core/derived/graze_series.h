@@ -153,9 +153,9 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
 KERNEL void expand_graze_by_two(const ground_coefficients *c, const graze_factors *by, int k,
                                 ground_series *s) {
     const int middle = k / 2;
-    static const graze_position_sums no_position;
+    static const graze_position_sums no_position = {0};
     graze_position_sums position = no_position, next_position = no_position;
-    static const graze_sums no_sum;
+    static const graze_sums no_sum = {0};
     graze_sums sum = no_sum, next_sum = no_sum;
     begin_graze_position_sums(s, middle + 1, &next_position);
     add_graze_position_sums(s, middle, middle + 1, &position);
@@ -177,8 +177,8 @@ KERNEL void expand_graze_by_two(const ground_coefficients *c, const graze_factor
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_graze(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const graze_position_sums no_position;
-    static const graze_sums no_sum;
+    static const graze_position_sums no_position = {0};
+    static const graze_sums no_sum = {0};
     graze_position_sums position = no_position;
     graze_sums sum = no_sum;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];

@@ -126,9 +126,9 @@ KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by,
 KERNEL void expand_slip_by_two(const ground_coefficients *c, const slip_factors *by, int k,
                                ground_series *s) {
     const int middle = k / 2;
-    static const slip_position_sums no_position;
+    static const slip_position_sums no_position = {0};
     slip_position_sums position = no_position, next_position = no_position;
-    static const slip_sums no_sum;
+    static const slip_sums no_sum = {0};
     slip_sums sum = no_sum, next_sum = no_sum;
     begin_slip_position_sums(s, middle + 1, &next_position);
     add_slip_position_sums(s, middle, middle + 1, &position);
@@ -150,8 +150,8 @@ KERNEL void expand_slip_by_two(const ground_coefficients *c, const slip_factors 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_slip(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const slip_position_sums no_position;
-    static const slip_sums no_sum;
+    static const slip_position_sums no_position = {0};
+    static const slip_sums no_sum = {0};
     slip_position_sums position = no_position;
     slip_sums sum = no_sum;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
@@ -322,9 +322,9 @@ KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turn
 KERNEL void expand_slip_turning_by_two(const ground_coefficients *c, const slip_turning_factors *by, int k,
                                        ground_series *s) {
     const int middle = k / 2;
-    static const slip_turning_position_sums no_position;
+    static const slip_turning_position_sums no_position = {0};
     slip_turning_position_sums position = no_position, next_position = no_position;
-    static const slip_turning_sums no_sum;
+    static const slip_turning_sums no_sum = {0};
     slip_turning_sums sum = no_sum, next_sum = no_sum;
     begin_slip_turning_position_sums(s, middle + 1, &next_position);
     add_slip_turning_position_sums(s, middle, middle + 1, &position);
@@ -346,8 +346,8 @@ KERNEL void expand_slip_turning_by_two(const ground_coefficients *c, const slip_
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_slip_turning(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const slip_turning_position_sums no_position;
-    static const slip_turning_sums no_sum;
+    static const slip_turning_position_sums no_position = {0};
+    static const slip_turning_sums no_sum = {0};
     slip_turning_position_sums position = no_position;
     slip_turning_sums sum = no_sum;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];

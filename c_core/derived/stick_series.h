@@ -108,9 +108,9 @@ KERNEL void expand_stick_on(const ground_coefficients *c, const stick_factors *b
 KERNEL void expand_stick_by_two(const ground_coefficients *c, const stick_factors *by, int k,
                                 ground_series *s) {
     const int middle = k / 2;
-    static const stick_position_sums no_position;
+    static const stick_position_sums no_position = {0};
     stick_position_sums position = no_position, next_position = no_position;
-    static const stick_sums no_sum;
+    static const stick_sums no_sum = {0};
     stick_sums sum = no_sum, next_sum = no_sum;
     begin_stick_position_sums(s, middle + 1, &next_position);
     add_stick_position_sums(s, middle, middle + 1, &position);
@@ -132,8 +132,8 @@ KERNEL void expand_stick_by_two(const ground_coefficients *c, const stick_factor
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_stick(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const stick_position_sums no_position;
-    static const stick_sums no_sum;
+    static const stick_position_sums no_position = {0};
+    static const stick_sums no_sum = {0};
     stick_position_sums position = no_position;
     stick_sums sum = no_sum;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
@@ -287,9 +287,9 @@ KERNEL void expand_stick_turning_on(const ground_coefficients *c, const stick_tu
 KERNEL void expand_stick_turning_by_two(const ground_coefficients *c, const stick_turning_factors *by, int k,
                                         ground_series *s) {
     const int middle = k / 2;
-    static const stick_turning_position_sums no_position;
+    static const stick_turning_position_sums no_position = {0};
     stick_turning_position_sums position = no_position, next_position = no_position;
-    static const stick_turning_sums no_sum;
+    static const stick_turning_sums no_sum = {0};
     stick_turning_sums sum = no_sum, next_sum = no_sum;
     begin_stick_turning_position_sums(s, middle + 1, &next_position);
     add_stick_turning_position_sums(s, middle, middle + 1, &position);
@@ -311,8 +311,8 @@ KERNEL void expand_stick_turning_by_two(const ground_coefficients *c, const stic
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_stick_turning(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const stick_turning_position_sums no_position;
-    static const stick_turning_sums no_sum;
+    static const stick_turning_position_sums no_position = {0};
+    static const stick_turning_sums no_sum = {0};
     stick_turning_position_sums position = no_position;
     stick_turning_sums sum = no_sum;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];

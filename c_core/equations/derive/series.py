@@ -546,7 +546,7 @@ class Motion:
         for name in groups:
             full = self.case + SUMS[name]
             begin += [
-                f"static const {full} no_{name};",
+                f"static const {full} no_{name} = {{0}};",
                 f"{full} {name} = no_{name}, next_{name} = no_{name};",
             ]
             if name == "position":  # a coefficient ahead
@@ -591,7 +591,7 @@ class Motion:
             "/* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */",
             f"KERNEL void expand_{case}(const {family}_coefficients *given, int order, {series}) {{",
             f"const {family}_coefficients copy = *given, *c = &copy;",
-            *(f"static const {case + SUMS[name]} no_{name};" for name in groups),
+            *(f"static const {case + SUMS[name]} no_{name} = {{0}};" for name in groups),
             *(f"{case + SUMS[name]} {name} = no_{name};" for name in groups),
             *first,
             f"const {case}_factors factors = {{",
