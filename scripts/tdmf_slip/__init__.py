@@ -9,7 +9,7 @@ times; `find_orbit` finds the periodic gait of a `Runner` with its eigenvalues, 
 given speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
 its bifurcations, `basin` what a gait attracts; `dead_beat`, `lqr` and `place_poles` make a feedback that
 holds a gait; `fit` fits a runner to measured gaits; `optimize` finds the best runner; `run_ensemble` follows
-many runners at once; `prove` and `prove_border` prove gaits and borders by interval arithmetic; `validate`
+many runners at once; `prove`, `prove_border` and `prove_attraction` prove by interval arithmetic; `validate`
 compares with what the paper publishes. `fmu_path` is the unit itself, for any other importer.
 
 The sub-packages, each of which knows those before it only: `terminal`, `files` and `blocks`, which know

@@ -25,6 +25,7 @@ from .optimization.pareto import Front, pareto_front
 from .paper.validation import Validation, validate
 from .proof.proof import Proof
 from .proof.prove import prove
+from .proof.prove_attraction import Attraction, prove_attraction
 from .proof.prove_border import BorderProof, prove_border
 from .unit.batch import run_batch
 from .unit.parameters import read_parameters
@@ -36,6 +37,7 @@ from .version import __version__
 
 __all__ = [
     "AffineLaw",
+    "Attraction",
     "BorderProof",
     "Branch",
     "Controllability",
@@ -73,6 +75,7 @@ __all__ = [
     "pareto_front",
     "place_poles",
     "prove",
+    "prove_attraction",
     "prove_border",
     "read_parameters",
     "run_batch",

@@ -10,6 +10,7 @@ import pytest
 import tdmf_slip
 from tdmf_slip.errors import InputError, TdmfSlipError
 from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.strides import strides_from
 
 pytest.importorskip("flint")
 
@@ -147,3 +148,33 @@ def test_pieces_that_do_not_meet_are_no_branch(span):
 def test_a_range_that_is_none_is_refused(vary):
     with pytest.raises(InputError):
         tdmf_slip.prove(vary=vary)
+
+
+@pytest.fixture(scope="module")
+def attraction():
+    return tdmf_slip.prove_attraction({"ground.friction": "10"})
+
+
+def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(attraction):
+    assert attraction.proved
+    assert attraction.radius > 1e-7
+    gait = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    inverse = np.linalg.inv(np.array(attraction.basis))
+
+    def size(offset):
+        return np.max(np.abs(inverse @ offset) / np.array(attraction.weights))
+
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        offset = attraction.radius * rng.uniform(-1, 1, 6)
+        assert size(offset) <= attraction.norm_radius
+        after = offset + strides_from(gait.runner, gait.apex + offset).left_over
+        assert size(after) <= attraction.rate * size(offset) + 1e-9 * attraction.norm_radius + 1e-11
+
+
+def test_no_ball_is_proved_around_an_unstable_gait():
+    unstable = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
+    gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
+    attraction = tdmf_slip.prove_attraction(orbit_near(tdmf_slip.Runner.of(unstable), gait["apex"]))
+    assert not attraction.proved
+    assert "contracts" in attraction.undecided

@@ -5,9 +5,11 @@ that the others leave over complete it.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from flint import acb, acb_mat, arb, arb_mat
+from numpy.typing import NDArray
 
 SMALL = 1e6
 """An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
@@ -68,8 +70,7 @@ def eigenvalues(matrix: arb_mat, rank: int) -> Eigenvalues:
 def is_contracting(matrix: arb_mat) -> bool:
     """Whether it is proved that all eigenvalues of every matrix in an enclosure are inside the unit circle.
 
-    In a basis in which the matrix is nearly diagonal, and over the Perron vector of its absolute values, the
-    largest sum of a row bounds them all.
+    In a basis in which the matrix is nearly diagonal, the largest weighted sum of a row bounds them all.
 
     Parameters
     ----------
@@ -105,16 +106,28 @@ def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
     basis = _basis(matrix)
     turned = basis.solve(acb_mat(matrix) * basis)
     sizes = np.array([[float(abs(turned[i, j]).upper()) for j in range(size)] for i in range(size)])
-    weights = np.ones(size)
-    for _ in range(60):
-        weights = sizes @ weights + 1e-6 * np.max(sizes @ weights)
-        weights = weights / np.max(weights)
+    weights = _weights(sizes, basis)
     exact = [arb(float(w)) for w in weights]
     rows = (sum((abs(turned[i, j]) * exact[j] for j in range(size)), arb(0)) / exact[i] for i in range(size))
     bound = arb(0)
     for row in rows:
         bound = bound.max(row) if row.is_finite() else arb("inf")
     return bound.upper(), basis, [float(w) for w in weights]
+
+
+def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
+    """Over which sums of rows are below 1, if any are: w = v + B w/kappa, where v is the unit cube's extent.
+
+    So the ball of the norm is as round as it may be.
+    """
+    largest = float(np.max(np.abs(np.linalg.eigvals(sizes)))) if np.all(np.isfinite(sizes)) else np.inf
+    inverse = np.array([[complex(x) for x in row] for row in basis.inv().tolist()])
+    extent: NDArray[Any] = np.sum(np.abs(inverse), axis=1)
+    if not largest < 1.0:
+        return extent
+    rate = 0.5 * (1.0 + largest)
+    found: NDArray[np.float64] = np.linalg.solve(np.eye(len(sizes)) - sizes / rate, extent)
+    return found
 
 
 def _basis(matrix: arb_mat) -> acb_mat:

@@ -110,7 +110,7 @@ class Traveller:
         """
         for _ in range(MOST_STEPS):
             try:
-                if self._step():
+                if self.step():
                     return self._close()
             except UndecidedError as problem:
                 if problem.time is None:
@@ -118,7 +118,8 @@ class Traveller:
                 raise
         raise UndecidedError("the end of the stride")
 
-    def _step(self) -> bool:
+    def step(self) -> bool:
+        """One step, or a part of one up to an event; whether it ends the stride."""
         with ctx.workprec(self.fine.bits):
             flow = Flow(self.thin, self.mode, self.centre, self.fine.degree)
             return self._go(flow, flow)

@@ -86,7 +86,8 @@ class SetTraveller(Traveller):
 
     # ---- steps -----------------------------------------------------------------------------------------
 
-    def _step(self) -> bool:
+    def step(self) -> bool:
+        """One step, or a part of one up to an event; whether it ends the stride."""
         with ctx.workprec(self.fine.bits):
             thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
         with ctx.workprec(self.coarse.bits):

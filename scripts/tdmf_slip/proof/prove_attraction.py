@@ -1,0 +1,152 @@
+"""A ball around a stable gait from which every runner is proved to settle on it.
+
+If the stride maps a box with a derivative that is below kappa < 1 in some norm, then every ball of that
+norm around the gait in the box goes into itself, and strides bring its points nearer by kappa each (mean
+value theorem).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from flint import acb_mat, arb, ctx
+
+from .eigenvalues import contraction
+from .exact import ball_of
+from .given import Given, gait_of
+from .krawczyk import Inclusion, proved_stride
+from .parameters import Parameters
+from .proof import assumptions, short
+from .starts import Fineness, Starts
+from .undecided import UndecidedError
+
+BOXES = tuple(Fraction(digit, 10**places) for places in range(5, 13) for digit in (5, 2, 1))
+"""Radii that are tried, in units of the coordinates' scales."""
+BITS = 64
+
+
+@dataclass(frozen=True)
+class Attraction:
+    """Starts that are proved to settle on a gait."""
+
+    proved: bool
+    """False is undecided."""
+    radius: float = 0.0
+    """Every apex no farther from the gait's in any coordinate, in units of the scales, settles on it."""
+    rate: float = 1.0
+    """By which the distance, in the norm of the Jacobian's, falls each stride at the least."""
+    box: Fraction = Fraction(0)
+    """Radius of the box in which the derivative was enclosed, in units of the scales."""
+    norm_radius: float = 0.0
+    """Of the ball, the largest |(S^-1 x)_i| / w_i."""
+    basis: Sequence[Sequence[complex]] = field(default=(), repr=False)
+    """The norm's S, shape (6, 6), the eigenvectors of the Jacobian about."""
+    weights: Sequence[float] = field(default=(), repr=False)
+    """The norm's w, shape (6,)."""
+    undecided: str = ""
+    """What could not be decided."""
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object."""
+        return {
+            "proved": self.proved,
+            "sentence": self.sentence,
+            "assumptions": assumptions(),
+            "radius": self.radius,
+            "rate": self.rate,
+            "box": short(self.box) if self.proved else None,
+            "undecided": self.undecided or None,
+        }
+
+    @property
+    def sentence(self) -> str:
+        """What is proved, or left open."""
+        if not self.proved:
+            return f"Undecided: {self.undecided}."
+        return (
+            f"Every start whose apex is within {self.radius:.3g} of the gait's in each coordinate settles on "
+            f"the gait; in a norm of its Jacobian's, the distance falls to {self.rate:.4g} of itself or less "
+            "each stride."
+        )
+
+
+def prove_attraction(gait: Given = None) -> Attraction:
+    """A ball around a stable gait in which every start settles on it, proved.
+
+    Parameters
+    ----------
+    gait : Orbit, Runner or mapping of str to value, optional
+        As in `prove`.
+
+    Returns
+    -------
+    Attraction
+        The largest of some that are tried.
+
+    Raises
+    ------
+    InputError
+        A value or a name is refused.
+    RunError
+        No gait was found.
+    """
+    orbit, values = gait_of(gait)
+    if not orbit.stable:
+        return Attraction(False, undecided="whether the stride contracts: the gait is found to be unstable")
+    parameters, fine = Parameters(values), Fineness(BITS)
+    scales = [float(scale) for scale in orbit.runner.scales]
+    centre = [arb(float(x)) for x in orbit.apex]
+    problem = "whether the stride contracts"
+    for radius in BOXES:
+        with ctx.workprec(BITS):
+            size = ball_of(radius)
+            starts = Starts(centre, [(size * scale).lower().mid() for scale in scales])
+        try:
+            stride = proved_stride(parameters, starts, fine, fine)
+            inside = Inclusion(starts, stride, fine)
+        except UndecidedError as undecided:
+            problem = str(undecided)
+            continue
+        assert stride.derivative is not None
+        with ctx.workprec(BITS):
+            rate, basis, weights = contraction(stride.derivative)
+            if not rate < 1:
+                problem = "whether the stride contracts"
+                continue
+            largest, cube = _balls(starts, inside.image, basis, weights, scales)
+        if largest > 0.0:
+            rows = [[complex(x) for x in row] for row in basis.tolist()]
+            return Attraction(True, cube, _above(rate), radius, largest, rows, weights)
+    return Attraction(False, undecided=problem)
+
+
+def _balls(
+    starts: Starts, away: Sequence[float], basis: acb_mat, weights: Sequence[float], scales: Sequence[float]
+) -> tuple[float, float]:
+    """The largest ball of the norm around the gait in the box, and the largest box of one shape in that."""
+    size = len(weights)
+    exact = [arb(w) for w in weights]
+    rooms = []
+    for i in range(size):
+        reach = sum((abs(basis[i, j]) * exact[j] for j in range(size)), arb(0))
+        rooms.append(((starts.radii[i] - arb(away[i]) * arb("1.0001")) / reach).lower())
+    largest = rooms[0]
+    for room in rooms:
+        largest = largest.min(room)
+    inverse = basis.inv()
+    worst = arb(0)
+    for i in range(size):
+        total = sum((abs(inverse[i, j]) * arb(scales[j]) for j in range(size)), arb(0)) / exact[i]
+        worst = worst.max(total)
+    return _below(largest), _below(largest / worst)
+
+
+def _below(value: arb) -> float:
+    """A double that is not above."""
+    found = float(value.lower())
+    return found * (1.0 - 1e-15)
+
+
+def _above(value: arb) -> float:
+    """A double that is not below."""
+    return float(value.upper()) * (1.0 + 1e-15)

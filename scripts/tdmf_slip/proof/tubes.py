@@ -1,0 +1,71 @@
+"""The tube that all starts of a set stay in along a stride, to look at."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import arb, ctx
+
+from .exact import ball_of
+from .given import Given, Radius, gait_of, radius_of
+from .parameters import Parameters
+from .starts import Fineness, Starts
+from .travelling_set import SetTraveller
+
+BITS = 80
+
+
+@dataclass(frozen=True)
+class Section:
+    """A tube at the end of a step or an event."""
+
+    time: float
+    """Since the apex, s."""
+    contact: str
+    """What the foot does: flight, stick, slip or graze."""
+    middle: dict[str, float]
+    """Of the numbers of the motion: the leg's, and by mode those of the centre of mass or of the foot."""
+    radius: dict[str, float]
+    """How far a start of the set may be from the middle."""
+
+
+def tube_along(gait: Given = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
+    """The tube of all starts around a gait's apex, along a stride.
+
+    Parameters
+    ----------
+    gait : Orbit, Runner or mapping of str to value, optional
+        As in `prove`.
+    radius : float, str or Fraction, default 1e-8
+        Of the starts around the apex, in units of the coordinates' scales.
+
+    Returns
+    -------
+    list of Section
+        From apex to apex.
+
+    Raises
+    ------
+    InputError
+        A value or a name is refused.
+    UndecidedError
+        The set is too wide for its events to be told.
+    """
+    orbit, values = gait_of(gait)
+    fine, size = Fineness(BITS), radius_of(radius)
+    with ctx.workprec(BITS):
+        radii = [ball_of(size) * float(scale) for scale in orbit.runner.scales]
+        starts = Starts([arb(float(x)) for x in orbit.apex], [r.upper().mid() for r in radii])
+    traveller = SetTraveller(Parameters(values), starts, fine, fine)
+    sections = [_section(traveller)]
+    while not traveller.step():
+        sections.append(_section(traveller))
+    return [*sections, _section(traveller)]
+
+
+def _section(traveller: SetTraveller) -> Section:
+    return Section(
+        float(traveller.time.mid()),
+        traveller.mode.contact,
+        {name: float(ball.mid()) for name, ball in traveller.set.items()},
+        {name: float(ball.rad()) for name, ball in traveller.set.items()},
+    )
