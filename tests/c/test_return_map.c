@@ -19,6 +19,7 @@ enum {
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
     THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double),
     CONTROL_THRUST = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, control.thrust) / sizeof(double),
+    EXTERNAL_FX = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, body.external_fx) / sizeof(double),
     GROUND_HEIGHT = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double)
 };
 
@@ -139,6 +140,50 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
             const double step = 1e-5 * fmax(unit, fabs(*coordinate(&scene, k)));
             assert_differentiated(&scene, k, step, 1e-7);
+        }
+    }
+}
+
+/* A push along the ground changes the centre of mass's speed while an apex that comes later is waited for. */
+static void under_a_push_along_the_ground_the_jacobian_is_that_of_the_map(void **state) {
+    static const double pushes[] = {-1e-3, 1e-3};
+    (void)state;
+    for (size_t i = 0; i < 2 * REFERENCE_GAITS; ++i) {
+        scene_at_apex scene = at_gait(&reference_gaits[i / 2]);
+        scene.inputs.body.external_fx = pushes[i % 2];
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_differentiated(&scene, k, 1e-4, 1e-8);
+        }
+        assert_differentiated(&scene, EXTERNAL_FX, 1e-6, 1e-7);
+    }
+}
+
+/* No thrust is the least that there is, so that differences look ahead only: -11/6, 3, -3/2 and 1/3. */
+static void a_thrust_of_zero_is_differentiated(void **state) {
+    static const double weights[] = {-11.0 / 6.0, 3.0, -1.5, 1.0 / 3.0};
+    static const double step = 1e-4;
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        for (int input = 0; input < 2; ++input) {
+            scene_at_apex scene = at_gait(&reference_gaits[i]);
+            const int k = input ? CONTROL_THRUST : THRUST;
+            double exact[RESULTS], differences[RESULTS] = {0.0}, size = 1.0;
+            assert_true(*coordinate(&scene, k) == 0.0);
+            exact_derivatives(&scene, k, exact);
+            for (int ahead = 0; ahead < 4; ++ahead) {
+                const coordinate_line on = {scene, k};
+                double results[RESULTS];
+                results_on_line(ahead * step, &on, results);
+                for (int r = 0; r < RESULTS; ++r) {
+                    differences[r] += weights[ahead] * results[r] / step;
+                }
+            }
+            for (int r = 0; r < RESULTS; ++r) {
+                size = fmax(size, fabs(exact[r]));
+            }
+            for (int r = 0; r < RESULTS; ++r) {
+                assert_close(exact[r], differences[r], 1e-6 * size);
+            }
         }
     }
 }
@@ -343,6 +388,8 @@ int main(void) {
         cmocka_unit_test(the_jacobian_is_that_of_the_map),
         cmocka_unit_test(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map),
         cmocka_unit_test(parameters_and_inputs_are_differentiated),
+        cmocka_unit_test(under_a_push_along_the_ground_the_jacobian_is_that_of_the_map),
+        cmocka_unit_test(a_thrust_of_zero_is_differentiated),
         cmocka_unit_test(derivatives_are_as_good_as_the_strides),
         cmocka_unit_test(what_is_too_much_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),

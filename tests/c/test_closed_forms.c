@@ -1,0 +1,299 @@
+/* Runs whose motion is known in closed form, under inputs that ramp, with feet heavier than bodies, and their
+ * variations. An upright leg without torque moves along the vertical only, as two masses on a spring:
+ *
+ *     M y_c'' = F - M g,    mu r'' = -k (r - l0) + (m_f/M) F,    mu = m m_f/M,
+ *
+ * where F is the upward push on the body; with F = F_0 + F_1 t a leg that begins on r = l0 + m_f F/(k M)
+ * stays there, and all heights are cubics in time. */
+#include "compare.h"
+#include "scene.h"
+#include "tdmf_slip/kinematics.h"
+#include "tdmf_slip/solver.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- a run --------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs, rates;
+    tdmf_motion motion;
+    tdmf_solver solver;
+    tdmf_event_log log;
+} run;
+
+/* Neither torque nor damping. */
+static run run_without_losses(double foot_mass) {
+    run run;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    memset(&run, 0, sizeof run);
+    parameters.foot.mass = foot_mass;
+    parameters.leg.damping = 0.0;
+    parameters.hip.stance_torque = parameters.hip.kp = parameters.hip.kd = 0.0;
+    assert_null(tdmf_model_create(&run.model, &parameters).variable);
+    run.inputs = tdmf_default_inputs();
+    run.solver = tdmf_solver_default();
+    run.motion.state[TDMF_LEG_LENGTH] = parameters.leg.free_length;
+    return run;
+}
+
+static void start(run *run) {
+    assert_null(
+        tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
+            .variable);
+}
+
+static tdmf_outcome advance(run *run, double until) {
+    run->log.count = 0;
+    run->solver.log = &run->log;
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&run->solver, &run->model, &run->inputs, &run->rates, until, &run->motion);
+    run->solver.log = NULL;
+    return outcome;
+}
+
+/* The first event of a kind in the log. */
+static double time_of(const run *run, tdmf_guard guard) {
+    for (int i = 0; i < run->log.count; ++i) {
+        if (run->log.events[i].guard == (int)guard) {
+            return run->log.events[i].time;
+        }
+    }
+    return INFINITY;
+}
+
+/* ---- a push that ramps --------------------------------------------------------------------------------- */
+
+/* Heights as cubics in time. */
+typedef struct {
+    double c[4];
+} cubic;
+
+static double value_of(const cubic *p, double t) {
+    return p->c[0] + t * (p->c[1] + t * (p->c[2] + t * p->c[3]));
+}
+
+/* By bisection: of a function that changes its sign between two times. */
+static double zero_between(const cubic *p, double from, double to) {
+    const bool falls = value_of(p, from) > 0.0;
+    assert_true(falls == (value_of(p, to) < 0.0));
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (from + to);
+        if (falls == (value_of(p, middle) > 0.0)) {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    return from;
+}
+
+/* The leg is as long as the push, F_0 + F_1 t, makes it; the centre of mass begins at `height`, at `rate`. */
+static cubic fly_under_ramp(run *run, double height, double rate, double push, double push_rate) {
+    const tdmf_model *model = &run->model;
+    const tdmf_parameters *p = &model->parameters;
+    const double stretch = p->foot.mass / (p->leg.stiffness * model->total_mass);
+    const double share = p->body.mass / model->total_mass;
+    double *state = run->motion.state;
+    run->inputs.body.external_fy = push;
+    run->rates.body.external_fy = push_rate;
+    state[TDMF_LEG_LENGTH] = p->leg.free_length + stretch * push;
+    state[TDMF_LEG_LENGTH_RATE] = stretch * push_rate;
+    state[TDMF_FOOT_Y] = height - share * state[TDMF_LEG_LENGTH];
+    state[TDMF_FOOT_VY] = rate - share * state[TDMF_LEG_LENGTH_RATE];
+    const cubic foot = {{state[TDMF_FOOT_Y], state[TDMF_FOOT_VY],
+                         0.5 * (push / model->total_mass - p->gravity), push_rate / model->total_mass / 6.0}};
+    return foot;
+}
+
+static cubic rate_of(const cubic *p) {
+    const cubic rate = {{p->c[1], 2.0 * p->c[2], 3.0 * p->c[3], 0.0}};
+    return rate;
+}
+
+/* Down and up, with feet that are light, as heavy as the body, and heavier. */
+static void a_ramped_push_moves_touchdown(void **state) {
+    static const double foot_masses[] = {0.05, 1.0, 10.0};
+    static const double pushes[] = {-2e-4, 2e-4, -2e-3};
+    (void)state;
+    for (int i = 0; i < 9; ++i) {
+        run run = run_without_losses(foot_masses[i / 3]);
+        const double mass = run.model.total_mass;
+        const cubic foot = fly_under_ramp(&run, 3.0, 0.0, 0.0, pushes[i % 3] * mass);
+        const double touchdown = zero_between(&foot, 0.0, 40.0);
+        start(&run);
+        assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
+        assert_int_equal(advance(&run, touchdown + 0.01), TDMF_ARRIVED);
+        assert_close(time_of(&run, TDMF_GUARD_TOUCHDOWN), touchdown, 1e-10);
+    }
+}
+
+/* Of a flight that rises, under a push that grows or falls off. */
+static void a_ramped_push_moves_the_apex(void **state) {
+    static const double push_rates[] = {-3e-3, -3e-4, 3e-4};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        run run = run_without_losses(0.5);
+        const cubic foot = fly_under_ramp(&run, 3.0, 0.1, 0.0, push_rates[i] * run.model.total_mass);
+        cubic rise = rate_of(&foot);
+        rise.c[0] = 0.1; /* of the centre of mass, which all else moves with */
+        const double apex = zero_between(&rise, 0.0, 20.0);
+        start(&run);
+        assert_true(run.motion.mode.rises);
+        assert_int_equal(advance(&run, apex + 0.01), TDMF_ARRIVED);
+        assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-10);
+    }
+}
+
+/* A push that lifts and falls off: the runner falls, rises and falls again, and has an apex. */
+static void a_runner_that_is_lifted_in_its_fall_has_an_apex(void **state) {
+    (void)state;
+    run run = run_without_losses(0.5);
+    const double mass = run.model.total_mass, gravity = run.model.parameters.gravity;
+    const cubic foot = fly_under_ramp(&run, 3.0, -0.01, 3.0 * gravity * mass, -1e-3 * mass);
+    cubic rise = rate_of(&foot);
+    rise.c[0] = -0.01;
+    const double rises = zero_between(&rise, 0.0, 10.0);
+    const double apex = zero_between(&rise, 10.0, 60.0);
+    start(&run);
+    assert_int_equal(advance(&run, 0.5 * rises), TDMF_ARRIVED);
+    assert_false(run.motion.mode.rises);
+    run.inputs = tdmf_inputs_after(&run.inputs, &run.rates, 0.5 * rises);
+    assert_int_equal(advance(&run, apex + 0.01), TDMF_ARRIVED);
+    assert_close(time_of(&run, TDMF_GUARD_APEX), apex, 1e-9);
+}
+
+/* The ground is raised above the foot: it is in force once the foot has come up through it. */
+static void a_ramped_push_moves_the_ground_that_waits(void **state) {
+    static const double push_rates[] = {-5e-4, 5e-4};
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        run run = run_without_losses(0.5);
+        cubic foot = fly_under_ramp(&run, 3.0, 0.15, 0.0, push_rates[i] * run.model.total_mass);
+        start(&run);
+        run.inputs.ground.height = foot.c[0] + 0.5;
+        foot.c[0] = -0.5;
+        const double passed = zero_between(&foot, 0.0, 7.0);
+        assert_int_equal(advance(&run, passed + 0.01), TDMF_ARRIVED);
+        assert_close(time_of(&run, TDMF_GUARD_NEW_GROUND), passed, 1e-9);
+    }
+}
+
+/* ---- the light end of a leg -----------------------------------------------------------------------------
+ */
+
+/* Upside down under a heavy foot: at rest in itself, and falling. */
+static void a_light_body_below_its_foot_falls_when_it_is_down(void **state) {
+    static const double foot_masses[] = {1.0, 10.0, 1000.0};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        run run = run_without_losses(foot_masses[i]);
+        const double height = 0.05;
+        const double down = sqrt(2.0 * height / run.model.parameters.gravity);
+        run.motion.state[TDMF_LEG_ANGLE] = acos(-1.0);
+        run.motion.state[TDMF_FOOT_Y] = height + run.model.parameters.leg.free_length;
+        start(&run);
+        assert_int_equal(advance(&run, down + 0.5), TDMF_FELL);
+        assert_close(run.motion.time, down, 1e-9);
+    }
+}
+
+/* ---- the cone under a ramp of friction ----------------------------------------------------------------- */
+
+/* Upright on a slope a leg presses the ground along the vertical, whatever its load: the foot slips when the
+ * friction of rest has fallen to the tangent of the slope. */
+static void a_foot_slips_when_friction_has_fallen_to_the_slope(void **state) {
+    static const double ratios[] = {1.0, 1.5};
+    static const double dips[] = {0.0, 0.1}; /* of a body at rest, and of one that bobs */
+    int slipped = 0;
+    (void)state;
+    for (int i = 0; i < 8; ++i) {
+        run run = run_without_losses(0.05);
+        tdmf_parameters parameters = run.model.parameters;
+        const double slope = i & 1 ? 0.2 : -0.2, dip = dips[i >> 2];
+        parameters.ground.static_friction_ratio = ratios[i >> 1 & 1];
+        parameters.gravity = 0.2;
+        assert_null(tdmf_model_create(&run.model, &parameters).variable);
+        run.inputs.ground.slope = slope;
+        run.inputs.ground.friction = 0.6;
+        run.rates.ground.friction = -0.04;
+        const double slip = (0.6 - tan(fabs(slope)) / parameters.ground.static_friction_ratio) / 0.04;
+        run.motion.state[TDMF_LEG_LENGTH] =
+            parameters.leg.free_length -
+            parameters.body.mass * parameters.gravity / parameters.leg.stiffness - dip;
+        start(&run);
+        assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
+        assert_int_equal(advance(&run, slip + 1e-3), TDMF_ARRIVED);
+        assert_close(
+            time_of(&run, slope > 0.0 ? TDMF_GUARD_SLIP_ONSET_NEGATIVE : TDMF_GUARD_SLIP_ONSET_POSITIVE),
+            slip, 1e-9);
+        ++slipped;
+    }
+    assert_int_equal(slipped, 8);
+}
+
+/* ---- variations of a motion that is simpler than they are -----------------------------------------------
+ */
+
+static tdmf_variation varied_until(run *run, double until, int varied) {
+    static const tdmf_change none = {0};
+    tdmf_variation variation = {0};
+    variation.state[varied] = 1.0;
+    const tdmf_stride_outcome outcome = tdmf_native_stride_varied(&run->solver, &run->model, &run->inputs,
+                                                                  until, &run->motion, &none, &variation, 1);
+    assert_int_equal(outcome.outcome, TDMF_ARRIVED);
+    assert_false(outcome.closed);
+    return variation;
+}
+
+/* A leg that rests in itself flies on a parabola, which one step would do for; a change of its length swings
+ * for tens of periods. */
+static void a_change_of_a_resting_leg_swings_in_flight(void **state) {
+    static const double foot_masses[] = {0.01, 0.3, 3.0};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        run run = run_without_losses(foot_masses[i]);
+        const tdmf_model *model = &run.model;
+        const double until = 60.0;
+        const double pulsation = sqrt(model->parameters.leg.stiffness * model->mobility);
+        run.motion.state[TDMF_FOOT_Y] = 10.0;
+        run.motion.state[TDMF_FOOT_VY] = 1.0;
+        start(&run);
+        const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_LENGTH);
+        assert_close(varied.state[TDMF_LEG_LENGTH], cos(pulsation * until), 1e-8);
+        assert_close(varied.state[TDMF_LEG_LENGTH_RATE], -pulsation * sin(pulsation * until),
+                     1e-8 * pulsation);
+        /* The foot was where it is, the body moved, and the centre of mass with it. */
+        const double share = model->body_share;
+        assert_close(varied.state[TDMF_FOOT_Y], share * (1.0 - cos(pulsation * until)), 1e-8);
+    }
+}
+
+/* The same of a leg that stands, balanced: it would stand in one step. */
+static void a_change_of_a_standing_leg_swings(void **state) {
+    (void)state;
+    run run = run_without_losses(0.05);
+    const tdmf_parameters *p = &run.model.parameters;
+    const double until = 60.0, pulsation = sqrt(p->leg.stiffness / p->body.mass);
+    run.motion.state[TDMF_LEG_LENGTH] = p->leg.free_length - p->body.mass * p->gravity / p->leg.stiffness;
+    start(&run);
+    assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
+    const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_LENGTH);
+    assert_close(varied.state[TDMF_LEG_LENGTH], cos(pulsation * until), 1e-8);
+    assert_close(varied.state[TDMF_LEG_LENGTH_RATE], -pulsation * sin(pulsation * until), 1e-8);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ramped_push_moves_touchdown),
+        cmocka_unit_test(a_ramped_push_moves_the_apex),
+        cmocka_unit_test(a_runner_that_is_lifted_in_its_fall_has_an_apex),
+        cmocka_unit_test(a_ramped_push_moves_the_ground_that_waits),
+        cmocka_unit_test(a_light_body_below_its_foot_falls_when_it_is_down),
+        cmocka_unit_test(a_foot_slips_when_friction_has_fallen_to_the_slope),
+        cmocka_unit_test(a_change_of_a_resting_leg_swings_in_flight),
+        cmocka_unit_test(a_change_of_a_standing_leg_swings),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
