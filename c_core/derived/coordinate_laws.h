@@ -195,6 +195,17 @@ static inline tdmf_leg_rates tdmf_leg_rates_with_foot(const double state[TDMF_ST
     return result;
 }
 
+/* The foot in the axes of the ground. */
+static inline tdmf_point tdmf_foot_over(const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_point result = {
+        .x = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height),
+        .y = line->cosine * (state[TDMF_FOOT_Y] - line->height) - line->sine * state[TDMF_FOOT_X],
+        .vx = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY],
+        .vy = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX],
+    };
+    return result;
+}
+
 /* The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes. */
 static inline tdmf_standing tdmf_standing_of(const tdmf_ground_line *line,
                                              const double state[TDMF_STATE_COUNT],

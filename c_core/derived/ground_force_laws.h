@@ -20,28 +20,6 @@ static inline tdmf_ground_force tdmf_force_under(const tdmf_model *model, const 
     return result;
 }
 
-/* Its change. */
-static inline tdmf_ground_force tdmf_vary_force_under(const tdmf_model *model, const tdmf_ground_line *line,
-                                                      const tdmf_leg *leg, double torque,
-                                                      const tdmf_model *d_model,
-                                                      const tdmf_ground_line *d_line, const tdmf_leg *d_leg,
-                                                      double d_torque) {
-    const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
-    const double across = torque * leg->inverse_length;
-    const double d_along = d_leg->axial_force * -leg->ground_sine + leg->axial_force * -d_leg->ground_sine -
-                           (d_across * leg->ground_cosine + across * d_leg->ground_cosine);
-    const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
-                            model->parameters.foot.mass * d_model->parameters.gravity;
-    const double weight = model->parameters.foot.mass * model->parameters.gravity;
-    const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
-                         (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
-    const tdmf_ground_force result = {
-        .tangential = d_along + (d_weight * line->sine + weight * (line->cosine * d_line->slope)),
-        .normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope)),
-    };
-    return result;
-}
-
 /* The force in the mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, else none. */
 static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdmf_inputs *inputs,
                                               const tdmf_ground_line *line, const tdmf_leg *leg,
@@ -137,46 +115,6 @@ static inline tdmf_ground_force tdmf_vary_force_in(const tdmf_model *model, cons
         .normal = d_normal,
     };
     return result;
-}
-
-/* tau_eq = r (F_s cos theta' + m_f g cos sigma)/sin theta', which keeps an unloaded foot at the ground.
- *
- * Of an upright leg `sine` is the smallest that may stand in the denominator. */
-static inline double tdmf_graze_torque(const tdmf_model *model, const tdmf_ground_line *line,
-                                       const tdmf_leg *leg, bool upright, double sine) {
-    if (upright) {
-        const double load = leg->axial_force * leg->ground_cosine +
-                            model->parameters.foot.mass * model->parameters.gravity * line->cosine;
-        return load / (sine * leg->inverse_length);
-    }
-    const double load = leg->axial_force * leg->ground_cosine +
-                        model->parameters.foot.mass * model->parameters.gravity * line->cosine;
-    return load / (leg->ground_sine * leg->inverse_length);
-}
-
-/* Its change. */
-static inline double tdmf_vary_graze_torque(const tdmf_model *model, const tdmf_ground_line *line,
-                                            const tdmf_leg *leg, bool upright, double sine, double torque,
-                                            const tdmf_model *d_model, const tdmf_ground_line *d_line,
-                                            const tdmf_leg *d_leg) {
-    if (upright) {
-        const double d_load =
-            d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
-            ((d_model->parameters.foot.mass * model->parameters.gravity +
-              model->parameters.foot.mass * d_model->parameters.gravity) *
-                 line->cosine +
-             model->parameters.foot.mass * model->parameters.gravity * (-line->sine * d_line->slope));
-        return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
-    }
-    const double d_load =
-        d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
-        ((d_model->parameters.foot.mass * model->parameters.gravity +
-          model->parameters.foot.mass * d_model->parameters.gravity) *
-             line->cosine +
-         model->parameters.foot.mass * model->parameters.gravity * (-line->sine * d_line->slope));
-    return (d_load -
-            torque * (d_leg->ground_sine * leg->inverse_length + leg->ground_sine * d_leg->inverse_length)) /
-           (leg->ground_sine * leg->inverse_length);
 }
 
 #endif

@@ -23,13 +23,6 @@ static inline double tdmf_velocity_off(const tdmf_ground_line *line, double vx, 
     return line->cosine * vy - line->sine * vx;
 }
 
-/* Its change. */
-static inline double tdmf_vary_velocity_off(const tdmf_ground_line *line, double vx, double vy,
-                                            const tdmf_ground_line *d_line, double d_vx, double d_vy) {
-    return -line->sine * d_line->slope * vy + line->cosine * d_vy -
-           (line->cosine * d_line->slope * vx + line->sine * d_vx);
-}
-
 /* t.(p - (0, h)), from the pivot along the line. */
 static inline double tdmf_place_along(const tdmf_ground_line *line, double x, double y) {
     return line->cosine * x + line->sine * (y - line->height);

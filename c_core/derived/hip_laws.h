@@ -194,21 +194,6 @@ static inline tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const t
     return result;
 }
 
-/* gain (target - theta) - rate_gain thetadot + torque, now. */
-static inline double tdmf_law_torque(const tdmf_hip_law *law, const double state[TDMF_STATE_COUNT]) {
-    return law->gain * (law->target - state[TDMF_LEG_ANGLE]) - law->rate_gain * state[TDMF_LEG_ANGLE_RATE] +
-           law->torque;
-}
-
-/* Its change. */
-static inline double tdmf_vary_law_torque(const tdmf_hip_law *law, const double state[TDMF_STATE_COUNT],
-                                          const tdmf_hip_law *d_law, const double d_state[TDMF_STATE_COUNT]) {
-    return d_law->gain * (law->target - state[TDMF_LEG_ANGLE]) +
-           law->gain * (d_law->target - d_state[TDMF_LEG_ANGLE]) -
-           (d_law->rate_gain * state[TDMF_LEG_ANGLE_RATE] + law->rate_gain * d_state[TDMF_LEG_ANGLE_RATE]) +
-           d_law->torque;
-}
-
 /* Of the servo alone, by which the clamp of (12) is decided. */
 static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
                                        const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
@@ -358,11 +343,6 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
 /* The rate of the torque while the leg stands still. */
 static inline double tdmf_law_drift(const tdmf_hip_law *law) {
     return law->torque_rate + law->gain * law->target_rate;
-}
-
-/* Its change. */
-static inline double tdmf_vary_law_drift(const tdmf_hip_law *law, const tdmf_hip_law *d_law) {
-    return d_law->torque_rate + (d_law->gain * law->target_rate + law->gain * d_law->target_rate);
 }
 
 /* The law as it is some time later. */

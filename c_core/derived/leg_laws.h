@@ -6,16 +6,6 @@
 
 #include <math.h>
 
-/* Of theta' = theta - sigma, seen from the normal of the ground. */
-static inline tdmf_leg_direction tdmf_direction_over(const tdmf_ground_line *line,
-                                                     tdmf_leg_direction direction) {
-    const tdmf_leg_direction result = {
-        .sine = direction.sine * line->cosine - direction.cosine * line->sine,
-        .cosine = direction.cosine * line->cosine + direction.sine * line->sine,
-    };
-    return result;
-}
-
 /* epsilon, with what the control adds to it, but no less than 0.
  *
  * A leg that grew shorter would leave a ground that it comes down to at once, for ever. */

@@ -1,10 +1,6 @@
 /* Positions and velocities as the world asks for them. */
 #include "kinematics.h"
 
-#include "ground_line.h"
-
-#include <math.h>
-
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
     return tdmf_body_along(state, tdmf_leg_direction_of(state));
 }
@@ -34,9 +30,5 @@ void tdmf_set_foot(tdmf_point foot, double state[TDMF_STATE_COUNT]) {
 }
 
 tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
-    const double x = state[TDMF_FOOT_X], y = state[TDMF_FOOT_Y];
-    const double vx = state[TDMF_FOOT_VX], vy = state[TDMF_FOOT_VY];
-    const tdmf_point foot = {tdmf_place_along(ground, x, y), tdmf_height_over(ground, x, y),
-                             tdmf_velocity_along(ground, vx, vy), tdmf_velocity_off(ground, vx, vy)};
-    return foot;
+    return tdmf_foot_over(ground, state);
 }

@@ -51,7 +51,7 @@ runner
         runner.derived(model.parameters.body.mass, model.parameters.foot.mass) | value constants
 ground_line
     double velocity_along(line, vx, vy) = ground_line.along(line, vx, vy)
-    double velocity_off(line, vx, vy) = ground_line.off(line, vx, vy)
+    double velocity_off(line, vx, vy) = ground_line.off(line, vx, vy) | only
     double place_along(line, x, y) = ground_line.place_along(line, x, y)
     double height_over(line, x, y) = ground_line.height_over(line, x, y)
     double ground_height_at(line, x) = ground_line.height_at(line, x)
@@ -66,15 +66,13 @@ hip
         hip.servo(model, inputs, mode.phase, mode.liftoff_angle, place_time)
     tdmf_hip_law flight_law(model, inputs, rates, mode, place_time) =
         hip.flight(model, inputs, rates, mode.phase, mode.clamp_closed, mode.liftoff_angle, place_time)
-    double law_torque(law, state) = hip.torque(law, state.leg_angle, state.leg_angle_rate)
     double servo_torque(model, inputs, mode, state) =
         hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
     double torque_in(model, inputs, mode, state, leg, upright, sine) =
         hip.torque_in_mode(model, inputs, mode, state, leg, upright, sine) | value torque
-    double law_drift(law) = hip.drift(law)
+    double law_drift(law) = hip.drift(law) | only
     tdmf_hip_law law_after(law, elapsed) = hip.after(law, elapsed) | only
 leg
-    tdmf_leg_direction direction_over(line, direction) = leg.direction_over(line, direction) | only
     double leg_thrust(model, inputs) = leg.thrust(model, inputs) | only
     double rest_length(model, inputs, mode) = leg.rest_length(model, inputs, mode.thrusts)
     tdmf_leg leg_with(model, line, state, direction, rest_length) =
@@ -89,16 +87,15 @@ friction
     double cone_width(model, inputs) = friction.width(model, inputs) | only
     tdmf_cone cone_of(friction) = friction.cone(friction) | only
 ground_force
-    tdmf_ground_force force_under(model, line, leg, torque) = ground_force.under(model, line, leg, torque)
+    tdmf_ground_force force_under(model, line, leg, torque) =
+        ground_force.under(model, line, leg, torque) | only
     tdmf_ground_force force_in(model, inputs, line, leg, torque, contact, sign) =
         ground_force.in_mode(model, inputs, line, leg, torque, contact, sign)
-    double graze_torque(model, line, leg, upright, sine) =
-        ground_force.graze_torque(model, line, leg, upright, sine) | value torque
 graze
     tdmf_ground_force force_in_stance(model, inputs, mode, state, leg) =
-        graze.force_in_stance(model, inputs, mode, state, leg)
+        graze.force_in_stance(model, inputs, mode, state, leg) | only
     tdmf_ground_force force_in_flight(model, inputs, mode, state, leg) =
-        graze.force_in_flight(model, inputs, mode, state, leg)
+        graze.force_in_flight(model, inputs, mode, state, leg) | only
 free_fall
     tdmf_vector push_on_body(model, inputs) = free_fall.push_on_body(model, inputs)
     tdmf_vector fall_of_body(model, push) = free_fall.of_body(model, push)
@@ -113,6 +110,7 @@ coordinate
         coordinates.foot_below(model, center, state, direction)
     tdmf_leg_rates leg_rates_with_foot(state, direction, vx, vy) =
         coordinates.leg_rates_with_foot(state, direction, vx, vy) | only
+    tdmf_point foot_over(line, state) = coordinates.foot_over_ground(line, state) | only
     tdmf_standing standing_of(line, state, direction) = coordinates.on_ground(line, state, direction)
     void state_of_standing(line, standing, turns, written) =
         coordinates.from_ground(line, standing, turns) | value state
