@@ -78,9 +78,8 @@ static void write_stride(const tdmf_return *stride) {
 LIVE_EXPORT(live_find_gait)
 bool live_find_gait(void) {
     tdmf_solver solver = tight_solver();
-    const double friction = live.inputs.ground.friction;
     live.message[0] = '\0';
-    if (!(friction > 0.0)) {
+    if (!(live.inputs.ground.friction > 0.0)) {
         snprintf(live.message, sizeof live.message,
                  "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
                  "allowed for "
@@ -89,14 +88,12 @@ bool live_find_gait(void) {
     }
     const tdmf_orbit orbit = tdmf_find_orbit(&solver, &live.model, &live.inputs, live.section, NULL);
     if (orbit.outcome != TDMF_ORBIT_FOUND) {
-        snprintf(live.message, sizeof live.message, "No gait at friction %g: %s.", friction, reason(&orbit));
+        snprintf(live.message, sizeof live.message, "No gait was found: %s.", reason(&orbit));
         return false;
     }
     if (!find_eigenvalues(&orbit)) {
-        snprintf(
-            live.message, sizeof live.message,
-            "At friction %g a stride is on the edge of an event or of a law, where it has no derivatives.",
-            friction);
+        snprintf(live.message, sizeof live.message,
+                 "The gait's stride is on the edge of an event or of a law, where it has no derivatives.");
         return false;
     }
     memcpy(live.section, orbit.section, sizeof live.section);

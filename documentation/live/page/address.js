@@ -1,15 +1,33 @@
 /**
  * The page's state in its address: what differs from the defaults, by the unit's names, as in
- * `live.html#ground.friction=0.3&hip.kp=0.2`.
+ * `live.html#ground.friction=0.3&hip.touchdown_angle=45deg`; a number without a unit is in the variable's own.
  * @module
  */
-import { starts, values } from "./data.js";
+import { displayUnits, starts, values } from "./data.js";
+import { shownValue } from "./numbers.js";
 
 const known = new Map([...values, ...starts].map((variable) => [variable.name, variable]));
+
+const DIGITS = [4, 7, 12, 14, 15, 16, 17]; // tried in turn
 
 /** The defaults of parameters, inputs and start, by name. */
 export function defaults() {
   return Object.fromEntries([...known.values()].map(({ name, start }) => [name, start]));
+}
+
+/** Inverse of written; not a number where it is none. */
+function read({ unit }, text) {
+  const shown = displayUnits[unit];
+  const number = shown && text.endsWith(shown.name) ? text.slice(0, -shown.name.length).trim() : text;
+  return number.trim() === "" ? NaN : Number(number) / (number === text ? 1 : shown.factor);
+}
+
+/** A value in the unit of its field, in as few digits as give it back; else in the variable's own unit. */
+function written({ unit }, value) {
+  const shown = displayUnits[unit];
+  const numbers = shown ? DIGITS.map((count) => Number((value * shown.factor).toPrecision(count))) : [];
+  const exact = numbers.find((number) => number / shown.factor === value);
+  return exact === undefined ? String(value) : `${exact}${shown.name}`;
 }
 
 /**
@@ -24,7 +42,7 @@ export function stateOf(hash) {
     if (!known.has(name)) {
       problems.push(`${name} in the address is no parameter, input or start value of the runner.`);
     } else {
-      state[name] = text.trim() === "" ? NaN : Number(text);
+      state[name] = read(known.get(name), text);
     }
   }
   return { state, problem: problems.join(" ") };
@@ -35,10 +53,17 @@ export function hasState(hash) {
   return hash.length < 2 || hash.includes("=");
 }
 
+/** What differs from the defaults, as the fields show it, for a sentence. */
+export function differences(state) {
+  return values
+    .filter(({ name, start }) => state[name] !== start)
+    .map((variable) => `${variable.name} = ${shownValue(variable, state[variable.name])}`);
+}
+
 /** The address of a state. */
 export function hashOf(state) {
   const pairs = [...known.values()]
     .filter(({ name, start }) => state[name] !== start)
-    .map(({ name }) => `${name}=${state[name]}`);
+    .map((variable) => `${variable.name}=${written(variable, state[variable.name])}`);
   return pairs.length ? `#${pairs.join("&")}` : "";
 }

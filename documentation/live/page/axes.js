@@ -6,17 +6,18 @@ import { digits } from "./numbers.js";
 import { palette } from "./theme.js";
 
 const MARGIN = { left: 52, right: 12, top: 24, bottom: 36 };
+const MOST_TICKS = 100;
 
 /** Round steps of 1, 2 or 5 that give about so many ticks. */
-function niceTicks(low, high, count) {
+export function niceTicks(low, high, count) {
   const rough = (high - low) / count;
   const size = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((factor) => factor * size).find((candidate) => candidate >= rough);
-  const ticks = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) {
-    ticks.push(Number((i * step).toPrecision(12)));
-  }
-  return ticks;
+  const first = Math.ceil(low / step - 1e-9);
+  const number = Math.floor(high / step + 1e-9) - first + 1;
+  return Array.from({ length: Math.max(0, Math.min(MOST_TICKS, number)) }, (_, i) =>
+    Number(((first + i) * step).toPrecision(12)),
+  );
 }
 
 /** A rectangle of a canvas with a horizontal and a vertical scale. */
@@ -29,12 +30,21 @@ export class Axes {
   constructor(context, box, scales) {
     this.context = context;
     this.scales = scales;
-    this.left = box.x + MARGIN.left;
+    this.left = box.x + this.marginLeft(box);
     this.right = box.x + box.width - MARGIN.right;
     this.top = box.y + MARGIN.top;
     this.bottom = box.y + box.height - (scales.labelX ? MARGIN.bottom : 14);
     this.warp = scales.log ? Math.log : (value) => value;
     this.unwarp = scales.log ? Math.exp : (value) => value;
+  }
+
+  /** Wide enough for every label of the ticks. */
+  marginLeft({ height }) {
+    const { context, scales } = this;
+    context.font = `11.5px ${palette().sans}`;
+    this.ticksY = niceTicks(...scales.y, Math.max(2, (height - MARGIN.top - 14) / 34));
+    const widest = Math.max(0, ...this.ticksY.map((tick) => context.measureText(digits(tick)).width));
+    return Math.max(MARGIN.left, widest + 10);
   }
 
   x(value) {
@@ -68,7 +78,7 @@ export class Axes {
     context.fillStyle = soft;
     context.textBaseline = "middle";
     context.textAlign = "right";
-    for (const tick of niceTicks(...scales.y, Math.max(2, (this.bottom - this.top) / 34))) {
+    for (const tick of this.ticksY) {
       this.rule(this.left, this.y(tick), this.right, this.y(tick), line);
       context.fillText(digits(tick), this.left - 6, this.y(tick));
     }
@@ -137,7 +147,11 @@ export class Axes {
   }
 }
 
-/** A range about values, with a little room; never empty. */
+/**
+ * A range about values, with a little room; never empty.
+ * @param {number[]} values
+ * @param {number} [least] The room at the least: what is less is noise.
+ */
 export function rangeOf(values, least = 0) {
   const finite = values.filter(Number.isFinite);
   const low = Math.min(...finite, Infinity);
@@ -145,6 +159,7 @@ export function rangeOf(values, least = 0) {
   if (!(low <= high)) {
     return [0, 1];
   }
-  const room = Math.max(0.07 * (high - low), least, 1e-9 * Math.abs(high), 1e-12);
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const room = Math.max(0.07 * (high - low), least, high - low <= 1e-9 * size ? 0.07 * size || 1 : 0);
   return [low - room, high + room];
 }

@@ -3,7 +3,7 @@
  * @module
  */
 import { presets, starts, values } from "./data.js";
-import { printed, shownUnit } from "./numbers.js";
+import { printed, shownUnit, shownValue } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
 const SPAN = 10; // of a slider about a positive value, each way
@@ -72,7 +72,8 @@ class Control {
     const { low, high, log } = this.reach;
     const share = Number(this.slider.value) / SLIDER_STEPS;
     const value = log ? low * (high / low) ** share : low + share * (high - low);
-    return Number(value.toPrecision(4));
+    const { factor } = this.shown; // few digits where people read them, and never beyond an end by rounding
+    return Math.max(low, Math.min(high, Number((value * factor).toPrecision(4)) / factor));
   }
 
   /** About which value the slider reaches. */
@@ -80,10 +81,15 @@ class Control {
     this.reach = sliderRange(this.variable, value, state);
   }
 
-  show(value) {
+  /** A value beyond what the slider reaches becomes its middle. */
+  show(value, state) {
+    if (value < this.reach.low || value > this.reach.high) {
+      this.centre(value, state);
+    }
     const { low, high, log } = this.reach;
     const share = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
     this.slider.value = SLIDER_STEPS * Math.max(0, Math.min(1, share));
+    this.slider.setAttribute("aria-valuetext", shownValue(this.variable, value));
     this.field.value = String(Number((value * this.shown.factor).toPrecision(7)));
     this.field.removeAttribute("aria-invalid");
   }
@@ -129,7 +135,7 @@ export class Controls {
   }
 
   show(state) {
-    this.all.forEach((control, name) => control.show(state[name]));
+    this.all.forEach((control, name) => control.show(state[name], state));
   }
 
   refuse(name) {

@@ -5,6 +5,7 @@
  */
 import { Axes, rangeOf } from "./axes.js";
 import { Surface } from "./canvas.js";
+import { listenToDrags } from "./drags.js";
 import { lambdaMax } from "./gait_panel.js";
 import { shownWord } from "./numbers.js";
 import { palette } from "./theme.js";
@@ -32,16 +33,7 @@ export class FrictionPlot {
     this.points = [];
     this.friction = 1;
     this.surface = new Surface(canvas, () => this.draw());
-    const drag = (event) => dragged(Number(this.axes.valueAtX(this.surface.at(event).x).toPrecision(4)));
-    canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      drag(event);
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      if (canvas.hasPointerCapture(event.pointerId)) {
-        drag(event);
-      }
-    });
+    listenToDrags(canvas, (event) => dragged(Number(this.axes.valueAtX(this.surface.at(event).x).toPrecision(4))));
     canvas.addEventListener("keydown", (event) => {
       const factor = { ArrowLeft: 1 / 1.03, ArrowRight: 1.03 }[event.key];
       if (factor) {

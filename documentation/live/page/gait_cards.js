@@ -2,6 +2,7 @@
  * The cards of the gait: its numbers, its curve over the friction, its region of attraction.
  * @module
  */
+import { differences } from "./address.js";
 import { FrictionPlot } from "./friction_plot.js";
 import { GaitPanel, lambdaMax } from "./gait_panel.js";
 import { FRICTION } from "./gaits.js";
@@ -9,6 +10,8 @@ import { $, announce, guarded } from "./messages.js";
 import { digits, shownWord } from "./numbers.js";
 import { Region } from "./region.js";
 import { GaitSearch } from "./search.js";
+
+const REGION_HINT = $("region-hint").textContent;
 
 export class GaitCards {
   /**
@@ -46,7 +49,7 @@ export class GaitCards {
     this.mark();
     $("start-gait").disabled = !gait;
     $("friction-hint").hidden = Boolean(gait);
-    const text = gait ? gaitText(gait) : message;
+    const text = gait ? gaitText(gait) : withChanges(message, this.state.values);
     $("gait-hint").textContent = text;
     announce(text);
   }
@@ -68,7 +71,7 @@ export class GaitCards {
   forget() {
     this.search.forget();
     this.search.wanted = false;
-    this.region.clear();
+    this.outdate();
   }
 
   /** A parameter or an input is another: a gait that was asked for is looked for again. */
@@ -77,8 +80,15 @@ export class GaitCards {
       this.search.frictionChanged();
     } else {
       this.search.changed();
-      this.region.clear();
     }
+    this.outdate();
+  }
+
+  /** The painted region is not this runner's. */
+  outdate() {
+    const { map } = this.region;
+    this.region.outdate();
+    $("region-hint").textContent = map ? "Painted for other values; paint again for these." : REGION_HINT;
   }
 
   paint() {
@@ -104,6 +114,12 @@ export class GaitCards {
     this.frictionPlot.draw();
     this.region.redraw();
   }
+}
+
+/** Why there is no gait, and what differs from the runner of the defaults, which has one. */
+function withChanges(message, given) {
+  const changed = differences(given);
+  return changed.length ? `${message} With ${changed.join(", ")}.` : message;
 }
 
 /** A gait in a sentence. */

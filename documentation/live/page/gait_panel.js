@@ -3,7 +3,7 @@
  * @module
  */
 import { Surface } from "./canvas.js";
-import { digits, printed, shownWord } from "./numbers.js";
+import { digits, printed, shownWord, withoutNoise } from "./numbers.js";
 import { palette } from "./theme.js";
 
 const ROWS = [
@@ -67,7 +67,9 @@ export class GaitPanel {
   show(gait) {
     this.gait = gait;
     for (const [name] of ROWS.filter(([row]) => row.startsWith("stride."))) {
-      this.numbers.show(name, gait?.stride[name] ?? "", digits(gait?.stride[name] ?? NaN, 6));
+      const value = gait?.stride[name] ?? NaN;
+      const scale = name === "stride.slip_distance" ? gait?.stride["stride.length"] : 0;
+      this.numbers.show(name, gait ? value : "", digits(withoutNoise(value, scale), 6));
     }
     this.numbers.show("word", gait?.word ?? "", shownWord(gait?.word));
     this.numbers.show("lambda_max", gait ? lambdaMax(gait) : "", digits(gait ? lambdaMax(gait) : NaN, 6));
@@ -117,7 +119,7 @@ function eigenvalueItem([re, im]) {
   item.dataset.re = re;
   item.dataset.im = im;
   const sign = im < 0 ? "−" : "+";
-  const imaginary = Math.abs(im) > 1e-12 ? ` ${sign} ${digits(Math.abs(im), 5)} i` : "";
-  item.textContent = Math.hypot(re, im) < 1e-12 ? "0" : `${digits(re, 6)}${imaginary}`;
+  const imaginary = withoutNoise(im, 1) ? ` ${sign} ${digits(Math.abs(im), 5)} i` : "";
+  item.textContent = `${digits(withoutNoise(re, 1), 6)}${imaginary}`;
   return item;
 }

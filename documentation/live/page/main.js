@@ -36,7 +36,7 @@ class Page {
   listen() {
     fillPresets($("preset"), (preset) => this.choose(preset));
     const actions = {
-      play: () => (this.run.over ? this.begin(this.state.values) : this.player.play(!this.player.running)),
+      play: () => this.playOrPause(),
       step: () => this.player.step(),
       "step-event": () => this.player.stepToEvent(),
       restart: () => this.begin(this.state.values),
@@ -69,6 +69,15 @@ class Page {
       $(id).disabled = false;
     }
     this.player.begin();
+    this.player.present();
+  }
+
+  playOrPause() {
+    const wanted = this.run.over || !this.player.running;
+    if (this.run.over) {
+      this.begin(this.state.values);
+    }
+    this.player.play(wanted);
   }
 
   readAddress() {
@@ -98,6 +107,7 @@ class Page {
   showValues() {
     this.controls.show(this.state.values);
     this.gaits.mark();
+    this.player.tellPace();
     this.view.draw();
   }
 
@@ -117,7 +127,7 @@ class Page {
     report(problem);
     if (!problem) {
       this.afterStart();
-      this.player.play(true);
+      this.player.present();
     }
   }
 

@@ -5,6 +5,7 @@
 import { displayUnits } from "./data.js";
 
 const MINUS = "\u2212";
+const NOISE = 1e-9; // of a quantity's scale: rounding, and where Newton's method stops
 
 /** A number to so many significant digits, with a minus sign as wide as a plus. */
 export function digits(value, count = 4) {
@@ -14,10 +15,13 @@ export function digits(value, count = 4) {
   const size = Math.abs(value);
   const text =
     value !== 0 && (size < 1e-3 || size >= 1e6)
-      ? value.toExponential(count - 1).replace("e+", "e")
+      ? Number(value.toPrecision(count)).toExponential().replace("e+", "e")
       : String(Number(value.toPrecision(count)));
   return text.replaceAll("-", MINUS);
 }
+
+/** A value, or 0 where it is noise on its scale. */
+export const withoutNoise = (value, scale) => (Math.abs(value) < NOISE * scale ? 0 : value);
 
 /** As digits, but of the same width from one moment to the next. */
 export function steady(value, decimals) {
@@ -32,6 +36,24 @@ export function shownWord(word) {
 /** Unit in which values of a unit are shown, and how many of it make one. */
 export function shownUnit(unit) {
   return displayUnits[unit] ?? { name: unit === "1" ? "" : unit, factor: 1 };
+}
+
+/** A value with its unit, as its field shows it. */
+export function shownValue({ unit }, value) {
+  const { name, factor } = shownUnit(unit);
+  return `${digits(value * factor)}${name ? ` ${printed(name)}` : ""}`.replace(" °", "°");
+}
+
+/** What the core refuses, with its numbers in the units of the fields. */
+export function inShownUnits(message) {
+  return message.replace(
+    /= (\S+) (\S+) (is refused: allowed from) (\S+) to (\S+) \2$/,
+    (whole, value, unit, refused, low, high) => {
+      const { name, factor } = shownUnit(unit);
+      const [given, least, most] = [value, low, high].map((text) => Number((Number(text) * factor).toPrecision(4)));
+      return factor === 1 ? whole : `= ${given} ${name} ${refused} ${least} to ${most} ${name}`;
+    },
+  );
 }
 
 /** A unit in print. */

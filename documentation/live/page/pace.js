@@ -2,6 +2,7 @@
  * How fast the run is shown.
  * @module
  */
+import { digits } from "./numbers.js";
 import { isLoaded, modeName } from "./run.js";
 
 /** sqrt(m/k) in a second: real time for a runner of human scale. */
@@ -15,6 +16,14 @@ export function paceOf(name, run) {
   const mode = run.outputs["contact.mode"];
   const touches = isLoaded(mode) || modeName(mode) === "graze";
   return (touches ? ground : flight) * FULL_SPEED * run.core.timeScale;
+}
+
+/** A pace in words: how much of the run passes in a second of the page's. */
+export function paceText(name, run) {
+  const [flight, ground] = PACES[name].map((share) => `${digits(share * FULL_SPEED * run.core.timeScale, 3)} s`);
+  return flight === ground
+    ? `each second shows ${flight} of the run`
+    : `each second shows ${flight} of a flight, ${ground} of a stance`;
 }
 
 /** Whether the pace changes where the foot lands, so that a frame has to end there. */

@@ -4,6 +4,7 @@
  */
 import { defaults, hashOf, stateOf } from "./address.js";
 import { starts, values } from "./data.js";
+import { inShownUnits } from "./numbers.js";
 
 const FIXED = new Set(values.filter(({ variability }) => variability === "fixed").map(({ name }) => name));
 const STARTS = new Set(starts.map(({ name }) => name));
@@ -32,12 +33,12 @@ export class PageState {
   startAt(state) {
     const before = this.values;
     if (!this.core.accept(state)) {
-      return this.core.message;
+      return inShownUnits(this.core.message);
     }
     if (!this.run.restart(state)) {
       const { message } = this.core;
       this.core.accept(before);
-      return message;
+      return inShownUnits(message);
     }
     this.values = { ...state };
     this.writeAddress();
@@ -51,7 +52,7 @@ export class PageState {
       return this.startAt(next);
     }
     if (!this.core.accept(next)) {
-      return this.core.message;
+      return inShownUnits(this.core.message);
     }
     this.values = next;
     this.run.change(FIXED.has(name)); // of these changes the energy ledger knows nothing

@@ -3,7 +3,7 @@
  * @module
  */
 import { $, announce, guarded, report } from "./messages.js";
-import { changesAtTouchdown, paceOf } from "./pace.js";
+import { changesAtTouchdown, paceOf, paceText } from "./pace.js";
 
 const LONGEST_FRAME = 0.05; // s; after a pause of the browser nothing is made up for
 const STEP = 0.01; // sqrt(m/k)
@@ -18,7 +18,8 @@ export class Player {
   constructor(run, view) {
     this.run = run;
     this.view = view;
-    this.running = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.running = false;
+    $("pace").addEventListener("change", () => this.tellPace());
     /** What the last frames took of the main thread, ms. */
     this.frames = [];
   }
@@ -29,6 +30,16 @@ export class Player {
     if (!this.running && !this.run.over) {
       this.view.tell();
     }
+  }
+
+  /** A run that nobody asked to see move: it moves if the last one did, and unless motion is unwelcome. */
+  present() {
+    this.play(this.running || !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  /** How fast the run is shown, which depends on the runner, too. */
+  tellPace() {
+    $("pace-told").value = paceText($("pace").value, this.run);
   }
 
   /** A hundredth of sqrt(m/k). */
@@ -55,6 +66,7 @@ export class Player {
   nextPace() {
     const { options, selectedIndex } = $("pace");
     $("pace").selectedIndex = (selectedIndex + 1) % options.length;
+    this.tellPace();
   }
 
   /** Asks the browser for frames, from now on. */

@@ -4,7 +4,7 @@
  */
 import { hipPhases } from "./data.js";
 import { Numbers } from "./gait_panel.js";
-import { digits, printed, shownWord, steady } from "./numbers.js";
+import { digits, printed, shownWord, steady, withoutNoise } from "./numbers.js";
 import { modeName } from "./run.js";
 import { MODE_TEXT } from "./scene.js";
 
@@ -34,20 +34,24 @@ export class Readout {
     const phase = hipPhases[outputs["hip.phase"]].name;
     const strides = outputs["stride.count"];
     this.numbers.show("time", time, steady(time, run.core.timeScale < FAST ? 2 : 1));
-    this.numbers.show("contact.mode", mode, run.fallen ? "fallen" : MODE_TEXT[mode]);
+    this.numbers.show("contact.mode", run.fallen ? "fallen" : mode, contactText(run));
     this.numbers.show("hip.phase", phase, phase);
     this.numbers.show("word", word, shownWord(word));
     this.numbers.show("stride.count", strides, String(strides));
     for (const name of OF_A_STRIDE) {
-      this.numbers.show(name, outputs[name], strides ? digits(outputs[name]) : "–");
+      const scale = name === "stride.slip_distance" ? outputs["stride.length"] : 0;
+      this.numbers.show(name, outputs[name], strides ? digits(withoutNoise(outputs[name], scale)) : "–");
     }
   }
 }
 
+/** Contact of the foot; a runner that has fallen has none of a gait's. */
+const contactText = ({ fallen, outputs }) => (fallen ? "fallen" : MODE_TEXT[modeName(outputs["contact.mode"])]);
+
 /** What there is to see, in words. */
-export function described({ outputs }) {
+export function described(run) {
+  const { outputs } = run;
   const force = Math.hypot(outputs["contact.fx"], outputs["contact.fy"]);
-  const mode = MODE_TEXT[modeName(outputs["contact.mode"])];
   const com = `${digits(outputs["com.y"], 3)} m high, ${digits(outputs["com.vx"], 3)} ${printed("m/s")}`;
-  return `${mode}; centre of mass ${com}; ground force ${digits(force, 3)} N`;
+  return `${contactText(run)}; centre of mass ${com}; ground force ${digits(force, 3)} N`;
 }

@@ -11,6 +11,7 @@ import { palette } from "./theme.js";
 /** When a runner has settled; as `tdmf-slip basin` has it. */
 const RULES = { tolerance: 1e-5, distance: 1e-2, strides: 400 };
 const ROWS_AT_ONCE = 2;
+const OUTDATED = 0.25; // opacity of what was painted for another runner
 const LEG_LENGTH = 2; // it and the coordinates before are positive
 const LEAST = 0.1; // of the gait's, for what is positive
 const FATES = [
@@ -53,8 +54,9 @@ export class Region {
     coordinates.forEach(({ description }, i) => {
       const text = description.replace(" at the last apex", "").toLowerCase();
       rows.append(new Option(text, i, i === 0, i === 0));
-      columns.append(new Option(text, i, i === 3, i === 3));
+      columns.append(new Option(text, i, i === 1, i === 1));
     });
+    keepApart(rows, columns);
     FATES.forEach(({ text, colour }) => legend.append(legendItem(text, colour)));
     this.surface = new Surface(canvas, () => this.draw());
     canvas.addEventListener("click", (event) => this.click(this.surface.at(event)));
@@ -93,10 +95,12 @@ export class Region {
     return painting === this.painting;
   }
 
-  /** Forgets what is painted: it is of another runner. */
-  clear() {
+  /** What is painted is of another runner from now on, and faint; what is being painted is given up. */
+  outdate() {
     this.painting += 1;
-    this.map = null;
+    if (this.map) {
+      this.map.outdated = true;
+    }
     this.draw();
   }
 
@@ -172,7 +176,9 @@ export class Region {
     axes.draw();
     context.imageSmoothingEnabled = false;
     this.map.image ??= this.image;
+    context.globalAlpha = this.map.outdated ? OUTDATED : 1;
     context.drawImage(this.map.image, axes.left, axes.top, axes.right - axes.left, axes.bottom - axes.top);
+    context.globalAlpha = 1;
     this.mark(this.map.apex[names[1]], this.map.apex[names[0]], palette().card, palette().ink, 5);
     this.mark(...this.cross, palette().slip_positive, palette().card, 8);
   }
@@ -231,6 +237,19 @@ export class Region {
       strides: Array.from(strides),
     };
   }
+}
+
+/** Two axes are never the same: the other one takes what this one had. */
+function keepApart(...selects) {
+  let before = selects.map(({ value }) => value);
+  selects.forEach((select, i) => {
+    select.addEventListener("change", () => {
+      if (select.value === selects[1 - i].value) {
+        selects[1 - i].value = before[i];
+      }
+      before = selects.map(({ value }) => value);
+    });
+  });
 }
 
 function label(axis) {

@@ -5,6 +5,7 @@
 import { contactModes } from "./data.js";
 import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
+import { niceTicks } from "./axes.js";
 import { digits } from "./numbers.js";
 import { palette } from "./theme.js";
 
@@ -14,6 +15,8 @@ const FOOT = 0.05;
 const SHOWN_HEIGHT = 1.95; // of the leg's length, at the least
 const FORCE_LENGTH = 0.75; // of the leg's length, for the stride's peak
 const CONE_LENGTH = 0.5;
+const TICK_EVERY = 120; // px of the ruler, about
+const TICK_DIGITS = 7;
 
 /** Names for people, by the unit's names of contact modes. */
 export const MODE_TEXT = {
@@ -67,8 +70,10 @@ export class Scene {
     this.nextGround(context, given);
     this.trail(context, run.trail);
     this.tracks(context, run.tracks);
-    this.forces(context, run, given);
-    this.runner(context, outputs);
+    if (!run.fallen) {
+      this.forces(context, run, given);
+    }
+    this.runner(context, outputs, run.fallen);
     if (run.over) {
       this.say(context, run.fallen ? "The runner has fallen" : "The run has stopped");
     }
@@ -91,7 +96,7 @@ export class Scene {
   ground(context, centre) {
     const { ink, ground, soft, sans } = palette();
     const { width, height } = this.surface;
-    const { x, y, scale, length } = this.place;
+    const { x, y, scale } = this.place;
     const half = (0.5 * width) / scale;
     const ends = [centre - half, centre + half];
     context.fillStyle = ground;
@@ -111,11 +116,11 @@ export class Scene {
     context.fillStyle = soft;
     context.textAlign = "center";
     context.textBaseline = "top";
-    for (let i = Math.ceil(ends[0] / length); i * length <= ends[1]; ++i) {
-      const at = y(this.groundAt(i * length));
-      context.fillRect(Math.round(x(i * length)), at + 9, 1, 4);
-      if (x(i * length) > 18 && x(i * length) < width - 18) {
-        context.fillText(`${digits(i * length)} m`, x(i * length), at + 14);
+    for (const tick of niceTicks(...ends, Math.max(2, width / TICK_EVERY))) {
+      const at = y(this.groundAt(tick));
+      context.fillRect(Math.round(x(tick)), at + 9, 1, 4);
+      if (x(tick) > 18 && x(tick) < width - 18) {
+        context.fillText(`${digits(tick, TICK_DIGITS)} m`, x(tick), at + 14);
       }
     }
   }
@@ -252,7 +257,7 @@ export class Scene {
     context.fill();
   }
 
-  runner(context, outputs) {
+  runner(context, outputs, fallen) {
     const { ink, card } = palette();
     const { x, y, scale, length } = this.place;
     const foot = [x(outputs["foot.x"]), y(outputs["foot.y"])];
@@ -260,7 +265,7 @@ export class Scene {
     spring(context, foot, body, 0.055 * length * scale, ink);
     disc(context, body, BODY * length * scale, ink, ink);
     const mode = modeName(outputs["contact.mode"]);
-    disc(context, foot, FOOT * length * scale, mode === "flight" ? card : palette()[mode], ink);
+    disc(context, foot, FOOT * length * scale, fallen || mode === "flight" ? card : palette()[mode], ink);
   }
 }
 

@@ -8,6 +8,7 @@ import { isSlip, modeName, pieces } from "./run.js";
 import { palette } from "./theme.js";
 
 const ROOM = 0.06;
+const STILL = 0.01; // of the leg's length over sqrt(m/k): a foot that is slower than that is drawn at rest
 const MOST_CONE = 2.2; // of a larger friction only the ratios are shown
 
 const speed = ({ velocity }) => velocity;
@@ -31,18 +32,19 @@ export class StancePlots {
     const ends = [...present, ...last].map(({ rows }) => rows.at(-1).time);
     const length = Math.max(...ends, 0) || 1;
     const x = [-ROOM * length, (1 + ROOM) * length];
-    this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true });
+    const least = (STILL * given["leg.free_length"]) / run.core.timeScale;
+    this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true, least });
     const cone = resting <= MOST_CONE ? { friction, resting } : null;
     const labelX = "time since touchdown, s";
     const title = "force ratio, along over across the ground";
-    this.panel(this.ratio, present, last, ratio, { x, title, cone, labelX });
+    this.panel(this.ratio, present, last, ratio, { x, title, cone, labelX, least: 0.05 });
   }
 
-  panel(surface, present, last, value, { x, title, labelX, cone, zero }) {
+  panel(surface, present, last, value, { x, title, labelX, cone, zero, least }) {
     const context = surface.clear();
     const shown = [...present, ...last].flatMap(({ rows }) => rows.map(value));
     const edges = cone ? [-cone.resting, cone.resting] : [];
-    const y = rangeOf([...shown, ...edges, ...(zero ? [0] : [])], zero ? 0 : 0.05);
+    const y = rangeOf([...shown, ...edges, ...(zero ? [0] : [])], least);
     const box = { x: 0, y: 0, width: surface.width, height: surface.height };
     const axes = new Axes(context, box, { x, y, title, labelX });
     axes.draw();

@@ -7,6 +7,8 @@ const NAMES = [
   "flight", "stick", "slip_positive", "slip_negative", "graze",
 ];
 
+const KEY = "theme";
+
 let colours = null;
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -18,6 +20,32 @@ export function palette() {
     colours.sans = style.getPropertyValue("--sans").trim();
   }
   return colours;
+}
+
+/** The theme that was chosen, here or in the guides, whose key and words these are; storage may be forbidden. */
+function chosenTheme() {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+function choose(theme) {
+  try {
+    localStorage.setItem(KEY, theme);
+  } catch {
+    // it holds until the page is left
+  }
+  apply(theme);
+}
+
+function apply(theme) {
+  if (["light", "dark"].includes(theme)) {
+    document.documentElement.dataset.theme = theme;
+  } else {
+    delete document.documentElement.dataset.theme;
+  }
 }
 
 /** Whether the page is dark now. */
@@ -33,8 +61,16 @@ export function watchTheme(button, changed) {
     changed();
   };
   button.addEventListener("click", () => {
-    document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+    choose(isDark() ? "light" : "dark");
     renew();
+  });
+  addEventListener("storage", ({ key, newValue }) => {
+    if (key === KEY) {
+      apply(newValue);
+      renew();
+    }
   });
   dark.addEventListener("change", renew);
 }
+
+apply(chosenTheme());

@@ -1,0 +1,143 @@
+"""The live page in a browser, for its tests: the page's fixtures, and what a person does on it."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+LIVE = pathlib.Path(__file__).resolve().parents[2] / "documentation" / "live"
+sys.path.insert(0, str(LIVE))
+
+pytest.importorskip("selenium")
+if not (shutil.which("chromium") and shutil.which("chromedriver")):
+    pytest.skip("needs Debian's chromium and chromium-driver", allow_module_level=True)
+
+from browser import chromium, open_page, served, wait  # noqa: E402
+from browser import size_of as size_of  # noqa: E402
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.actions.interaction import POINTER_TOUCH  # noqa: E402
+from selenium.webdriver.common.actions.pointer_input import PointerInput  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+
+EQUAL = 1e-8
+"""Relative for a stride's quantities, absolute for eigenvalues."""
+SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """The folder of the page."""
+    folder = tmp_path_factory.mktemp("site")
+    made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    return folder
+
+
+@pytest.fixture(scope="module")
+def address(built):
+    with served(built) as address:
+        yield address
+
+
+@pytest.fixture(scope="module", params=SCREENS.values(), ids=SCREENS)
+def driver(request):
+    with chromium(*request.param) as driver:
+        yield driver
+
+
+@pytest.fixture
+def page(driver, address):
+    """The page at its defaults; nothing may have gone to the console in the end."""
+    open_page(driver, address)
+    yield driver
+    driver.execute_script("localStorage.clear()")
+    assert [entry["message"] for entry in driver.get_log("browser")] == []
+
+
+def find(driver, ident):
+    return driver.find_element(By.ID, ident)
+
+
+def press(driver, ident):
+    """By the script, so that it does not matter what is scrolled where."""
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", find(driver, ident))
+    find(driver, ident).click()
+
+
+def told(driver, ident, name):
+    """A number of a list, every digit of it."""
+    cell = driver.find_element(By.CSS_SELECTOR, f"#{ident} [data-name='{name}']")
+    return cell.get_attribute("data-value")
+
+
+def find_gait(driver):
+    """The runner stands meanwhile: pictures cost time that nobody looks at."""
+    driver.execute_script("tdmfSlip.player.play(false)")
+    press(driver, "find")
+    wait(driver, "tdmfSlip.gaits.search.gait !== null", "the gait")
+
+
+def eigenvalues(driver):
+    items = driver.find_elements(By.CSS_SELECTOR, "#eigenvalues li")
+    return np.array(
+        [complex(*(float(item.get_attribute(f"data-{part}")) for part in ("re", "im"))) for item in items]
+    )
+
+
+def type_value(driver, name, text):
+    field = find(driver, f"value-{name}")
+    driver.execute_script(
+        "arguments[0].closest('details').open = true; arguments[0].scrollIntoView({block: 'center'})", field
+    )
+    field.clear()
+    field.send_keys(text, Keys.TAB)
+
+
+def sentence(driver):
+    return driver.execute_script(
+        "const p = document.getElementById('problem'); return p.hidden ? '' : p.textContent"
+    )
+
+
+def pointer(driver):
+    """Actions of a mouse at a desk, of a finger on a phone."""
+    touches = driver.execute_script("return navigator.maxTouchPoints > 0")
+    finger = PointerInput(POINTER_TOUCH, "finger")
+    return ActionChains(driver, duration=50, devices=[finger] if touches else None)
+
+
+def close(one, other):
+    return float(one) == pytest.approx(other, rel=EQUAL)
+
+
+def center(driver, element):
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
+
+
+def hint(ident):
+    """JavaScript for a hint's text."""
+    return f"document.getElementById('{ident}').textContent"
+
+
+def paint(driver):
+    """And wait until it is painted."""
+    press(driver, "paint")
+    wait(
+        driver, "/settle on the gait/.test(document.getElementById('region-hint').textContent)", "the region"
+    )
+
+
+def drag_friction(driver, begin, end):
+    """Over figure 9, from one friction to another."""
+    canvas = find(driver, "friction")
+    center(driver, canvas)
+    where = "tdmfSlip.gaits.frictionPlot.axes.x(arguments[0]) - tdmfSlip.gaits.frictionPlot.surface.width / 2"
+    begin, end = (round(driver.execute_script(f"return {where}", friction)) for friction in (begin, end))
+    drag = pointer(driver).move_to_element_with_offset(canvas, begin, 0).click_and_hold()
+    for step in range(1, 5):
+        drag.move_to_element_with_offset(canvas, begin + round((end - begin) * step / 4), 0)
+    drag.release().perform()

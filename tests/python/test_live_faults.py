@@ -1,0 +1,301 @@
+"""What was once wrong on the live page, and a person's path through it, at a desk and on a phone."""
+
+import math
+
+import live_pages
+import pytest
+from live_pages import (
+    center,
+    chromium,
+    drag_friction,
+    find,
+    find_gait,
+    hint,
+    open_page,
+    paint,
+    pointer,
+    press,
+    sentence,
+    told,
+    type_value,
+    wait,
+)
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.select import Select
+from tdmf_slip.unit.parameters import read_parameters
+
+built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
+
+FRICTION = "tdmfSlip.state.values['ground.friction']"
+FALLING = "#ground.friction=0&leg.angle_rate=4"
+
+
+def slide_to(driver, name, key):
+    """A key on the slider of a value."""
+    field = find(driver, f"value-{name}")
+    driver.execute_script("arguments[0].closest('details').open = true", field)
+    slider = field.find_element(By.XPATH, "preceding-sibling::input")
+    center(driver, slider)
+    slider.send_keys(key)
+    return slider
+
+
+def test_a_region_of_other_values_is_said_to_be(page):
+    find_gait(page)
+    Select(find(page, "region-points")).select_by_visible_text("32")
+    for name, value in {"ground.friction": 0.5, "hip.kp": 0.12}.items():
+        paint(page)
+        assert page.execute_script("return tdmfSlip.gaits.region.map.outdated") is None
+        page.execute_script("tdmfSlip.set(...arguments)", name, value)
+        assert page.execute_script("return tdmfSlip.gaits.region.map.outdated") is True
+        assert "other values" in find(page, "region-hint").text
+        wait(page, "tdmfSlip.gaits.search.gait !== null && !tdmfSlip.gaits.search.following", "the gait")
+
+
+def test_a_preset_chosen_while_the_region_is_painted_ends_it(page):
+    find_gait(page)
+    Select(find(page, "region-points")).select_by_visible_text("128")
+    press(page, "paint")
+    wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
+    Select(find(page, "preset")).select_by_index(2)
+    assert "Painting" not in find(page, "region-hint").text
+
+
+def test_noise_is_zero_and_no_number_is_cut_off(page):
+    Select(find(page, "preset")).select_by_value("0")
+    assert page.execute_script(f"return {FRICTION}") == 10
+    find_gait(page)
+    press(page, "start-gait")
+    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(30))")
+    cells = page.find_elements(By.CSS_SELECTOR, ".numbers dd")
+    assert len(cells) >= 16
+    for cell in cells:
+        wide, room = page.execute_script("return [arguments[0].scrollWidth, arguments[0].clientWidth]", cell)
+        assert wide <= room, cell.text
+        assert not page.execute_script(
+            "return getComputedStyle(arguments[0]).textOverflow === 'ellipsis'", cell
+        )
+    for ident in ("gait", "numbers"):
+        assert abs(float(told(page, ident, "stride.slip_distance"))) < 1e-9
+        cell = page.find_element(By.CSS_SELECTOR, f"#{ident} [data-name='stride.slip_distance']")
+        assert cell.text.replace(" ", "") == "0m"
+    shown = [item.text for item in page.find_elements(By.CSS_SELECTOR, "#eigenvalues li")]
+    assert len(shown) == 6 and shown[3:] == ["0", "0", "0"]
+
+
+def test_axes_without_points_have_room_for_their_ticks(page):
+    open_page(page, page.current_url.split("/live.html")[0], "")
+    page.execute_script("tdmfSlip.player.play(false); tdmfSlip.begin(tdmfSlip.state.values)")
+    ticks, margin = page.execute_script(
+        "const module = await import('./live/axes.js');"
+        "const context = document.createElement('canvas').getContext('2d');"
+        "const box = {x: 0, y: 0, width: 300, height: 190};"
+        "const axes = new module.Axes(context, box, {x: [0, 1], y: module.rangeOf(arguments[0])});"
+        "return [axes.ticksY, axes.left]",
+        [0, 0],
+    )
+    assert ticks == [-1, -0.5, 0, 0.5, 1] and margin == 52
+    wide = page.execute_script(
+        "const module = await import('./live/axes.js');"
+        "const context = document.createElement('canvas').getContext('2d');"
+        "const box = {x: 0, y: 0, width: 300, height: 190};"
+        "return new module.Axes(context, box, {x: [0, 1], y: [-123456.7, -123456.6]}).left"
+    )
+    assert wide > 52
+
+
+def test_a_vertical_swipe_over_the_friction_plot_scrolls(page):
+    find_gait(page)
+    canvas = find(page, "friction")
+    center(page, canvas)
+    touches = page.execute_script("return navigator.maxTouchPoints > 0")
+    if touches:
+        pointer(page).move_to_element_with_offset(
+            canvas, 60, 60
+        ).click_and_hold().move_to_element_with_offset(canvas, 62, 10).move_to_element_with_offset(
+            canvas, 63, -60
+        ).release().perform()
+        assert page.execute_script(f"return {FRICTION}") == 0.6
+    pointer(page).move_to_element_with_offset(canvas, 60, 0).click().perform()
+    wait(page, f"{FRICTION} !== 0.6", "what a tap sets")
+
+
+@pytest.mark.parametrize(("key", "degrees"), [(Keys.END, 90.0), (Keys.HOME, -90.0)])
+def test_the_ends_of_a_slider_are_accepted(page, key, degrees):
+    slider = slide_to(page, "hip.touchdown_angle", key)
+    assert sentence(page) == ""
+    value = page.execute_script("return tdmfSlip.state.values['hip.touchdown_angle']")
+    low, high = (
+        page.execute_script(f"return tdmfSlip.controls.all.get('hip.touchdown_angle').reach.{end}")
+        for end in ("low", "high")
+    )
+    assert value == (high if degrees > 0 else low)
+    assert slider.get_attribute("aria-valuetext").endswith("°")
+
+
+def test_both_ends_of_every_slider_and_every_preset_are_within_what_the_core_accepts(page):
+    tried = page.execute_script(
+        "const tried = []; const { presets } = await import('./live/data.js');"
+        "for (const preset of [{ name: 'defaults', values: {} }, ...presets]) {"
+        "  tdmfSlip.choose(preset);"
+        "  for (const [name, control] of tdmfSlip.controls.all) {"
+        "    const value = tdmfSlip.state.values[name]; const { low, high } = control.reach;"
+        "    const given = { ...tdmfSlip.state.values };"
+        "    const ends = ['0', '1000'].map((place) => { control.slider.value = place;"
+        "      return tdmfSlip.core.accept({ ...given, [name]: control.sliderValue() }); });"
+        "    control.show(value, given);"
+        "    const shown = Math.abs(control.sliderValue() - value) <= 0.02 * (high - low);"
+        "    tried.push([preset.name, name, low <= value && value <= high && shown, ...ends]);"
+        "  } tdmfSlip.core.accept(tdmfSlip.state.values); } return tried"
+    )
+    assert len(tried) > 300
+    assert [row for row in tried if not all(row[2:])] == []
+
+
+def test_what_is_refused_is_told_in_the_units_of_the_field(page):
+    type_value(page, "hip.touchdown_angle", "120")
+    assert sentence(page) == "hip.touchdown_angle = 120 deg is refused: allowed from -90 to 90 deg"
+
+
+def test_a_value_that_the_slider_does_not_reach_moves_its_reach(page):
+    type_value(page, "body.external_fx", "-5")
+    control = "tdmfSlip.controls.all.get('body.external_fx')"
+    low, high, value = page.execute_script(
+        f"return [{control}.reach.low, {control}.reach.high, {control}.sliderValue()]"
+    )
+    assert low < -5 < high and value == pytest.approx(-5, rel=0.02)
+
+
+def test_no_gait_blames_what_was_changed(driver, address):
+    open_page(driver, address, "#ground.slope=40deg")
+    press(driver, "find")
+    wait(driver, f"{hint('gait-hint')}.startsWith('No gait')", "the reason")
+    text = find(driver, "gait-hint").text
+    assert "friction" not in text and text.endswith("With ground.slope = 40°.")
+
+
+def test_a_fallen_runner_does_not_slip(driver, address):
+    open_page(driver, address, FALLING)
+    wait(driver, "tdmfSlip.run.over", "the fall")
+    driver.execute_script("tdmfSlip.view.draw(); tdmfSlip.view.tell()")
+    cell = driver.find_element(By.CSS_SELECTOR, "#numbers [data-name='contact.mode']")
+    assert (cell.text, cell.get_attribute("data-value")) == ("fallen", "fallen")
+    assert find(driver, "scene").get_attribute("aria-label").startswith("The runner: fallen;")
+
+
+def test_the_axes_of_the_region_are_never_the_same(page):
+    rows, columns = (Select(find(page, f"region-{name}")) for name in ("rows", "columns"))
+
+    def chosen():
+        return [int(select.first_selected_option.get_attribute("value")) for select in (rows, columns)]
+
+    before = chosen()
+    rows.select_by_value(str(before[1]))
+    assert chosen() == before[::-1]
+    columns.select_by_value(str(before[1]))
+    assert chosen() == before
+
+
+def test_the_pace_says_how_fast_it_is(page):
+    full = math.sqrt(20000 / 80)
+    Select(find(page, "pace")).select_by_value("full")
+    assert find(page, "pace-told").text == f"each second shows {full:.3g} s of the run"
+    Select(find(page, "pace")).select_by_value("stance")
+    assert (
+        find(page, "pace-told").text
+        == f"each second shows {full:.3g} s of a flight, {full / 10:.3g} s of a stance"
+    )
+    Select(find(page, "preset")).select_by_visible_text("human scale")
+    human = read_parameters("human")
+    second = full * math.sqrt(human["body.mass"] / human["leg.stiffness"])
+    slow = f"each second shows {second:.3g} s of a flight, {second / 10:.3g} s of a stance"
+    assert find(page, "pace-told").text == slow
+
+
+def test_angles_of_an_address_are_in_degrees_and_give_every_bit_back(driver, address):
+    values = {"hip.touchdown_angle": 0.7, "leg.angle": 1.1, "ground.slope": math.radians(-2)}
+    open_page(driver, address, "#hip.touchdown_angle=0.7&leg.angle=1.1&ground.slope=-2deg")
+    assert driver.execute_script("return tdmfSlip.state.values['ground.slope']") == pytest.approx(
+        values["ground.slope"], rel=1e-15
+    )
+    said = driver.execute_script("return tdmfSlip.state.link")
+    assert "ground.slope=-2deg" in said and said.count("deg") == 3
+    before = driver.execute_script("return tdmfSlip.state.values")
+    open_page(driver, address, said[said.index("#") :])
+    assert driver.execute_script("return tdmfSlip.state.values") == before
+
+
+def test_nothing_moves_by_itself_where_motion_is_unwelcome(driver, address):
+    reduced = {"name": "prefers-reduced-motion", "value": "reduce"}
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [reduced]})
+    try:
+        open_page(driver, address)
+        assert find(driver, "play").text == "Run"
+        Select(find(driver, "preset")).select_by_index(3)
+        assert not driver.execute_script("return tdmfSlip.player.running")
+        assert driver.execute_script("return tdmfSlip.run.time") == 0
+        press(driver, "play")
+        assert (
+            driver.execute_script("return tdmfSlip.player.running") and find(driver, "play").text == "Pause"
+        )
+    finally:
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def test_the_theme_is_remembered_and_shared_with_the_guides(page, address):
+    press(page, "theme")
+    chosen = page.execute_script("return localStorage.getItem('theme')")
+    assert chosen == page.execute_script("return document.documentElement.dataset.theme") in ("light", "dark")
+    for theme in ("light", "dark", "auto"):
+        page.execute_script("localStorage.setItem('theme', arguments[0])", theme)
+        open_page(page, address)
+        applied = page.execute_script("return document.documentElement.dataset.theme")
+        assert applied == (None if theme == "auto" else theme)
+
+
+def test_the_ruler_has_few_ticks_however_high_the_runner_flies(page):
+    type_value(page, "hip.stance_torque", "100")
+    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(300))")
+    labels = page.execute_script(
+        "const { context } = tdmfSlip.view.scene.surface; const all = []; const write = context.fillText;"
+        "context.fillText = (text) => all.push(text); tdmfSlip.view.draw();"
+        "context.fillText = write; return all"
+    )
+    assert 1 <= sum(text.endswith(" m") for text in labels) <= 14
+
+
+def test_a_persons_path(page, address):
+    find_gait(page)
+    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "the curve")
+    drag_friction(page, 0.6, 0.2)
+    friction = page.execute_script(f"return {FRICTION}")
+    assert friction == pytest.approx(0.2, rel=0.03)
+    wait(page, f"tdmfSlip.gaits.search.friction === {friction} && tdmfSlip.gaits.search.gait", "the gait")
+    paint(page)
+    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    fell = [i for i, fate in enumerate(region["fates"]) if fate == "fell"]
+    inner = fell[len(fell) // 2]
+    count = len(region["columns"])
+    start = [region["columns"][inner % count], region["rows"][inner // count]]
+    canvas = find(page, "region")
+    center(page, canvas)
+    at = page.execute_script(
+        "const { axes, surface } = tdmfSlip.gaits.region;"
+        "return [axes.x(arguments[0]) - surface.width / 2, axes.y(arguments[1]) - surface.height / 2]",
+        *start,
+    )
+    pointer(page).move_to_element_with_offset(canvas, *map(round, at)).click().perform()
+    Select(find(page, "pace")).select_by_value("full")
+    wait(page, "tdmfSlip.run.fallen", "the fall")
+    wait(page, "location.hash.includes('leg.angle')", "the address")
+    hash_ = page.execute_script("return location.hash")
+    values = page.execute_script("return tdmfSlip.state.values")
+    with chromium(360, 740) as phone:
+        open_page(phone, address, hash_)
+        assert phone.execute_script("return tdmfSlip.state.values") == values
+        Select(find(phone, "pace")).select_by_value("full")
+        wait(phone, "tdmfSlip.run.fallen", "the same fall")
+        assert phone.execute_script("return tdmfSlip.run.time") == pytest.approx(
+            page.execute_script("return tdmfSlip.run.time"), rel=1e-9
+        )
