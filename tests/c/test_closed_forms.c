@@ -53,14 +53,19 @@ static tdmf_outcome advance(run *run, double until) {
     return outcome;
 }
 
-/* The first event of a kind in the log. */
-static double time_of(const run *run, tdmf_guard guard) {
+/* The first event of a kind in the log, or NULL. */
+static const tdmf_event *event_of(const run *run, tdmf_guard guard) {
     for (int i = 0; i < run->log.count; ++i) {
         if (run->log.events[i].guard == (int)guard) {
-            return run->log.events[i].time;
+            return &run->log.events[i];
         }
     }
-    return INFINITY;
+    return NULL;
+}
+
+static double time_of(const run *run, tdmf_guard guard) {
+    const tdmf_event *event = event_of(run, guard);
+    return event != NULL ? event->time : INFINITY;
 }
 
 /* ---- a push that ramps --------------------------------------------------------------------------------- */
@@ -129,6 +134,63 @@ static void a_ramped_push_moves_touchdown(void **state) {
     }
 }
 
+/* Along a leaning leg a push turns nothing, and drives the centre of mass that way: over a slope. */
+static void a_push_that_ramps_along_a_leaning_leg_moves_touchdown(void **state) {
+    static const double angles[] = {-0.6, 0.3, 1.2};
+    static const double slopes[] = {-0.3, 0.0, 0.2};
+    (void)state;
+    for (int i = 0; i < 18; ++i) {
+        run run = run_without_losses(0.5);
+        const tdmf_model *model = &run.model;
+        const tdmf_parameters *p = &model->parameters;
+        const double angle = angles[i % 3], slope = slopes[i / 3 % 3];
+        const double jerk = i < 9 ? 2e-4 : -2e-4, push_rate = jerk * model->total_mass;
+        const double stretch_rate = p->foot.mass / (p->leg.stiffness * model->total_mass) * push_rate;
+        const double share = model->body_share, height = 4.0;
+        double *of = run.motion.state;
+        run.inputs.ground.slope = slope;
+        run.rates.body.external_fx = -sin(angle) * push_rate;
+        run.rates.body.external_fy = cos(angle) * push_rate;
+        of[TDMF_LEG_ANGLE] = angle;
+        of[TDMF_LEG_LENGTH_RATE] = stretch_rate;
+        of[TDMF_FOOT_X] = share * p->leg.free_length * sin(angle);
+        of[TDMF_FOOT_Y] = height - share * p->leg.free_length * cos(angle);
+        of[TDMF_FOOT_VX] = share * stretch_rate * sin(angle);
+        of[TDMF_FOOT_VY] = -share * stretch_rate * cos(angle);
+        start(&run);
+        const double along_normal = cos(angle - slope);
+        const cubic foot = {{height * cos(slope) - share * p->leg.free_length * along_normal,
+                             -share * stretch_rate * along_normal, -0.5 * p->gravity * cos(slope),
+                             jerk / 6.0 * along_normal}};
+        const double touchdown = zero_between(&foot, 0.0, 45.0);
+        assert_int_equal(advance(&run, touchdown + 0.01), TDMF_ARRIVED);
+        assert_close(time_of(&run, TDMF_GUARD_TOUCHDOWN), touchdown, 1e-9);
+        assert_close(event_of(&run, TDMF_GUARD_TOUCHDOWN)->state[TDMF_LEG_ANGLE], angle, 1e-9);
+    }
+}
+
+/* A push that grows under an upright leg takes its load: none is left when it carries all of the weight. */
+static void a_ramped_push_lifts_the_foot_when_it_carries_the_weight(void **state) {
+    static const double slopes[] = {-0.2, 0.0, 0.2};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        run run = run_without_losses(0.3);
+        const tdmf_parameters *p = &run.model.parameters;
+        const double push_rate = 2e-3;
+        run.inputs.ground.slope = slopes[i];
+        run.rates.body.external_fy = push_rate;
+        run.motion.state[TDMF_LEG_LENGTH] = p->leg.free_length - p->body.mass * p->gravity / p->leg.stiffness;
+        run.motion.state[TDMF_LEG_LENGTH_RATE] = push_rate / p->leg.stiffness;
+        start(&run);
+        assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
+        const double lift_off = run.model.total_mass * p->gravity / push_rate;
+        assert_int_equal(advance(&run, lift_off + 0.01), TDMF_ARRIVED);
+        assert_close(time_of(&run, TDMF_GUARD_LIFT_OFF), lift_off, 1e-8);
+        assert_true(time_of(&run, TDMF_GUARD_SLIP_ONSET_POSITIVE) > lift_off - 1e-6);
+        assert_true(time_of(&run, TDMF_GUARD_SLIP_ONSET_NEGATIVE) > lift_off - 1e-6);
+    }
+}
+
 /* Of a flight that rises, under a push that grows or falls off. */
 static void a_ramped_push_moves_the_apex(void **state) {
     static const double push_rates[] = {-3e-3, -3e-4, 3e-4};
@@ -180,8 +242,7 @@ static void a_ramped_push_moves_the_ground_that_waits(void **state) {
     }
 }
 
-/* ---- the light end of a leg -----------------------------------------------------------------------------
- */
+/* ---- the light end of a leg ---------------------------------------------------------------------- */
 
 /* Upside down under a heavy foot: at rest in itself, and falling. */
 static void a_light_body_below_its_foot_falls_when_it_is_down(void **state) {
@@ -233,8 +294,7 @@ static void a_foot_slips_when_friction_has_fallen_to_the_slope(void **state) {
     assert_int_equal(slipped, 8);
 }
 
-/* ---- variations of a motion that is simpler than they are -----------------------------------------------
- */
+/* ---- variations of a motion that is simpler than they are ---------------------------------------- */
 
 static tdmf_variation varied_until(run *run, double until, int varied) {
     static const tdmf_change none = {0};
@@ -287,6 +347,8 @@ static void a_change_of_a_standing_leg_swings(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ramped_push_moves_touchdown),
+        cmocka_unit_test(a_push_that_ramps_along_a_leaning_leg_moves_touchdown),
+        cmocka_unit_test(a_ramped_push_lifts_the_foot_when_it_carries_the_weight),
         cmocka_unit_test(a_ramped_push_moves_the_apex),
         cmocka_unit_test(a_runner_that_is_lifted_in_its_fall_has_an_apex),
         cmocka_unit_test(a_ramped_push_moves_the_ground_that_waits),
