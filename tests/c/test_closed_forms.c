@@ -242,7 +242,7 @@ static void a_ramped_push_moves_the_ground_that_waits(void **state) {
     }
 }
 
-/* ---- the light end of a leg ---------------------------------------------------------------------- */
+/* ---- the light end of a leg ---------------------------------------------------------------------------- */
 
 /* Upside down under a heavy foot: at rest in itself, and falling. */
 static void a_light_body_below_its_foot_falls_when_it_is_down(void **state) {
@@ -294,7 +294,7 @@ static void a_foot_slips_when_friction_has_fallen_to_the_slope(void **state) {
     assert_int_equal(slipped, 8);
 }
 
-/* ---- variations of a motion that is simpler than they are ---------------------------------------- */
+/* ---- variations of a motion that is simpler than they are ---------------------------------------------- */
 
 static tdmf_variation varied_until(run *run, double until, int varied) {
     static const tdmf_change none = {0};

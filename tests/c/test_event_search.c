@@ -81,8 +81,7 @@ static void the_spread_knows_every_term(void **state) {
     }
 }
 
-/* ---- a force that vanishes for a part of the step -------------------------------------------------------
- */
+/* ---- a force that vanishes for a part of the step ------------------------------------------------------ */
 
 static ground_constants standing_on(double friction) {
     ground_constants c;
@@ -132,8 +131,7 @@ static void a_push_that_leaves_the_cone_for_a_while_slips(void **state) {
     }
 }
 
-/* ---- the kink of the clamp ------------------------------------------------------------------------------
- */
+/* ---- the kink of the clamp ----------------------------------------------------------------------------- */
 
 /* The argument of the clamp in graze passes zero at 0.3 of the step, down or up. There the law has a kink, at
  * which the step ends; up to there the torque is the argument, or nothing. */

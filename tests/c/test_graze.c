@@ -154,8 +154,7 @@ static void a_stride_in_lanes_passes_upright_in_graze(void **state) {
     assert_true(instruction_sets >= 2);
 }
 
-/* ---- the kink of the clamp
- * ----------------------------------------------------------------------------------- */
+/* ---- the kink of the clamp ----------------------------------------------------------------------------- */
 
 static bool is_between_its_exits(const runner *runner) {
     return runner->mode.phase == TDMF_PHASE_RETRACT &&
