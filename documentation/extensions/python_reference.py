@@ -16,8 +16,9 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 PACKAGE = "tdmf_slip"
-WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "library.structs")
-"""The command line has a page of its own, structs have that of the C library; peers are for the benchmark."""
+WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "library.structs")
+"""The command line has a page of its own, structs have that of the C library; peers are for the benchmark.
+The laws are what the guides of the model and of the equations tell of."""
 
 
 def modules(folder: Path) -> dict[str, Path]:

@@ -22,6 +22,7 @@ class Exact:
     """A rational number and a rational multiple of pi."""
 
     rational: Fraction
+    """What it is apart from pi."""
     turns: Fraction = Fraction(0)
     """In units of pi."""
 

@@ -16,6 +16,7 @@ class Mode:
     """What the foot and the hip do."""
 
     contact: Contact
+    """Of the foot; off the ground it is in flight."""
     sign: int = 0
     """Of the foot's speed in slip."""
     places: bool = False

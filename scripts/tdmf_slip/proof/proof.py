@@ -36,7 +36,9 @@ class Box:
     """A box of apexes, exactly, in the order of the section's coordinates and in their units."""
 
     centre: Sequence[Fraction]
+    """The apex in its middle, shape (6,)."""
     radii: Sequence[Fraction]
+    """How far it goes to both sides of its middle, shape (6,)."""
 
     @classmethod
     def around(cls, centre: Sequence[arb], radius: Fraction, scales: Sequence[float]) -> "Box":

@@ -19,13 +19,17 @@ class Piece:
     """A part of the range: what is proved of it, or that it is left."""
 
     begin: Fraction
+    """The parameter's least value in it."""
     end: Fraction
+    """The parameter's greatest value in it."""
     word: str = ""
-    """Empty where it is left undecided."""
+    """The gait word; empty where it is left undecided."""
     stable: bool = False
     """Proved to be; false says nothing."""
     centre: Sequence[float] = ()
+    """The apex that xi is counted from, at the middle of the piece, shape (6,)."""
     tilt: Sequence[float] = ()
+    """Its change by the parameter, shape (6,)."""
     box: Sequence[float] = ()
     """Radii of xi in which there is exactly one gait for each value."""
     enclosure: Sequence[float] = ()
@@ -70,7 +74,9 @@ class RangeProof:
     name: str
     """Of the parameter."""
     begin: Fraction
+    """The parameter's least value."""
     end: Fraction
+    """The parameter's greatest value."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's other parameters, exactly."""
     pieces: Sequence[Piece] = field(repr=False)

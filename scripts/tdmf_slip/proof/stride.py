@@ -28,6 +28,7 @@ class Event:
     """One of a stride."""
 
     name: str
+    """One of `guards.FUNCTIONS`."""
     time: arb
     """Since the apex, s, over all starts."""
     mode: Mode
@@ -45,7 +46,9 @@ class Stride:
     derivative: arb_mat | None
     """Of the map over all starts, shape (6, 6), or (6, 7) with what is varied."""
     word: str
+    """The gait word, the same for all starts."""
     events: list[Event]
+    """In the order in which they are taken."""
     rank: int
     """Of the map's derivative, at the most: each mode ends on a surface in its own few numbers."""
     quantities: dict[str, arb]

@@ -1,8 +1,7 @@
 """Events: what becomes of mode and motion at one, decided by signs that are proved.
 
 A chain of events at one instant is followed as the model orders it: impact, thrust, drive to coast, contact
-or graze or flight, stick or slip. Of the mode that begins it is told which of its guards are exactly zero
-then, and to which order, as the rules have it.
+or graze or flight, stick or slip. Guards of the new mode that are exactly zero are told, with their order.
 """
 
 from collections.abc import Callable, Mapping
@@ -30,6 +29,7 @@ class Entered:
     """The mode that an event leads to."""
 
     mode: Mode
+    """After the event and what follows it at the same instant."""
     values: dict[str, Number]
     """Of the motion, by the names of the mode."""
     zeros: Mapping[str, int] = field(default_factory=dict)
