@@ -330,6 +330,30 @@ static void a_change_of_a_resting_leg_swings_in_flight(void **state) {
     }
 }
 
+/* A leg that is held where the hip wants it; a change of its angle swings by the hip's spring. */
+static void a_change_of_a_placed_leg_swings_in_flight(void **state) {
+    static const double foot_masses[] = {0.01, 0.3};
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        run run = run_without_losses(foot_masses[i]);
+        tdmf_parameters parameters = run.model.parameters;
+        parameters.hip.kp = 1.0;
+        parameters.hip.touchdown_angle = 0.5;
+        assert_null(tdmf_model_create(&run.model, &parameters).variable);
+        const double until = 20.0;
+        const double pulsation = sqrt(parameters.hip.kp * run.model.mobility) / parameters.leg.free_length;
+        run.motion.state[TDMF_FOOT_Y] = 10.0;
+        run.motion.state[TDMF_LEG_ANGLE] = 0.5;
+        start(&run);
+        assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
+        const tdmf_variation varied = varied_until(&run, until, TDMF_LEG_ANGLE);
+        assert_close(varied.state[TDMF_LEG_ANGLE], cos(pulsation * until), 1e-8);
+        assert_close(varied.state[TDMF_LEG_ANGLE_RATE], -pulsation * sin(pulsation * until),
+                     1e-8 * pulsation);
+        assert_close(varied.state[TDMF_LEG_LENGTH], 0.0, 1e-9);
+    }
+}
+
 /* The same of a leg that stands, balanced: it would stand in one step. */
 static void a_change_of_a_standing_leg_swings(void **state) {
     (void)state;
@@ -355,6 +379,7 @@ int main(void) {
         cmocka_unit_test(a_light_body_below_its_foot_falls_when_it_is_down),
         cmocka_unit_test(a_foot_slips_when_friction_has_fallen_to_the_slope),
         cmocka_unit_test(a_change_of_a_resting_leg_swings_in_flight),
+        cmocka_unit_test(a_change_of_a_placed_leg_swings_in_flight),
         cmocka_unit_test(a_change_of_a_standing_leg_swings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
