@@ -29,7 +29,7 @@ class ByContents:
             Always.
         """
         raise TypeError(
-            f"a {type(self).__name__} is compared by its contents and has no hash; allowed: in a list, "
+            f"{type(self).__name__} is compared by its contents and has no hash; allowed: in a list, "
             "or in a dictionary by a name of its own"
         )
 

@@ -38,6 +38,16 @@ SAME = {
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
         pandas.DataFrame({FRICTION: [0.6, 0.5]}, index=pandas.Index([0.0, 9.0], name="time")),
     ),
+    "an input over its index": (
+        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
+        pandas.Series([0.6, 0.5], index=pandas.Index([0.0, 9.0], name="time"), name=FRICTION),
+    ),
+    "inputs by name, each over its index": (
+        lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
+        {FRICTION: ([0.0, 9.0], [0.6, 0.5])},
+        {FRICTION: pandas.Series([0.6, 0.5], index=pandas.Index([0.0, 9.0], name="time"))},
+    ),
     "variables": (
         lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, variables=given).table,
         ["contact.fx", "foot.x"],
@@ -228,6 +238,7 @@ REFUSED = {
         lambda gait: tdmf_slip.simulate_over((1, 2), strides=1),
         r"profile = \(1, 2\) is not allowed; allowed: a Profile",
     ),
+    "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"over = None is not allowed"),
     "a number for curves": (lambda gait: tdmf_slip.continue_curves({}, 0.3), r"over = 0\.3 .*two parameters"),
     "numbers for curves": (
         lambda gait: tdmf_slip.continue_curves({}, {FRICTION: 0.3, DAMPING: 0.2}),

@@ -1,7 +1,7 @@
 /* The native solver: takes a run from one time to another, event by event.
  *
  * The motion of each contact mode is expanded into Taylor series, as long and of as high an order as the
- * tolerance asks for; guards are polynomials in time, whose first root is found by a integration that cannot
+ * tolerance asks for; guards are polynomials in time, whose first root is found by a search that cannot
  * jump over one. Nothing is allocated and nothing is kept between calls, so that a solver may be copied like
  * any value.
  */

@@ -107,7 +107,7 @@ def _checked_ranges(over: object, unit: Unit) -> tuple[tuple[str, str], NDArray[
     allowed = "two parameters or inputs, each with the two ends of its range"
     given = mapping_of(over, "over", allowed)
     if len(given) != 2:
-        raise InputError(f"over {', '.join(map(shown, given))}: allowed: {allowed}")
+        raise InputError(f"over = {shown(over)} is not allowed; allowed: {allowed}")
     spans = []
     for name, ends in given.items():
         check_varied(name, "over")

@@ -1,4 +1,4 @@
-"""Tables of numbers as text: with commas, or with semicolons, as where the decimal sign is a comma."""
+"""Tables of numbers as text: with commas, or with semicolons or tabulators, as spreadsheets write them."""
 
 import csv
 import re
@@ -8,7 +8,9 @@ from ..errors import InputError
 
 LONGEST_CELL = 100
 """Characters: no number needs as many."""
-DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
+DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d+)")
+SEPARATORS = {",": ",", ";": ";", "\t": "a tabulator"}
+"""Between cells, and how messages name them; the first that the header has, for it has no decimal comma."""
 
 
 def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, list[str]]]:
@@ -24,7 +26,8 @@ def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, li
     Returns
     -------
     list of (int, list of str)
-        The same lines in cells, without spaces about them. Between semicolons a decimal comma is a point.
+        The same lines in cells, without spaces about them. Where no comma is between
+        them, a decimal comma is a point.
 
     Raises
     ------
@@ -34,14 +37,14 @@ def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, li
     found: list[tuple[int, list[str]]] = []
     separator = ","
     for number, line in lines:
-        if not found and ";" in line and "," not in line:
-            separator = ";"
+        if not found:
+            separator = next((mark for mark in SEPARATORS if mark in line), separator)
         _check_lengths(line, separator, f"{where}, line {number}")
         try:
             (row,) = csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True)
         except (csv.Error, ValueError) as problem:
             raise InputError(
-                f"{where}, line {number}: {problem}; allowed: cells with {separator} between"
+                f"{where}, line {number}: {problem}; allowed: cells with {SEPARATORS[separator]} between"
             ) from None
         cells = [cell.strip() for cell in row]
         found.append((number, cells if separator == "," else [_with_point(cell) for cell in cells]))

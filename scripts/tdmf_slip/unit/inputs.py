@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import shown
 from ..errors import InputError, reason
 from ..files.cells import cells_of
-from ..given import is_table, mapping_of
+from ..given import is_series, is_table, mapping_of
 from .unit import Unit
 from .variable import Value, Variable
 
@@ -20,7 +20,7 @@ InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
 """By name of an input or a tunable parameter: times in s, ascending, and values. Values of a continuous input
 are interpolated linearly, and a time given twice is a jump; a discrete input and a tunable parameter keep a
 value until the next. Before and after the table its first and last value hold. A DataFrame with a column or
-an index `time`, and a column for each input, will do, too."""
+an index `time`, and a column for each input, will do, too, and a Series over such an index for an input."""
 
 
 def signals(
@@ -64,8 +64,13 @@ def signals(
 
 def _tables(given: object) -> InputTables:
     """Pairs of times and values by name: as they are given, or of the columns of a table over the time."""
+    if _is_over_time(given):
+        given = given.to_frame()
     if not is_table(given):
-        return mapping_of(given, "inputs", "pairs of times and values, by the names of inputs")
+        tables = mapping_of(given, "inputs", "pairs of times and values, by the names of inputs")
+        return {
+            name: (table.index, table) if _is_over_time(table) else table for name, table in tables.items()
+        }
     columns = dict(mapping_of(given, "inputs", ""))
     index = getattr(given, "index", None)
     times = columns.pop(TIME) if TIME in columns else index if getattr(index, "name", "") == TIME else None
@@ -75,6 +80,11 @@ def _tables(given: object) -> InputTables:
             "index of that name"
         )
     return {name: (np.asarray(times), values) for name, values in columns.items()}
+
+
+def _is_over_time(given: object) -> TypeGuard[Any]:
+    """Whether something is a Series with times as its labels."""
+    return is_series(given) and getattr(getattr(given, "index", None), "name", "") == TIME
 
 
 def read_tables(path: Path | str, unit: Unit) -> InputTables:
