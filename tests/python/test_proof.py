@@ -165,3 +165,15 @@ def test_no_border_is_proved_where_there_is_none():
     proof = tdmf_slip.prove_border(0.6, digits=5, sides=False)
     assert not proof.proved
     assert "same" in proof.undecided["guard"]
+
+
+def test_what_the_enclosures_do_not_know_of_is_refused():
+    from tdmf_slip.library.members import VARIED
+    from tdmf_slip.proof.given import KNOWN, check_laws
+
+    starts = {name: tdmf_slip.load().start_of(name) for name in VARIED}
+    assert set(KNOWN) <= set(starts)
+    check_laws(starts | dict.fromkeys(KNOWN, 0.123))
+    for name in set(VARIED) - KNOWN:
+        with pytest.raises(InputError, match=name):
+            check_laws(starts | {name: starts[name] + 1.0})

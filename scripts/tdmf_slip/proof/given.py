@@ -15,6 +15,17 @@ from .exact import Exact, exact_values
 
 MOST_DIGITS = 200
 LEAST_BOX = Fraction(1, 10**MOST_DIGITS)
+KNOWN = frozenset(
+    {
+        *("body.mass", "foot.mass", "gravity", "body.external_fx", "body.external_fy"),
+        *("leg.stiffness", "leg.damping", "leg.free_length", "leg.min_length", "leg.thrust", "leg.extension"),
+        *("ground.friction", "ground.static_friction_ratio", "ground.slope", "ground.height"),
+        *("hip.stance_torque", "hip.touchdown_angle", "hip.kp", "hip.kd", "hip.liftoff_angle_factor"),
+        *("hip.retraction_rate", "hip.external_torque"),
+        *("control.touchdown_angle", "control.stance_torque", "control.thrust"),
+    }
+)
+"""Parameters and inputs that the enclosures take account of."""
 Given = Orbit | Runner | Mapping[str, object] | None
 Radius = float | str | Fraction
 
@@ -60,7 +71,30 @@ def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
             f"a gait of {orbit.strides} strides is not proved; allowed: one that repeats each stride"
         )
     own = {name: orbit.runner.values[name] for name in VARIED}
+    check_laws(own)
     return orbit, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
+
+
+def check_laws(values: Mapping[str, float]) -> None:
+    """Refuse a runner of laws that are not enclosed here, such as friction that falls with speed, or a patch.
+
+    Parameters
+    ----------
+    values : mapping of str to float
+        By the unit's names.
+
+    Raises
+    ------
+    InputError
+        What the prover does not know of is not at its start value.
+    """
+    unit = load()
+    for name, value in values.items():
+        start = unit.start_of(name)
+        if name not in KNOWN and value != start:
+            raise InputError(
+                f"{name} = {value:g}: gaits with it are not proved; allowed for proofs: {start:g}"
+            )
 
 
 def gait_near(given: Mapping[str, object]) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from ..library.runner import Runner
 from ..unit.unit import FRICTION, load
 from .exact import Exact, exact_values
 from .forced import Forced
-from .given import MOST_DIGITS, gait_near
+from .given import MOST_DIGITS, check_laws, gait_near
 from .krawczyk import Inclusion, middle_of, proved_stride, refined, slopes_of
 from .parameters import Parameters
 from .proof import Box, Proof, assumptions, decimal, exactly, short, text_of, told
@@ -159,6 +159,7 @@ class _BorderProver:
         self.runner, self.name, self.place, self.digits = Runner.of(floats), name, place, digits
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
+        check_laws(own)
         told_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
         self.values = exact_values(load(), own, told_exactly)
         self.parameters = Parameters(self.values, name)
