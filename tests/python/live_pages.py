@@ -53,6 +53,7 @@ def driver(request):
 def page(driver, address):
     """The page at its defaults; nothing may have gone to the console in the end."""
     open_page(driver, address)
+    driver.execute_script("document.querySelector('.region details').open = true")
     yield driver
     driver.execute_script("localStorage.clear()")
     assert [entry["message"] for entry in driver.get_log("browser")] == []
@@ -64,7 +65,11 @@ def find(driver, ident):
 
 def press(driver, ident):
     """By the script, so that it does not matter what is scrolled where."""
-    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", find(driver, ident))
+    driver.execute_script(
+        "const group = arguments[0].closest('details'); if (group) { group.open = true; }"
+        "arguments[0].scrollIntoView({block: 'center'})",
+        find(driver, ident),
+    )
     find(driver, ident).click()
 
 

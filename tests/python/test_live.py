@@ -152,7 +152,9 @@ def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it
 
 
 def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(page):
-    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(40))")
+    page.execute_script(
+        "tdmfSlip.begin(tdmfSlip.state.values); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(40))"
+    )
     page.execute_script(
         "tdmfSlip.set('body.mass', 1.01); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(24))"
     )

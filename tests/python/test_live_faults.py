@@ -47,9 +47,12 @@ def test_a_region_of_other_values_is_said_to_be(page):
     for name, value in {"ground.friction": 0.5, "hip.kp": 0.12}.items():
         paint(page)
         assert page.execute_script("return tdmfSlip.gaits.region.map.outdated") is None
-        page.execute_script("tdmfSlip.set(...arguments)", name, value)
-        assert page.execute_script("return tdmfSlip.gaits.region.map.outdated") is True
-        assert "other values" in find(page, "region-hint").text
+        outdated, said = page.execute_script(
+            f"tdmfSlip.set(...arguments);return [tdmfSlip.gaits.region.map.outdated, {hint('region-hint')}]",
+            name,
+            value,
+        )
+        assert outdated is True and "other values" in said
         wait(page, "tdmfSlip.gaits.search.gait !== null && !tdmfSlip.gaits.search.following", "the gait")
 
 
@@ -58,8 +61,16 @@ def test_a_preset_chosen_while_the_region_is_painted_ends_it(page):
     Select(find(page, "region-points")).select_by_visible_text("128")
     press(page, "paint")
     wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
-    Select(find(page, "preset")).select_by_index(2)
-    assert "Painting" not in find(page, "region-hint").text
+    said = page.execute_script(
+        "const preset = document.getElementById('preset'); preset.selectedIndex = 2;"
+        f"preset.dispatchEvent(new Event('change')); return {hint('region-hint')}"
+    )
+    assert "Painting" not in said
+    wait(page, f"{hint('region-hint')}.includes('settle on the gait')", "the region of the other gait")
+    painted, found = page.execute_script(
+        "return [tdmfSlip.gaits.region.map.apex, tdmfSlip.gaits.search.gait.apex]"
+    )
+    assert painted == found
 
 
 def test_noise_is_zero_and_no_number_is_cut_off(page):

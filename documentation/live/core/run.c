@@ -163,6 +163,12 @@ const char *live_word(void) {
     return motion.record.stride.word;
 }
 
+/* Of the stride under way; a contact is in it once it is over. */
+LIVE_EXPORT(live_open_word)
+const char *live_open_word(void) {
+    return motion.record.open.word;
+}
+
 /* The line that is in force: y = height + x tan(slope). */
 LIVE_EXPORT(live_ground_height)
 double live_ground_height(void) {

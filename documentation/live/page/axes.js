@@ -7,6 +7,7 @@ import { palette } from "./theme.js";
 
 const MARGIN = { left: 52, right: 12, top: 24, bottom: 36 };
 const MOST_TICKS = 100;
+const TICK_ROOM = 24; // px of height for each, about
 
 /** Round steps of 1, 2 or 5 that give about so many ticks. */
 export function niceTicks(low, high, count) {
@@ -42,7 +43,7 @@ export class Axes {
   marginLeft({ height }) {
     const { context, scales } = this;
     context.font = `11.5px ${palette().sans}`;
-    this.ticksY = niceTicks(...scales.y, Math.max(2, (height - MARGIN.top - 14) / 34));
+    this.ticksY = niceTicks(...scales.y, Math.max(2, (height - MARGIN.top - 14) / TICK_ROOM));
     const widest = Math.max(0, ...this.ticksY.map((tick) => context.measureText(digits(tick)).width));
     return Math.max(MARGIN.left, widest + 10);
   }

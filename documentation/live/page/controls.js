@@ -7,8 +7,6 @@ import { printed, shownUnit, shownValue } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
 const SPAN = 10; // of a slider about a positive value, each way
-const OPEN = new Set(matchMedia("(min-width: 1081px)").matches ? ["ground", "control", "hip"] : ["ground"]);
-
 const groupOf = ({ name }) => (name.includes(".") ? name.split(".")[0] : "world");
 
 /** How large a value of a unit is, in a runner: k l0 for a force and so on. */
@@ -117,8 +115,9 @@ export class Controls {
    */
   constructor(parent, changed) {
     this.all = new Map();
+    this.groups = [];
     for (const [title, variables] of [...grouped(values), ["start of the run", starts]]) {
-      const group = element("details", { open: OPEN.has(title) });
+      const group = element("details", {});
       group.append(element("summary", { textContent: title }));
       for (const variable of variables) {
         const control = new Control(variable, changed);
@@ -126,6 +125,20 @@ export class Controls {
         group.append(control.element);
       }
       parent.append(group);
+      this.groups.push(group);
+    }
+  }
+
+  /** Shows only what has a text in its name or description, unfolded; all of it, folded, for an empty text. */
+  filter(text) {
+    const wanted = text.trim().toLowerCase();
+    for (const group of this.groups) {
+      const found = [...group.querySelectorAll(".control")].filter((row) => {
+        row.hidden = !row.textContent.toLowerCase().includes(wanted);
+        return !row.hidden;
+      });
+      group.hidden = found.length === 0;
+      group.open = wanted !== "" && found.length > 0;
     }
   }
 

@@ -141,6 +141,11 @@ export class Core {
     return this.text(this.exports.live_word());
   }
 
+  /** The gait word of the stride under way; a contact is in it once it is over. */
+  get openWord() {
+    return this.text(this.exports.live_open_word());
+  }
+
   get section() {
     return Array.from(this.doubles(this.exports.live_section(), SECTION));
   }

@@ -11,6 +11,7 @@ import { digits, shownWord } from "./numbers.js";
 import { Region } from "./region.js";
 import { GaitSearch } from "./search.js";
 
+const PAINT_DELAY = 600; // ms
 const REGION_HINT = $("region-hint").textContent;
 
 export class GaitCards {
@@ -48,6 +49,10 @@ export class GaitCards {
     this.panel.show(gait);
     this.mark();
     $("start-gait").disabled = !gait;
+    if (gait) {
+      performance.mark("gait found");
+      this.paintSoon();
+    }
     $("friction-hint").hidden = Boolean(gait);
     const text = gait ? gaitText(gait) : withChanges(message, this.state.values);
     $("gait-hint").textContent = text;
@@ -67,11 +72,12 @@ export class GaitCards {
     this.frictionPlot.mark(this.state.values[FRICTION], this.search.gait);
   }
 
-  /** The runner is another: its gait is not looked for before someone asks. */
-  forget() {
+  /** The runner is another: its gait is looked for, and its region painted. */
+  renew() {
     this.search.forget();
-    this.search.wanted = false;
+    this.search.wanted = true;
     this.outdate();
+    this.find();
   }
 
   /** A parameter or an input is another: a gait that was asked for is looked for again. */
@@ -84,17 +90,26 @@ export class GaitCards {
     this.outdate();
   }
 
+  /** Once the runner has been left as it is for a moment. */
+  paintSoon() {
+    clearTimeout(this.soon);
+    this.soon = setTimeout(() => this.paint(), PAINT_DELAY);
+  }
+
   /** The painted region is not this runner's. */
   outdate() {
     const { map } = this.region;
     this.region.outdate();
-    $("region-hint").textContent = map ? "Painted for other values; paint again for these." : REGION_HINT;
+    $("region-hint").textContent = map ? "Painted for other values; it follows with the gait of these." : REGION_HINT;
   }
 
   paint() {
+    clearTimeout(this.soon);
     return guarded(async () => {
       if (!this.search.gait) {
+        $("region-hint").textContent = "The gait comes first …";
         await this.find();
+        clearTimeout(this.soon);
       }
       const { gait } = this.search;
       if (!gait || lambdaMax(gait) >= 1) {

@@ -3,6 +3,7 @@
  * @module
  */
 import { Surface } from "./canvas.js";
+import { mark } from "./glossary.js";
 import { digits, printed, shownWord, withoutNoise } from "./numbers.js";
 import { palette } from "./theme.js";
 
@@ -17,6 +18,7 @@ const ROWS = [
   ["stable", "the gait is", ""],
 ];
 const RING = 72; // px
+const TERM_OF = { word: "word", "hip.phase": "hip", "contact.mode": "stick", lambda_max: "eigenvalue" };
 
 const sizeOf = ([re, im]) => Math.hypot(re, im);
 export const lambdaMax = (gait) => sizeOf(gait.eigenvalues[0]);
@@ -31,6 +33,7 @@ export class Numbers {
     const box = document.createElement("div");
     const term = document.createElement("dt");
     term.textContent = title;
+    mark(term, TERM_OF[name]);
     const value = document.createElement("dd");
     value.dataset.name = name;
     const text = document.createTextNode("–");

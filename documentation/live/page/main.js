@@ -5,8 +5,10 @@
 import { Controls, fillPresets } from "./controls.js";
 import { compileCore, Core } from "./core.js";
 import { defaults, hasState } from "./address.js";
+import { FrictionSlider } from "./friction_slider.js";
 import { FRICTION } from "./gaits.js";
 import { GaitCards } from "./gait_cards.js";
+import { explainTerms } from "./glossary.js";
 import { listenToKeys } from "./keys.js";
 import { $, announce, report } from "./messages.js";
 import { isStart, PageState } from "./page_state.js";
@@ -29,6 +31,7 @@ class Page {
     this.player = new Player(this.run, this.view);
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
     const setFriction = (friction) => this.set(FRICTION, friction);
+    this.friction = new FrictionSlider($("friction-slider"), $("friction-told"), setFriction);
     this.gaits = new GaitCards(pools, core, this.state, setFriction, (apex) => this.startFrom(apex));
     this.listen();
   }
@@ -49,6 +52,8 @@ class Page {
     Object.entries(actions).forEach(([id, action]) => $(id).addEventListener("click", action));
     $("scene").addEventListener("click", actions.play);
     addEventListener("hashchange", () => hasState(location.hash) && this.readAddress());
+    $("filter").addEventListener("input", ({ target }) => this.controls.filter(target.value));
+    explainTerms();
     watchTheme($("theme"), () => this.redraw());
     listenToKeys({
       " ": actions.play,
@@ -106,6 +111,7 @@ class Page {
 
   showValues() {
     this.controls.show(this.state.values);
+    this.friction.show(this.state.values);
     this.gaits.mark();
     this.player.tellPace();
     this.view.draw();
@@ -142,7 +148,7 @@ class Page {
     const given = JSON.stringify(this.state.runner.given);
     if (given !== this.startedWith) {
       this.startedWith = given;
-      this.gaits.forget();
+      this.gaits.renew();
     }
     this.showValues();
   }

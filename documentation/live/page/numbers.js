@@ -4,7 +4,7 @@
  */
 import { displayUnits } from "./data.js";
 
-const MINUS = "\u2212";
+export const MINUS = "\u2212";
 const NOISE = 1e-9; // of a quantity's scale: rounding, and where Newton's method stops
 
 /** A number to so many significant digits, with a minus sign as wide as a plus. */

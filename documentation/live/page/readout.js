@@ -4,9 +4,9 @@
  */
 import { hipPhases } from "./data.js";
 import { Numbers } from "./gait_panel.js";
+import { MODE_TEXT } from "./legend.js";
 import { digits, printed, shownWord, steady, withoutNoise } from "./numbers.js";
 import { modeName } from "./run.js";
-import { MODE_TEXT } from "./scene.js";
 
 const ROWS = [
   ["time", "time", "s"],

@@ -11,6 +11,7 @@ import { palette } from "./theme.js";
 /** When a runner has settled; as `tdmf-slip basin` has it. */
 const RULES = { tolerance: 1e-5, distance: 1e-2, strides: 400 };
 const ROWS_AT_ONCE = 2;
+const COARSE = [16, 32]; // points each way before the finest
 const OUTDATED = 0.25; // opacity of what was painted for another runner
 const LEG_LENGTH = 2; // it and the coordinates before are positive
 const LEAST = 0.1; // of the gait's, for what is positive
@@ -35,6 +36,15 @@ function rangeAround(apex, scales, index, width) {
     return [here - 0.5 * width * scales[index], here + 0.5 * width * scales[index]].map(rounded);
   }
   return [Math.max(1 - 0.3 * width, LEAST) * here, (1 + 0.5 * width) * here].map(rounded);
+}
+
+/** Nothing is painted while nobody can see it. */
+function shown() {
+  return document.hidden
+    ? new Promise((resolve) => {
+        document.addEventListener("visibilitychange", resolve, { once: true });
+      })
+    : null;
 }
 
 const spaced = ([low, high], count) =>
@@ -72,17 +82,32 @@ export class Region {
    */
   async paint(pool, given, gait) {
     const painting = ++this.painting;
+    this.map = null;
+    const finest = Number(this.selects.points.value);
+    for (const count of [...COARSE.filter((coarse) => coarse < finest), finest]) {
+      await this.paintGrid({ pool, given, gait, count, painting });
+      if (painting !== this.painting) {
+        return false;
+      }
+      performance.mark("region painted", { detail: count });
+    }
+    return true;
+  }
+
+  /** One grid of so many points each way over what was painted before. */
+  async paintGrid({ pool, given, gait, count, painting }) {
     const axes = [Number(this.selects.rows.value), Number(this.selects.columns.value)];
-    const count = Number(this.selects.points.value);
     const width = Number(this.selects.width.value);
     const scales = this.core.sectionScales;
     const [rows, columns] = axes.map((axis) => spaced(rangeAround(gait.apex, scales, axis, width), count));
-    this.map = { axes, rows, columns, apex: gait.apex, fates: new Int32Array(count * count).fill(-1) };
+    const under = this.map ? this.image : null;
+    this.map = { axes, rows, columns, apex: gait.apex, under, fates: new Int32Array(count * count).fill(-1) };
     this.map.strides = new Int32Array(count * count);
     this.cross = [gait.apex[axes[1]], gait.apex[axes[0]]];
     const blocks = Array.from({ length: Math.ceil(count / ROWS_AT_ONCE) }, (_, i) => i * ROWS_AT_ONCE);
     const work = async (hand) => {
       while (blocks.length && painting === this.painting) {
+        await shown();
         const first = blocks.shift();
         const from = this.starts(first, Math.min(first + ROWS_AT_ONCE, count));
         const found = await hand.run("block", { given, apex: gait.apex, from, rules: RULES });
@@ -92,7 +117,6 @@ export class Region {
       }
     };
     await Promise.all(pool.hands.map(work));
-    return painting === this.painting;
   }
 
   /** What is painted is of another runner from now on, and faint; what is being painted is given up. */
@@ -153,7 +177,7 @@ export class Region {
   /** Paints what is known in the colours that are in force now. */
   redraw() {
     if (this.map) {
-      this.map.image = null;
+      this.map.image = this.map.under = null;
     }
     this.draw();
   }
@@ -177,7 +201,9 @@ export class Region {
     context.imageSmoothingEnabled = false;
     this.map.image ??= this.image;
     context.globalAlpha = this.map.outdated ? OUTDATED : 1;
-    context.drawImage(this.map.image, axes.left, axes.top, axes.right - axes.left, axes.bottom - axes.top);
+    for (const image of [this.map.under, this.map.image].filter(Boolean)) {
+      context.drawImage(image, axes.left, axes.top, axes.right - axes.left, axes.bottom - axes.top);
+    }
     context.globalAlpha = 1;
     this.mark(this.map.apex[names[1]], this.map.apex[names[0]], palette().card, palette().ink, 5);
     this.mark(...this.cross, palette().slip_positive, palette().card, 8);

@@ -55,6 +55,10 @@ export class Run {
     this.disturbed ||= unaccounted;
   }
 
+  get openWord() {
+    return this.core.openWord;
+  }
+
   get fallen() {
     return Boolean(this.outputs["status.fallen"]);
   }

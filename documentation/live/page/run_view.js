@@ -3,10 +3,12 @@
  * @module
  */
 import { EnergyBars } from "./energy_bars.js";
+import { fillLegend } from "./legend.js";
 import { $, announce } from "./messages.js";
+import { Now } from "./now.js";
 import { digits } from "./numbers.js";
 import { described, Readout } from "./readout.js";
-import { fillLegend, Scene } from "./scene.js";
+import { Scene } from "./scene.js";
 import { StancePlots } from "./stance_plots.js";
 
 const NUMBERS_EVERY = 120; // ms, while it runs
@@ -24,6 +26,7 @@ export class RunView {
     this.plots = new StancePlots($("velocity"), $("ratio"), redraw);
     this.bars = new EnergyBars($("energy"));
     this.readout = new Readout($("numbers"));
+    this.now = new Now($("now"), $("word"));
     fillLegend($("legend"));
   }
 
@@ -44,6 +47,7 @@ export class RunView {
   drawPictures() {
     this.scene.draw(this.run, this.state.values);
     this.plots.draw(this.run, this.state.values);
+    this.now.show(this.run);
   }
 
   drawNumbers() {

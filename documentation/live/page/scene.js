@@ -2,7 +2,6 @@
  * The runner as a drawing: ground and tracks of slip, leg with spring, body, foot, ground force in its friction cone.
  * @module
  */
-import { contactModes } from "./data.js";
 import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
 import { niceTicks } from "./axes.js";
@@ -17,27 +16,6 @@ const FORCE_LENGTH = 0.75; // of the leg's length, for the stride's peak
 const CONE_LENGTH = 0.5;
 const TICK_EVERY = 120; // px of the ruler, about
 const TICK_DIGITS = 7;
-
-/** Names for people, by the unit's names of contact modes. */
-export const MODE_TEXT = {
-  flight: "flight",
-  stick: "stick (0)",
-  slip_positive: "slip forward (+)",
-  slip_negative: "slip backward (−)",
-  graze: "graze",
-};
-
-/** Fills the list of colours. */
-export function fillLegend(list) {
-  for (const { name, description } of Object.values(contactModes)) {
-    const item = document.createElement("li");
-    const dot = document.createElement("i");
-    dot.style.background = `var(--${name})`;
-    item.append(dot, MODE_TEXT[name] ?? name);
-    item.title = description;
-    list.append(item);
-  }
-}
 
 export class Scene {
   constructor(canvas, redraw) {
@@ -74,18 +52,6 @@ export class Scene {
       this.forces(context, run, given);
     }
     this.runner(context, outputs, run.fallen);
-    if (run.over) {
-      this.say(context, run.fallen ? "The runner has fallen" : "The run has stopped");
-    }
-  }
-
-  say(context, text) {
-    const { bad, sans } = palette();
-    context.font = `600 16px ${sans}`;
-    context.fillStyle = bad;
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillText(text, 0.5 * this.surface.width, 26);
   }
 
   /** Height of the ground, m. */

@@ -1,0 +1,137 @@
+"""What the live page shows by itself: gait, figure 9, region, the word as it comes; and what explains it."""
+
+import live_pages
+import pytest
+import tdmf_slip
+from live_pages import center, drag_friction, find, hint, open_page, pointer, wait
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+built, address, driver, page = (
+    live_pages.built,
+    live_pages.address,
+    live_pages.driver,
+    live_pages.page,
+)
+
+PAINTED = "performance.getEntriesByName('region painted').map((entry) => entry.detail)"
+SENTENCES = {
+    "flight": ("rises in flight", "falls in flight"),
+    "stick": ("sticks",),
+    "slip_positive": ("slides forward",),
+    "slip_negative": ("slides backward",),
+    "graze": ("grazes",),
+}
+
+
+def test_the_first_pictures_stand_without_a_click(page):
+    wait(page, f"{PAINTED}.includes(64)", "the region")
+    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    assert page.execute_script(f"return {PAINTED}") == [16, 32, 64]
+    orbit = tdmf_slip.find_orbit()
+    assert page.execute_script("return tdmfSlip.gaits.search.gait.word") == orbit.word
+    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    assert region["axes"] == ["com_height", "com_speed"] and "" not in region["fates"]
+    found = page.execute_script("return performance.getEntriesByName('gait found')[0].startTime")
+    assert found < page.execute_script("return performance.getEntriesByName('region painted')[0].startTime")
+    if page.execute_script("return innerWidth > 900"):
+        for ident in ("scene", "gait", "friction", "region"):
+            box = find(page, ident).rect
+            assert box["y"] >= 0 and box["y"] + 100 < 900, ident
+    assert page.execute_script("return document.querySelectorAll('#controls details[open]').length") == 0
+
+
+def test_nothing_is_painted_while_the_page_is_hidden(page):
+    hide = "Object.defineProperty(document, 'hidden', { value: arguments[0], configurable: true });"
+    page.execute_script(f"{hide} tdmfSlip.choose({{ name: 'another', values: {{ 'hip.kp': 0.11 }} }})", True)
+    wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
+    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    assert set(page.execute_script("return tdmfSlip.gaits.region.read.fates")) == {""}
+    page.execute_script(f"{hide} document.dispatchEvent(new Event('visibilitychange'))", False)
+    wait(page, f"{hint('region-hint')}.includes('settle on the gait')", "the region")
+
+
+def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(page):
+    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(400))")
+    letters, modes = [], set()
+    for _ in range(60):
+        mode, lit, whole, said = page.execute_script(
+            "tdmfSlip.player.stepToEvent(); const word = document.getElementById('word');"
+            "const run = tdmfSlip.run; const { contactModes } = await import('./live/data.js');"
+            "const lit = [...word.querySelectorAll('.lit')].map((letter) => letter.textContent).join('');"
+            "return [contactModes[run.outputs['contact.mode']].name, lit, word.textContent,"
+            "document.getElementById('now').textContent]"
+        )
+        assert any(part in said for part in SENTENCES[mode]), (mode, said)
+        assert whole == "+0\u22120+" and whole.startswith(lit)
+        modes.add(mode)
+        letters.append(lit)
+    assert set(letters) == {"", "+", "+0", "+0\u2212", "+0\u22120", "+0\u22120+"}
+    assert {"flight", "stick", "slip_positive", "slip_negative"} <= modes
+
+
+def test_the_large_slider_sets_the_friction_and_follows_it(page):
+    slider = find(page, "friction-slider")
+    center(page, slider)
+    slider.send_keys(Keys.HOME)
+    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.05
+    assert find(page, "friction-told").text == slider.get_attribute("aria-valuetext") == "0.05"
+    page.execute_script("tdmfSlip.set('ground.friction', 10)")
+    assert slider.get_attribute("value") == "1000" and find(page, "friction-told").text == "10"
+
+
+def test_a_filter_shows_the_parameters_that_it_names(page):
+    field = find(page, "filter")
+    center(page, field)
+    field.send_keys("mass")
+    shown = (
+        "return [...document.querySelectorAll('.control:not([hidden]) input[type=text]')].map((f) => f.name)"
+    )
+    names = page.execute_script(shown)
+    assert {"body.mass", "foot.mass"} <= set(names) and len(names) < 12
+    assert find(page, "value-body.mass").is_displayed()
+    field.send_keys(Keys.BACKSPACE * 4)
+    assert len(page.execute_script(shown)) > 30 and not find(page, "value-body.mass").is_displayed()
+
+
+@pytest.mark.parametrize(
+    "term", ["graze", "wedge", "arrows", "word", "hip", "gait", "eigenvalue", "friction"]
+)
+def test_a_term_is_explained_on_hover_and_tap(page, term):
+    element = page.find_element(By.CSS_SELECTOR, f"[data-term='{term}']")
+    center(page, element)
+    pointer(page).move_to_element(element).click().perform()
+    note = find(page, "term-note")
+    assert note.is_displayed() and len(note.text) > 40
+    box = note.rect
+    width = page.execute_script("return document.documentElement.clientWidth")
+    assert box["x"] >= 0 and box["x"] + box["width"] <= width
+    ActionChains(page).send_keys(Keys.ESCAPE).perform()
+    assert not note.is_displayed()
+
+
+def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clicked(page):
+    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    for ident in ("friction", "region"):
+        center(page, find(page, ident))
+        top, bottom = page.execute_script(
+            "const box = document.getElementById('scene').getBoundingClientRect();"
+            "return [box.top, box.bottom]"
+        )
+        assert top >= 0 and bottom <= page.execute_script("return innerHeight"), ident
+    drag_friction(page, 0.6, 0.8)
+    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == pytest.approx(
+        0.8, rel=0.03
+    )
+    assert page.execute_script("return document.getElementById('scene').getBoundingClientRect().top >= 0")
+
+
+def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
+    open_page(driver, address)
+    tops = driver.execute_script(
+        "return ['scene', 'friction-slider', 'friction', 'gait', 'region'].map((ident) =>"
+        "document.getElementById(ident).getBoundingClientRect().top)"
+    )
+    if driver.execute_script("return innerWidth < 900"):
+        assert tops == sorted(tops)
