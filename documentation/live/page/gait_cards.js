@@ -40,7 +40,9 @@ export class GaitCards {
     });
   }
 
-  async find() {
+  /** @param {boolean} [aloud] Whether a screen reader reads out what is found: it was asked for. */
+  async find(aloud = true) {
+    this.aloud = aloud;
     $("gait-hint").textContent = "Looking for the gait …";
     await guarded(() => this.search.find());
   }
@@ -56,7 +58,9 @@ export class GaitCards {
     $("friction-hint").hidden = Boolean(gait);
     const text = gait ? gaitText(gait) : withChanges(message, this.state.values);
     $("gait-hint").textContent = text;
-    announce(text);
+    if (this.aloud) {
+      announce(text);
+    }
   }
 
   clear() {
@@ -77,11 +81,12 @@ export class GaitCards {
     this.search.forget();
     this.search.wanted = true;
     this.outdate();
-    this.find();
+    this.find(false);
   }
 
   /** A parameter or an input is another: a gait that was asked for is looked for again. */
   changed(name) {
+    this.aloud = true;
     if (name === FRICTION) {
       this.search.frictionChanged();
     } else {
