@@ -3,10 +3,11 @@
 import live_pages
 import pytest
 import tdmf_slip
-from live_pages import center, drag_friction, find, hint, open_page, pointer, wait
+from live_pages import center, drag_friction, find, hint, open_page, pointer, press, wait
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.select import Select
 
 built, address, driver, page = (
     live_pages.built,
@@ -135,3 +136,15 @@ def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
     )
     if driver.execute_script("return innerWidth < 900"):
         assert tops == sorted(tops)
+
+
+def test_a_video_of_three_strides_is_saved(page):
+    Select(find(page, "pace")).select_by_value("full")
+    begun = page.execute_script("tdmfSlip.begin(tdmfSlip.state.values); return 0")
+    press(page, "video")
+    assert not find(page, "video").is_enabled()
+    wait(page, "tdmfSlip.video.saved", "the video")
+    saved = page.execute_script("return tdmfSlip.video.saved")
+    assert saved["type"] in ("webm", "mp4") and saved["size"] > 5000
+    assert page.execute_script("return tdmfSlip.run.outputs['stride.count']") >= begun + 3
+    assert find(page, "video").is_enabled() and find(page, "video").text == "Save a video"

@@ -18,6 +18,7 @@ import { apexText } from "./region.js";
 import { Run } from "./run.js";
 import { RunView } from "./run_view.js";
 import { watchTheme } from "./theme.js";
+import { Video } from "./video.js";
 
 const SEARCHERS = 2; // a gait's curve goes both ways
 const TOLD = 2000; // ms for which a button says what it did
@@ -31,6 +32,7 @@ class Page {
     this.player = new Player(this.run, this.view);
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
     const setFriction = (friction) => this.set(FRICTION, friction);
+    this.video = new Video($("video"), $("scene"), this.run, this.player);
     this.friction = new FrictionSlider($("friction-slider"), $("friction-told"), setFriction);
     this.gaits = new GaitCards(pools, core, this.state, setFriction, (apex) => this.startFrom(apex));
     this.listen();
@@ -47,6 +49,7 @@ class Page {
       "start-gait": () => this.startFrom(this.gaits.search.gait.apex),
       paint: () => this.gaits.paint(),
       defaults: () => this.choose({ name: "defaults", values: {} }),
+      video: () => this.video.start(),
       link: () => this.copyLink(),
     };
     Object.entries(actions).forEach(([id, action]) => $(id).addEventListener("click", action));

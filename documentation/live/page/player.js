@@ -22,6 +22,8 @@ export class Player {
     $("pace").addEventListener("change", () => this.tellPace());
     /** What the last frames took of the main thread, ms. */
     this.frames = [];
+    /** Is told after every frame of the run. */
+    this.advanced = () => {};
   }
 
   play(running) {
@@ -103,6 +105,7 @@ export class Player {
       this.run.advance(duration);
     }
     this.noticeEnd();
+    this.advanced();
   }
 
   noticeEnd() {

@@ -44,6 +44,8 @@ export class Scene {
       x: (x) => 0.5 * width + (x - centre) * scale,
       y: (y) => 0.9 * height - (y - base) * scale,
     };
+    context.fillStyle = palette().card;
+    context.fillRect(0, 0, width, height);
     this.ground(context, centre);
     this.nextGround(context, given);
     this.trail(context, run.trail);
