@@ -28,26 +28,40 @@ COMMANDS = {
 }
 
 
+VALIDATE = """
+import math
+from tdmf_slip.cli import validate
+from tdmf_slip.cli.main import main
+from tdmf_slip.paper.claims import Claim
+from tdmf_slip.paper.reference_gaits import Drift
+from tdmf_slip.paper.validation import Validation
+
+claims = [Claim("speed", "≈ +10 %", "≈ +9 %", True), Claim("SLIP at 44°", "stable", "unstable", False)]
+met = [Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6), Drift(0.6, "apex", 1.0, 1.0, 7e-8, 1e-5)]
+met += [Drift(math.nan, name, 0.5, 0.5, 4e-5, 5e-5) for name in ("a border", "of the SLIP")]
+validate.validate = lambda **_: Validation([], claims, met)
+main(["validate"])
+"""
+"""The command at work, but with a verdict that took no minutes."""
+
+
 def run(arguments, environment, folder):
     return subprocess.run(
-        [sys.executable, "-m", "tdmf_slip", *arguments],
-        capture_output=True,
-        cwd=folder,
-        timeout=300,
-        env={**os.environ, **environment},
+        [sys.executable, *arguments], capture_output=True, cwd=folder, env={**os.environ, **environment}
     )
 
 
 def test_the_validation_is_told_in_the_encoding_of_a_redirect_on_windows(tmp_path):
-    done = run(("validate",), {"PYTHONIOENCODING": "cp1252"}, tmp_path)
+    done = run(("-c", VALIDATE), {"PYTHONIOENCODING": "cp1252"}, tmp_path)
     assert done.returncode == 0 and b"Traceback" not in done.stderr, done.stderr
     text = done.stdout.decode("cp1252")
-    assert text.count("differs") + text.count("agrees") > 10 and "SLIP at 44°" in text and "~ " in text
+    assert text.count("differs") == 1 and text.count("agrees") == 1
+    assert "SLIP at 44°" in text and "~ +10 %" in text
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_prints_in_ascii(name, tmp_path):
-    done = run(COMMANDS[name], NO_LOCALE, tmp_path)
+    done = run(("-m", "tdmf_slip", *COMMANDS[name]), NO_LOCALE, tmp_path)
     assert done.returncode == (2 if name == "a wrong name" else 0), done.stderr
     assert b"Traceback" not in done.stderr
     told = done.stdout + done.stderr
