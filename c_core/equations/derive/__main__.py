@@ -11,4 +11,4 @@ FILES |= {"event_declarations.h": events.declarations, "event_table.h": events.t
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "derived"
 folder.mkdir(exist_ok=True)
 for name, write in FILES.items():
-    (folder / name).write_text(write())
+    (folder / name).write_text(write(), encoding="utf-8")
