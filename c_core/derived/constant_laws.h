@@ -106,4 +106,16 @@ static inline ground_coefficients tdmf_vary_ground_coefficients_of(
     return result;
 }
 
+/* The law times a sign, as guards have it while it drifts: its target stays, its torque moves. */
+static inline hip_law tdmf_signed_law(const tdmf_hip_law *law, double sign) {
+    const hip_law result = {
+        .gain = sign * law->gain,
+        .rate_gain = sign * law->rate_gain,
+        .target = law->target,
+        .torque = sign * law->torque,
+        .torque_rate = sign * (law->torque_rate + law->gain * law->target_rate),
+    };
+    return result;
+}
+
 #endif

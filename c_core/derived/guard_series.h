@@ -2,7 +2,16 @@
 #ifndef TDMF_DERIVED_GUARD_SERIES_H
 #define TDMF_DERIVED_GUARD_SERIES_H
 
-#include "mode_constants.h"
+#include "series_products.h"
+
+/* The law times a sign, as guards have it while it drifts: its target stays, its torque moves. */
+typedef struct {
+    real gain;
+    real rate_gain;
+    real target;
+    real torque;
+    real torque_rate;
+} hip_law;
 
 /* r sin theta, how far the foot is ahead of the body: it falls through 0 with theta. */
 static inline void expand_ahead(const real *x, const real *y, real slope_sine, real slope_cosine, int order,

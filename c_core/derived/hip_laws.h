@@ -6,6 +6,18 @@
 
 #include <math.h>
 
+/* A law of the hip as data, with t counted from now; gains in N.m/rad and N.m.s/rad.
+ *
+ * tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t */
+typedef struct {
+    double gain;
+    double rate_gain;
+    double target;
+    double target_rate;
+    double torque;
+    double torque_rate;
+} tdmf_hip_law;
+
 /* The torque from outside alone; `rates` are those of the inputs. */
 static inline tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates) {
     const tdmf_hip_law result = {
@@ -338,11 +350,6 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
         return d_inputs->hip.external_torque - d_drive;
     }
     return d_inputs->hip.external_torque;
-}
-
-/* The rate of the torque while the leg stands still. */
-static inline double tdmf_law_drift(const tdmf_hip_law *law) {
-    return law->torque_rate + law->gain * law->target_rate;
 }
 
 /* The law as it is some time later. */

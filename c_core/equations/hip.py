@@ -20,7 +20,11 @@ from .functions import Record
 HELD = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
 
 
-def _law(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
+def law_of(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
+    """A law of the hip as data, with t counted from now; gains in N.m/rad and N.m.s/rad.
+
+    tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t
+    """
     return Record(
         gain=gain,
         rate_gain=rate_gain,
@@ -33,23 +37,23 @@ def _law(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
 
 def external(inputs, rates):
     """The torque from outside alone; `rates` are those of the inputs."""
-    return _law(torque=inputs.hip.external_torque, torque_rate=rates.hip.external_torque)
+    return law_of(torque=inputs.hip.external_torque, torque_rate=rates.hip.external_torque)
 
 
 def stance(model, inputs, rates, drives):
     """-tau0 while the stance drives, then 0  (11), and the torque from outside."""
     drive = model.parameters.hip.stance_torque + inputs.control.stance_torque if drives else 0
-    return _law(torque=inputs.hip.external_torque - drive, torque_rate=rates.hip.external_torque)
+    return law_of(torque=inputs.hip.external_torque - drive, torque_rate=rates.hip.external_torque)
 
 
 def retract(hip, liftoff_angle):
     """-kp (theta - eta theta_LO) - kd thetadot  (12)."""
-    return _law(gain=hip.kp, rate_gain=hip.kd, target=hip.liftoff_angle_factor * liftoff_angle)
+    return law_of(gain=hip.kp, rate_gain=hip.kd, target=hip.liftoff_angle_factor * liftoff_angle)
 
 
 def place(hip, control, place_time):
     """-kp (theta - theta0 + omega s) - kd (thetadot + omega)  (12)."""
-    return _law(
+    return law_of(
         gain=hip.kp,
         rate_gain=hip.kd,
         target=hip.touchdown_angle + control.touchdown_angle - hip.retraction_rate * place_time,
@@ -84,9 +88,20 @@ def drift(law):
     return law.torque_rate + law.gain * law.target_rate
 
 
+def signed(law, sign):
+    """The law times a sign, as guards have it while it drifts: its target stays, its torque moves."""
+    return Record(
+        gain=sign * law.gain,
+        rate_gain=sign * law.rate_gain,
+        target=law.target,
+        torque=sign * law.torque,
+        torque_rate=sign * drift(law),
+    )
+
+
 def after(law, elapsed):
     """The law as it is some time later."""
-    return _law(
+    return law_of(
         law.gain,
         law.rate_gain,
         law.target + elapsed * law.target_rate,

@@ -2,6 +2,7 @@
 #ifndef TDMF_KERNEL_GROUND_STEP_H
 #define TDMF_KERNEL_GROUND_STEP_H
 
+#include "guard_series.h"
 #include "mode_constants.h"
 #include "motion_series.h"
 #include "step_size.h"

@@ -10,12 +10,6 @@ typedef struct {
     real length_scale, time_scale, speed_scale, force_scale, energy_scale;
 } mode_constants;
 
-/* A law of the hip, gain (target - theta) - rate_gain thetadot + torque + torque_rate t, with t counted from
- * the start of the step. */
-typedef struct {
-    real gain, rate_gain, target, torque, torque_rate;
-} hip_law;
-
 /* What has been done and lost since the start of the run. */
 typedef struct {
     real work, damper_loss, friction_loss;

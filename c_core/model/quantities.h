@@ -30,17 +30,6 @@ typedef struct {
     double axial_force;                /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
 } tdmf_leg;
 
-/* A law of the hip, affine in the leg's angle, its rate and time, which is counted from now:
- *
- *     tau = gain (target + target_rate t - theta) - rate_gain thetadot + torque + torque_rate t */
-typedef struct {
-    double gain, rate_gain; /* N.m/rad, N.m.s/rad */
-    double target;          /* rad */
-    double target_rate;     /* rad/s */
-    double torque;          /* N.m */
-    double torque_rate;     /* N.m/s */
-} tdmf_hip_law;
-
 /* Rates of r and theta, or their rates. */
 typedef struct {
     double length, angle;

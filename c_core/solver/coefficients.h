@@ -3,6 +3,7 @@
 #define TDMF_SOLVER_COEFFICIENTS_H
 
 #include "direction.h"
+#include "guard_series.h"
 #include "mode_equations.h"
 #include "motion_series.h"
 

@@ -2,6 +2,7 @@
 #include "step_constants.h"
 
 #include "coefficients.h"
+#include "constant_laws.h"
 #include "friction.h"
 #include "ground_line.h"
 
@@ -18,12 +19,6 @@ static mode_constants mode_constants_of(const tdmf_model *model, double margin_f
         .energy_scale = model->scales.energy,
     };
     return constants;
-}
-
-static hip_law signed_law(double sign, const tdmf_hip_law *law) {
-    const hip_law with_sign = {sign * law->gain, sign * law->rate_gain, law->target, sign * law->torque,
-                               sign * tdmf_law_drift(law)};
-    return with_sign;
 }
 
 static height_above height_over(const tdmf_ground_line *line, const tdmf_mode_equations *equations) {
@@ -63,7 +58,7 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
         .body_share = equations->model->body_share,
         .slope = equations->ground.slope,
         .normal_gravity = gravity * equations->ground.cosine,
-        .servo = signed_law(mode->clamp_closed ? -1.0 : 1.0, &equations->servo),
+        .servo = tdmf_signed_law(&equations->servo, mode->clamp_closed ? -1.0 : 1.0),
         .new_slope = equations->new_ground.slope,
         .new_normal_gravity = gravity * equations->new_ground.cosine,
     };
@@ -87,8 +82,8 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .awaits_thrust = equations->awaits_thrust ? 1.0 : 0.0,
         .slope_sine = equations->ground.sine,
         .slope_cosine = equations->ground.cosine,
-        .servo = signed_law(1.0, &equations->servo),
-        .stance = signed_law(1.0, &equations->stance_law),
+        .servo = tdmf_signed_law(&equations->servo, 1.0),
+        .stance = tdmf_signed_law(&equations->stance_law, 1.0),
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,
     };
     return constants;

@@ -10,8 +10,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from .. import hip
 from ..events import EVENTS
-from .values import Function, given, header
+from .values import Function, given, header, struct
 
 PAGES = (
     "constants coordinates dynamics energy events free_fall friction graze ground_force ground_line hip "
@@ -70,7 +71,6 @@ hip
         hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
     double torque_in(model, inputs, mode, state, leg, upright, sine) =
         hip.torque_in_mode(model, inputs, mode, state, leg, upright, sine) | value torque
-    double law_drift(law) = hip.drift(law) | only
     tdmf_hip_law law_after(law, elapsed) = hip.after(law, elapsed) | only
 leg
     double leg_thrust(model, inputs) = leg.thrust(model, inputs) | only
@@ -136,6 +136,7 @@ constant
         constants.of_flight(model, law, rest_length, push)
     ground_coefficients ground_coefficients_of(model, line, law, rest_length, push, friction) =
         constants.on_ground(model, line, law, rest_length, push, friction)
+    hip_law signed_law(law, sign) = hip.signed(law, sign) | only
 guard
 """
 for event in (event for event in EVENTS if event.law is not None):
@@ -143,6 +144,7 @@ for event in (event for event in EVENTS if event.law is not None):
     only = "" if event.varied else " | only"
     FUNCTIONS += f"    double {event.name}_guard({parameters}) = events.{event.name}({parameters}){only}\n"
 STRUCTS = {"constant": "coefficients.h", "guard": "evaluation.h"}
+RECORDS = {"hip": (struct("tdmf_hip_law", hip.law_of),)}
 
 
 def declared(name: str) -> str:
@@ -188,7 +190,11 @@ def headers() -> dict[str, Callable[[], str]]:
             topic.append(line.strip())
     return {
         f"{topic}_laws.h": partial(
-            header, topic, [function(line) for line in lines], STRUCTS.get(topic, "quantities.h")
+            header,
+            topic,
+            [function(line) for line in lines],
+            STRUCTS.get(topic, "quantities.h"),
+            RECORDS.get(topic, ()),
         )
         for topic, lines in found.items()
     }

@@ -1,14 +1,24 @@
 """Which motions are expanded into series, in which cases, and what of them is noted: a header a mode."""
 
+from collections.abc import Callable
 from functools import partial
+from typing import Any
 
-from .. import flight, ground, hip
-from .series import Expansion, Family, header
+from .. import constants, flight, ground, hip
+from .series import Expansion, Family, header, struct, summary
+from .values import symbol
+
+
+def members(law: Callable[..., Any]) -> list[str]:
+    """Name what a law gives."""
+    code = law.__code__
+    return list(vars(law(*(symbol(name, pointer=True) for name in code.co_varnames[: code.co_argcount]))))
+
 
 GROUND = Family(
     "ground",
     ground,
-    constants="stiffness damping inverse_body_mass inverse_foot_mass foot_weight_x foot_weight_y",
+    constants=members(constants.on_ground),
     ramps={"rest_length": False, "gravity_x": False, "gravity_y": False, "friction": False, "torque": False},
     rates={"length_rate": "length"},
     noted="length length_rate normal_force tangential_push torque power speed_square",
@@ -26,7 +36,7 @@ GROUND = Family(
 FLIGHT = Family(
     "flight",
     flight,
-    constants="mobility stiffness damping gain rate_gain target",
+    constants=members(constants.of_flight),
     ramps={"torque": True, "rest_length": False, "push_x": False, "push_y": False},
     rates={},
     noted="square angle_rate rate_square speed_square",
@@ -48,7 +58,7 @@ def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> 
 
 
 SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
-SERVO = {name: f"servo->{name}" for name in ("gain", "rate_gain", "target")}
+LAW = members(hip.signed)
 
 
 def guard_series() -> str:
@@ -58,7 +68,8 @@ def guard_series() -> str:
         return hip.torque(servo, angle, angle_rate)
 
     torque.__doc__ = hip.torque.__doc__
-    servo = {**SERVO, "torque": ("servo->torque", "servo->torque_rate")}
+    servo: dict[str, Any] = {name: f"servo->{name}" for name in LAW}
+    servo["torque"] = (servo["torque"], servo.pop("torque_rate"))
     cone = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
     made = [
         ("ahead", ground.ahead, {"x": None, "y": None, "slope": SLOPE}),
@@ -73,10 +84,10 @@ def guard_series() -> str:
             {"length": None, "angle": None, "slope": "slope", "rates": {"angle": "angle_rate"}},
         ),
     ]
-    lines = [
-        line for name, law, given in made for line in Expansion(name, law, **{"rates": {}, **given}).source()
-    ]
-    return header("guard_series", "ground.py, flight.py and hip", "mode_constants.h", lines)
+    lines = [f"/* {summary(hip.signed)} */", *struct("hip_law", LAW)]
+    for name, law, given in made:
+        lines += Expansion(name, law, **{"rates": {}, **given}).source()
+    return header("guard_series", "ground.py, flight.py and hip", "series_products.h", lines)
 
 
 FILES = {

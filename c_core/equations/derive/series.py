@@ -149,16 +149,16 @@ def divided(rate: str) -> str:
 class Family:
     """Motions that share the structs of their series; `cases` has what the page is told of each.
 
-    `ramps` are constants that change in time, in any width where True, else where inputs ramp; `rates` are
-    quantities that are rates of others; of `varied` the variation is asked for, besides that of the states.
+    `constants` are all that is given, `ramps` of them what changes in time, in any width where True, else
+    where inputs ramp; `rates` are quantities that are rates of others; of `varied` the variation is asked
+    for, besides that of the states.
     """
 
     def __init__(self, name: str, page: Any, **given: Any) -> None:
         self.name, self.page = name, page
-        self.constants, self.noted, self.varied = (
-            given[key].split() for key in ("constants", "noted", "varied")
-        )
+        self.noted, self.varied = given["noted"].split(), given["varied"].split()
         self.ramps, self.rates, self.cases = given["ramps"], given["rates"], given["cases"]
+        self.constants = [c for c in given["constants"] if c.removesuffix("_rate") not in self.ramps]
 
     def motion(self, case: str) -> "Motion":
         """Trace one case, alone."""

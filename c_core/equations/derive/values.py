@@ -301,8 +301,16 @@ def comment(docstring: str | None) -> str:
     return "/* " + text.replace("\n", "\n * ").replace(" * \n", " *\n") + " */\n"
 
 
-def header(topic: str, functions: list[Function], structs: str = "quantities.h") -> str:
-    """Write a header of C functions."""
+def struct(name: str, record: Callable[..., Any]) -> str:
+    """Write the C struct of a record that a page makes, with all its members at their defaults."""
+    members = "".join(f"double {member};\n" for member in vars(record()))
+    return f"{comment(record.__doc__)}typedef struct {{\n{members}}} {name};\n"
+
+
+def header(
+    topic: str, functions: list[Function], structs: str = "quantities.h", records: tuple[str, ...] = ()
+) -> str:
+    """Write a header of C functions, and of structs that their pages make."""
     title = f"{topic}_laws"
     guard = f"TDMF_DERIVED_{title.upper()}_H"
     source = Path(functions[0].law.__code__.co_filename).name
@@ -310,6 +318,7 @@ def header(topic: str, functions: list[Function], structs: str = "quantities.h")
         f"/* Derived from c_core/equations/{source} by equations/derive: edit that, not this. */",
         f"#ifndef {guard}\n#define {guard}\n",
         f'#include "{structs}"\n\n#include <math.h>\n',
+        *records,
         "\n".join(function.c() for function in functions),
         "#endif\n",
     ]
