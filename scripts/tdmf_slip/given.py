@@ -103,10 +103,31 @@ def row_of(given: object, what: str, allowed: str) -> Sequence[Any]:
     InputError
         It is none of these.
     """
-    is_row = isinstance(given, Sequence) and not isinstance(given, str | bytes)
-    if is_row or (isinstance(given, np.ndarray) and given.ndim) or is_series(given):
-        return given if is_row else list(given)  # type: ignore[return-value, call-overload] # it is a row
-    raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+    check_row(given, what, allowed)
+    return given if isinstance(given, Sequence) else list(given)  # type: ignore[call-overload] # it is a row
+
+
+def check_row(given: object, what: str, allowed: str) -> None:
+    """Refuse what is no row, without going through what may be as long as any.
+
+    Parameters
+    ----------
+    given : object
+        A list, a tuple, an array or a Series; no text.
+    what : str
+        The argument, for the message.
+    allowed : str
+        What it may be, in words.
+
+    Raises
+    ------
+    InputError
+        It is none of these.
+    """
+    is_array = isinstance(given, np.ndarray) and given.ndim > 0
+    is_sequence = isinstance(given, Sequence) and not isinstance(given, str | bytes)
+    if not (is_sequence or is_array or is_series(given)):
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
 
 
 def rows_of(given: object) -> object:

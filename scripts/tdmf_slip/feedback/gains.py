@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import is_number
 from ..errors import InputError
-from ..given import row_of
+from ..given import check_row
 from ..library.orbit import Orbit
 from ..unit.unit import Unit
 from .controllability import Controllability, controllability_of
@@ -268,7 +268,7 @@ def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np
         f"{'none negative' if least == 0.0 else 'positive'}"
     )
     if not is_number(given):
-        row_of(given, name, allowed)
+        check_row(given, name, allowed)
     try:
         weight = np.asarray(given, float)
     except (TypeError, ValueError):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..checks import check_kind, check_size
 from ..contents import ByContents
 from ..errors import InputError
-from ..given import in_order, is_table, row_of
+from ..given import check_row, in_order, is_table
 from .affine_law import AffineLaw, check_law
 from .binding import ffi
 from .rough_ground import RoughGround
@@ -41,7 +41,7 @@ class Case(ByContents):
         object.__setattr__(self, "runner", Runner.of(self.runner))
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
         if not is_table(self.gaits):
-            row_of(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
+            check_row(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
         check_law(self.law, self.runner)
 
 
