@@ -100,7 +100,7 @@ def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
     acb_mat
         The basis S.
     list of float
-        Weights w: the norm of x is the largest |(S^-1 x)_i| / w_i.
+        Weights w: the norm of x is the largest ``|(S^-1 x)_i| / w_i``.
     """
     size = matrix.nrows()
     basis = _basis(matrix)

@@ -83,12 +83,12 @@ def static_friction(runner: Any) -> Number:
 
 
 def impulse_taken(runner: Any, speed: Number, fall: Number) -> Number:
-    """What an impact that slips leaves of |v_t|, of which `speed` was before, with |v_n| = `fall`."""
+    """What an impact that slips leaves of ``|v_t|``, of which `speed` was before, with ``|v_n|`` = `fall`."""
     return friction.after_impact(runner.inputs, 1, speed, -fall)
 
 
 def sticking_speed(runner: Any, fall: Number) -> Number:
-    """Up to which |v_t| an impact with |v_n| = `fall` comes to rest."""
+    """Up to which ``|v_t|`` an impact with ``|v_n|`` = `fall` comes to rest."""
     return static_friction(runner) * fall
 
 

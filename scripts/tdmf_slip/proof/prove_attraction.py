@@ -38,7 +38,7 @@ class Attraction:
     box: Fraction = Fraction(0)
     """Radius of the box in which the derivative was enclosed, in units of the scales."""
     norm_radius: float = 0.0
-    """Of the ball, the largest |(S^-1 x)_i| / w_i."""
+    """Of the ball, the largest ``|(S^-1 x)_i| / w_i``."""
     basis: Sequence[Sequence[complex]] = field(default=(), repr=False)
     """The norm's S, shape (6, 6), the eigenvectors of the Jacobian about."""
     weights: Sequence[float] = field(default=(), repr=False)

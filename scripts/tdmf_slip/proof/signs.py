@@ -52,7 +52,7 @@ def absolute(number: Number, what: str, runner: Any, fall: Number) -> Number:
     runner : Record
         Parameters.
     fall : number
-        |v_n|, which tells up to where the sign does not matter.
+        ``|v_n|``, which tells up to where the sign does not matter.
 
     Returns
     -------

@@ -1,8 +1,11 @@
 """One step with the derivative of its end by its start.
 
-The derivative V solves V' = A V along the tube; with weighted norms, what its polynomial leaves out is below
-(|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2)), where H is what A V has beyond t^N and B is A's
-remainder.
+The derivative V solves V' = A V along the tube; with weighted norms, what its polynomial leaves out is
+below ::
+
+    (|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2))
+
+where H is what A V has beyond t^N and B is A's remainder.
 """
 
 from types import SimpleNamespace as Record
