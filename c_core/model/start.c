@@ -141,8 +141,10 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
                          : mode == NULL   ? "mode"
                          : record == NULL ? "record"
                                           : NULL;
-    const tdmf_refusal refusal =
-        absent != NULL ? tdmf_absent(absent) : check_start(model, inputs, time, state);
+    if (absent != NULL) {
+        return tdmf_absent(absent);
+    }
+    const tdmf_refusal refusal = check_start(model, inputs, time, state);
     if (refusal.variable != NULL) {
         return refusal;
     }
