@@ -1,6 +1,6 @@
 /* Times of events: that of a guard's zero, in every solver, however weak gravity is. */
 #include "compare.h"
-#include "proved_gaits.h"
+#include "extended_strides.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -116,6 +116,20 @@ static void the_clock_of_a_run_goes_with_its_gait(void **state) {
     assert_relative(run.motion.time, STRIDES * proved_gaits[2].period, 3e-14);
 }
 
+static void stride_in_lanes(const run *run, const double (*apex)[TDMF_SECTION_COUNT],
+                            tdmf_instructions instructions, tdmf_ensemble_end *end) {
+    const tdmf_ensemble_case its_case = {
+        .model = &run->model, .inputs = run->inputs, .rules = {.most_strides = 1}};
+    const tdmf_ensemble ensemble = {.cases = &its_case,
+                                    .case_count = 1,
+                                    .starts = apex,
+                                    .count = 1,
+                                    .relative_tolerance = tightest,
+                                    .instructions = instructions,
+                                    .threads = 1};
+    assert_true(tdmf_run_ensemble(&ensemble, end, NULL));
+}
+
 static void lanes_have_the_proved_periods(void **state) {
     int sets = 0;
     (void)state;
@@ -123,19 +137,10 @@ static void lanes_have_the_proved_periods(void **state) {
         const proved_gait *gait = &proved_gaits[i];
         run run;
         start_on_gait(&run, gait, tightest);
-        const tdmf_ensemble_case its_case = {
-            .model = &run.model, .inputs = run.inputs, .rules = {.most_strides = 1}};
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            const tdmf_ensemble ensemble = {.cases = &its_case,
-                                            .case_count = 1,
-                                            .starts = &gait->apex,
-                                            .count = 1,
-                                            .relative_tolerance = tightest,
-                                            .instructions = (tdmf_instructions)set,
-                                            .threads = 1};
             tdmf_ensemble_end end;
             if (tdmf_has_instructions((tdmf_instructions)set)) {
-                assert_true(tdmf_run_ensemble(&ensemble, &end, NULL));
+                stride_in_lanes(&run, &gait->apex, (tdmf_instructions)set, &end);
                 assert_relative(end.time, gait->period, 5e-15);
                 assert_relative(end.distance, gait->length, 1e-14);
                 ++sets;
@@ -143,6 +148,92 @@ static void lanes_have_the_proved_periods(void **state) {
         }
     }
     assert_true(sets >= 2 * PROVED_GAITS);
+}
+
+/* ---- against strides in extended precision --------------------------------------------------------------
+ */
+
+/* The clamp's kink is no event: its argument settles at zero, where rounding decides. */
+static int assert_events_but_clamps(const run *run, const proved_event *events, double tolerance) {
+    int count = 0;
+    for (int i = 0; i < run->log.count; ++i) {
+        const tdmf_event *event = &run->log.events[i];
+        if (event->guard != TDMF_GUARD_CLAMP) {
+            assert_int_equal(event->guard, events[count].guard);
+            assert_relative(event->time, events[count].time, tolerance);
+            ++count;
+        }
+    }
+    return count;
+}
+
+static void assert_apex(const double actual[TDMF_SECTION_COUNT], const extended_stride *expected) {
+    for (int i = 0; i < expected->apex_count; ++i) {
+        assert_close(actual[i], expected->apex[i], 1e-12 * (1.0 + fabs(expected->apex[i])));
+    }
+}
+
+static void strides_under_any_gravity_have_the_events_of_extended_precision(void **state) {
+    int compared = 0, total = 0;
+    (void)state;
+    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
+        const extended_stride *expected = &extended_strides[i];
+        const tdmf_parameters parameters = parameters_of_stride(expected);
+        run run;
+        start(&run, &parameters, expected->friction, tightest, expected->start);
+        stride(&run);
+        compared += assert_events_but_clamps(&run, expected->events, 1e-12);
+        const tdmf_apex *at = &run.motion.record.apex;
+        const double apex[TDMF_SECTION_COUNT] = {at->com_height, at->com_speed,       at->leg_length,
+                                                 at->leg_angle,  at->leg_length_rate, at->leg_angle_rate};
+        assert_apex(apex, expected);
+        total += expected->event_count;
+    }
+    assert_int_equal(compared, total);
+    assert_true(total >= 5 * EXTENDED_STRIDES);
+}
+
+static void lanes_take_the_strides_of_extended_precision(void **state) {
+    int compared = 0;
+    (void)state;
+    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
+        const extended_stride *expected = &extended_strides[i];
+        const tdmf_parameters parameters = parameters_of_stride(expected);
+        run run;
+        start(&run, &parameters, expected->friction, tightest, expected->start);
+        for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+            tdmf_ensemble_end end;
+            if (tdmf_has_instructions((tdmf_instructions)set)) {
+                stride_in_lanes(&run, &expected->start, (tdmf_instructions)set, &end);
+                assert_relative(end.time, expected->events[expected->event_count - 1].time, 1e-12);
+                assert_apex(end.apex, expected);
+                ++compared;
+            }
+        }
+    }
+    assert_true(compared >= 2 * EXTENDED_STRIDES);
+}
+
+/* Its clamp's argument settles at zero up to rounding long before the apex, where no step of extended
+ * precision tells which side it is on; so the other solver tells. */
+static void a_stride_under_the_weakest_gravity_is_that_of_the_other_solver(void **state) {
+    static const double apex[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, 1.0, 0.0, 0.0};
+    tdmf_parameters parameters = tdmf_default_parameters();
+    run native, other;
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    parameters.gravity = 1e-4;
+    start(&native, &parameters, 0.6, tightest, apex);
+    stride(&native);
+    start(&other, &parameters, 0.6, tightest, apex);
+    assert_int_equal(tdmf_cvode_advance(&other.solver, &other.model, &other.inputs, NULL,
+                                        native.motion.record.stride.period + 1.0, &other.motion),
+                     TDMF_ARRIVED);
+    assert_int_equal(other.motion.record.stride.count, 1);
+    assert_relative(native.motion.record.stride.period, other.motion.record.stride.period, 1e-9);
+    assert_relative(native.motion.record.apex.com_height, other.motion.record.apex.com_height, 1e-9);
 }
 
 static double rise_rate(const run *run, const tdmf_event *event) {
@@ -177,6 +268,9 @@ int main(void) {
         cmocka_unit_test(a_search_finds_the_proved_gaits),
         cmocka_unit_test(the_clock_of_a_run_goes_with_its_gait),
         cmocka_unit_test(lanes_have_the_proved_periods),
+        cmocka_unit_test(strides_under_any_gravity_have_the_events_of_extended_precision),
+        cmocka_unit_test(lanes_take_the_strides_of_extended_precision),
+        cmocka_unit_test(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver),
         cmocka_unit_test(cvode_finds_the_apex_where_the_center_of_mass_stops_rising),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

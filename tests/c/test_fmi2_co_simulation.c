@@ -1,7 +1,7 @@
 /* The unit's Co-Simulation: steps that arrive, inputs that move, what is refused. */
 #include "compare.h"
+#include "extended_strides.h"
 #include "fmi2_importer.h"
-#include "proved_gaits.h"
 
 #include "tdmf_slip/cvode.h"
 #include "unit.h"
@@ -53,33 +53,34 @@ static void steps_arrive_and_the_grid_does_not_matter(void **state) {
     }
 }
 
-static void start_on_gait(fmi2Component component, const proved_gait *gait) {
+static void start_at_apex(fmi2Component component, double friction, const tdmf_parameters *parameters,
+                          const double apex[TDMF_SECTION_COUNT]) {
     static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
                                                              "leg.angle",       "foot.vx",       "foot.vy",
                                                              "leg.length_rate", "leg.angle_rate"};
-    const tdmf_parameters parameters = tdmf_default_parameters();
     const tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_model model;
     double state[TDMF_STATE_COUNT];
-    assert_null(tdmf_model_create(&model, &parameters).variable);
-    tdmf_section_state(&model, &inputs, gait->apex, state);
+    assert_null(tdmf_model_create(&model, parameters).variable);
+    tdmf_section_state(&model, &inputs, apex, state);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         assert_int_equal(set_real(component, names[i], state[i]), fmi2OK);
     }
-    assert_int_equal(set_real(component, "ground.friction", gait->friction), fmi2OK);
+    assert_int_equal(set_real(component, "ground.friction", friction), fmi2OK);
     assert_int_equal(set_real(component, "solver.relative_tolerance", 1e-13), fmi2OK);
     initialize(component);
 }
 
 /* Also where steps end at events. */
 static void a_stride_takes_the_proved_time(void **state) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
     (void)state;
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         for (int stops = 0; stops < 2; ++stops) {
             fmi2Component component = new_slave();
             double time = 0.0;
-            start_on_gait(component, gait);
+            start_at_apex(component, gait->friction, &parameters, gait->apex);
             for (int k = 0; k < gait->event_count && stops; ++k) {
                 assert_int_equal(fmi2DoStep(component, time, gait->events[k].time - time, fmi2True), fmi2OK);
                 time = gait->events[k].time;
@@ -90,6 +91,35 @@ static void a_stride_takes_the_proved_time(void **state) {
             assert_close(get_real(component, "apex.time"), gait->period, 1e-13 * gait->period);
             fmi2FreeInstance(component);
         }
+    }
+}
+
+static void set_parameters(fmi2Component component, const tdmf_parameters *parameters) {
+    assert_int_equal(set_real(component, "gravity", parameters->gravity), fmi2OK);
+    assert_int_equal(set_real(component, "leg.stiffness", parameters->leg.stiffness), fmi2OK);
+    assert_int_equal(set_real(component, "leg.damping", parameters->leg.damping), fmi2OK);
+    assert_int_equal(set_real(component, "hip.stance_torque", parameters->hip.stance_torque), fmi2OK);
+    assert_int_equal(set_real(component, "hip.kp", parameters->hip.kp), fmi2OK);
+    assert_int_equal(set_real(component, "hip.kd", parameters->hip.kd), fmi2OK);
+}
+
+static void a_stride_under_any_gravity_is_that_of_extended_precision(void **state) {
+    (void)state;
+    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
+        const extended_stride *stride = &extended_strides[i];
+        const tdmf_parameters parameters = parameters_of_stride(stride);
+        const double period = stride->events[stride->event_count - 1].time;
+        fmi2Component component = new_slave();
+        set_parameters(component, &parameters);
+        start_at_apex(component, stride->friction, &parameters, stride->start);
+        assert_int_equal(fmi2DoStep(component, 0.0, 1.001 * period, fmi2True), fmi2OK);
+        assert_int_equal(get_integer(component, "stride.count"), 1);
+        assert_close(get_real(component, "apex.time"), period, 1e-12 * period);
+        assert_close(get_real(component, "apex.com_height"), stride->apex[0], 1e-12 * stride->apex[0]);
+        if (stride->apex_count == TDMF_SECTION_COUNT) {
+            assert_close(get_real(component, "apex.leg_angle"), stride->apex[3], 1e-12);
+        }
+        fmi2FreeInstance(component);
     }
 }
 
@@ -393,6 +423,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_arrive_and_the_grid_does_not_matter),
         cmocka_unit_test(a_stride_takes_the_proved_time),
+        cmocka_unit_test(a_stride_under_any_gravity_is_that_of_extended_precision),
         ON_FRESH_INSTANCE(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
         ON_FRESH_INSTANCE(a_step_taken_before_is_refused),
         ON_FRESH_INSTANCE(no_step_goes_beyond_the_stop_time),

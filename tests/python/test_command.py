@@ -18,6 +18,19 @@ from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.paper import settling
 from tdmf_slip.unit import simulation
 
+PROVED = json.loads(pathlib.Path(__file__).with_name("proved_gaits.json").read_text())["gaits"]
+
+
+def middle_of(ball):
+    """Of a decimal ball, [middle +/- radius]."""
+    return float(ball.strip("[]").split(" ")[0])
+
+
+@pytest.mark.parametrize("proved", PROVED, ids=lambda proved: f"friction {proved['friction']}")
+def test_a_gait_is_told_with_its_proved_period(command, proved):
+    gait = json.loads(command("gait", "--friction", proved["friction"], "--json")[1])
+    assert gait["period"] == pytest.approx(middle_of(proved["period"]), rel=1e-13, abs=0)
+
 
 def test_json_is_one_object_and_nothing_else(command):
     status, out, _ = command("simulate", "--strides", 2, "--friction", 0.6, "--json")

@@ -1,0 +1,33 @@
+/* Single strides from stated apices, integrated with 30 digits by a program that shares nothing with the
+ * library, tests/extended_precision/strides.py. Body mass and free length are 1, what is not stated is Table
+ * 1's. */
+#ifndef TDMF_TESTS_EXTENDED_STRIDES_H
+#define TDMF_TESTS_EXTENDED_STRIDES_H
+
+#include "proved_gaits.h"
+
+enum { EXTENDED_STRIDES = 9 };
+
+typedef struct {
+    double gravity, friction, stiffness, damping, stance_torque, kp, kd;
+    double start[TDMF_SECTION_COUNT];
+    int apex_count; /* coordinates of the apex that are known: all, or those of the centre of mass */
+    double apex[TDMF_SECTION_COUNT];
+    int event_count;
+    proved_event events[PROVED_EVENTS]; /* the last is the apex */
+} extended_stride;
+
+extern const extended_stride extended_strides[EXTENDED_STRIDES];
+
+static inline tdmf_parameters parameters_of_stride(const extended_stride *stride) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.gravity = stride->gravity;
+    parameters.leg.stiffness = stride->stiffness;
+    parameters.leg.damping = stride->damping;
+    parameters.hip.stance_torque = stride->stance_torque;
+    parameters.hip.kp = stride->kp;
+    parameters.hip.kd = stride->kd;
+    return parameters;
+}
+
+#endif
