@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { STATES = 15, INDICATORS = 15 };
+enum { STATES = 15, INDICATORS = 16 };
 
 typedef struct {
     void *(*make)(bool model_exchange, const char *guid); /* through initialization */

@@ -104,7 +104,7 @@ def program(derive, lanes):
     family = derive.series.Family(
         "oscillator",
         page(derive.functions),
-        constants="stiffness damping",
+        constants=["stiffness", "damping"],
         ramps={"pull": True},
         rates={"distance_rate": "distance"},
         noted=" ".join(QUANTITIES[2:]),
