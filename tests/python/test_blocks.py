@@ -11,6 +11,7 @@ import socket
 import subprocess
 import sys
 import time
+import types
 
 import numpy as np
 import pytest
@@ -103,6 +104,18 @@ def test_a_block_that_kills_its_workers_is_said(monkeypatch):
     with (
         pytest.raises(RunError, match="killed every worker"),
         run_blocks(die, [0, 1], workers=2) as found,
+    ):
+        list(found)
+
+
+def test_workers_that_cannot_import_a_block_are_not_waited_for(monkeypatch):
+    """They end by themselves, each as soon as it is given the block, and Dask begins no others."""
+    here_alone = types.ModuleType("here_alone")
+    monkeypatch.setitem(sys.modules, "here_alone", here_alone)
+    here_alone.Block = type("Block", (), {"__module__": "here_alone"})
+    with (
+        pytest.raises(RunError, match="every process that was started for the work has ended"),
+        run_blocks(id, [here_alone.Block(), here_alone.Block()], workers=2) as found,
     ):
         list(found)
 

@@ -18,10 +18,11 @@ SCRIPTS = ROOT / "scripts"
 DIST = ROOT / "dist"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 pytest.importorskip("ziglang", reason="NOT TESTED: releases; ./scripts/release installs what makes them")
-sys.path.insert(0, str(SCRIPTS))
 
-import merge_units  # noqa: E402
-import release_files  # noqa: E402
+with pytest.MonkeyPatch.context() as patch:  # not for longer: that folder has the package's sources, too
+    patch.syspath_prepend(SCRIPTS)
+    import merge_units
+    import release_files
 
 VERSION = release_files.version()
 PAPERS = ("RELEASE_NOTES.md", f"tdmf-slip-{VERSION}.cdx.json", "recipe.yaml", "SHA256SUMS")

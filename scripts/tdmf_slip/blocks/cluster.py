@@ -27,6 +27,17 @@ async def kill_workers(cluster: "LocalCluster") -> None:
     await asyncio.gather(*closing, return_exceptions=True)
 
 
+def has_workers(cluster: "LocalCluster | None") -> bool:
+    """Whether anybody is left to work: a worker that cannot read a block ends for good, without a word.
+
+    Of a cluster that is not ours, None, this is not known: its workers come and go.
+    """
+    from distributed import Status
+
+    ended = (Status.closing_gracefully, Status.closing, Status.closed, Status.failed)
+    return cluster is None or any(nanny.status not in ended for nanny in list(cluster.workers.values()))
+
+
 @contextlib.contextmanager
 def client_of(scheduler: str | None, workers: int) -> "Iterator[Client]":
     """A client whose end makes the scheduler forget what it has not done yet.

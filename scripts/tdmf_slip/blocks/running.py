@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..errors import InputError, RunError
 from ..terminal import interrupts
-from .cluster import client_of, kill_workers
+from .cluster import client_of, has_workers, kill_workers
 
 if TYPE_CHECKING:
-    from distributed import Future
+    from distributed import Future, LocalCluster
 
 Block = TypeVar("Block")
 Result = TypeVar("Result")
@@ -60,8 +60,8 @@ def run_blocks(
     InputError
         No scheduler answers, there are less than one worker, or both of them are given.
     RunError
-        A block killed every worker that tried it, the cluster cannot run the work, the scheduler is gone, or
-        no process can be started.
+        A block killed every worker that tried it, no worker can read the work, the cluster cannot run it, the
+        scheduler is gone, or no process can be started.
     """
     if workers is not None and (not isinstance(workers, int) or workers < 1):
         raise InputError(f"workers {workers!r}: allowed: a whole number, 1 or more")
@@ -75,7 +75,8 @@ def run_blocks(
     pending: dict[Future[Any], int] = {}
     with interrupts.held() as interrupt, client_of(scheduler, here) as client:
         try:
-            yield _as_they_come(functools.partial(client.submit, work), blocks, at_once, pending, interrupt)
+            submit = functools.partial(client.submit, work)
+            yield _as_they_come(submit, blocks, at_once, pending, interrupt, client.cluster)
         finally:
             if pending and client.cluster is not None:
                 client.cluster.sync(kill_workers, client.cluster)
@@ -87,6 +88,7 @@ def _as_they_come(
     at_once: int,
     pending: "dict[Future[Any], int]",
     interrupt: interrupts.Interrupt,
+    cluster: "LocalCluster | None" = None,
 ) -> Iterator[tuple[int, Any]]:
     """Results with the numbers of their blocks, of which so many are pending, as futures, at a time."""
     waiting = enumerate(blocks)
@@ -99,18 +101,25 @@ def _as_they_come(
             future.add_done_callback(done.put)
         if not pending:
             return
-        future = _next_done(done, interrupt)
+        future = _next_done(done, interrupt, cluster)
         result = _result(future)
         future.release()
         yield pending.pop(future), result
 
 
-def _next_done(done: "SimpleQueue[Future[Any]]", interrupt: interrupts.Interrupt) -> "Future[Any]":
+def _next_done(
+    done: "SimpleQueue[Future[Any]]", interrupt: interrupts.Interrupt, cluster: "LocalCluster | None"
+) -> "Future[Any]":
     """The wait is where an interrupt does no harm."""
     while True:
         interrupt.deliver()
         with contextlib.suppress(Empty):
             return done.get(timeout=LOOKING_UP)
+        if not has_workers(cluster):
+            raise RunError(
+                "every process that was started for the work has ended, and blocks are left: it could not "
+                "import what they are made of, as it says above, or was ended from outside"
+            )
 
 
 def _result(future: "Future[Any]") -> Any:
