@@ -72,7 +72,7 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
     case TDMF_NO_PROGRESS:
         return "no step, however short, has a finite result";
     default:
-        return "an input, its rate, the tolerance or the time asked for is out of range";
+        return "the state, an input, its rate, the tolerance or the time asked for is out of range";
     }
 }
 

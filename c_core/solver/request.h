@@ -30,12 +30,21 @@ static inline bool tdmf_is_sound_solver(const tdmf_solver *solver) {
            (solver->log == NULL || solver->log->count >= 0);
 }
 
+static inline bool tdmf_is_finite_state(const double state[TDMF_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        if (!isfinite(state[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* A mode that a run may be in: a loaded foot is driven or coasts, any other is retracted or placed. The word
  * ends within its array. */
 static inline bool tdmf_is_sound_motion(const tdmf_motion *motion) {
     const tdmf_mode *mode = &motion->mode;
     const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
-    return tdmf_is_mode(mode) && stance == tdmf_is_loaded(mode) &&
+    return tdmf_is_mode(mode) && stance == tdmf_is_loaded(mode) && tdmf_is_finite_state(motion->state) &&
            memchr(motion->record.open.word, '\0', TDMF_WORD_CAPACITY) != NULL;
 }
 

@@ -103,6 +103,19 @@ static void no_solver_runs_in_a_mode_that_there_is_not(void **state) {
     }
 }
 
+static void no_solver_runs_from_a_state_that_is_not_finite(void **state) {
+    (void)state;
+    const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
+    const double not_finite[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < count; ++i) {
+        for (int which = 0; which < 3 * TDMF_STATE_COUNT; ++which) {
+            scene scene = standing_at_apex();
+            scene.motion.state[which / 3] = not_finite[which % 3];
+            assert_refused(runs[i], &scene);
+        }
+    }
+}
+
 static void contact_and_phase_have_to_go_together(void **state) {
     (void)state;
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
@@ -471,6 +484,7 @@ static void in_place_gives_the_same(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_solver_runs_in_a_mode_that_there_is_not),
+        cmocka_unit_test(no_solver_runs_from_a_state_that_is_not_finite),
         cmocka_unit_test(contact_and_phase_have_to_go_together),
         cmocka_unit_test(the_automaton_takes_nothing_in_a_mode_that_there_is_not),
         cmocka_unit_test(solvers_refuse_null),

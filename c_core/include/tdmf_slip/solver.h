@@ -67,8 +67,9 @@ tdmf_solver tdmf_solver_default(void);
  * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
  * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are a tolerance out of
  * range, inputs that are or will be, rates that are not finite, a rate other than 0 of an input that changes
- * at events only, a time before the present one or not a number, a contact or phase that there is not or that
- * do not go together, a log that counts less than 0, and any pointer that is NULL but `rates`. */
+ * at events only, a time before the present one or not a number, a state that is not finite, a contact or
+ * phase that there is not or that do not go together, a log that counts less than 0, and any pointer that is
+ * NULL but `rates`. */
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion);
 
