@@ -44,9 +44,10 @@ KINDS = {
 
 
 def version():
-    """The version, which CMakeLists.txt has."""
-    found = re.search(r"project\(tdmf_slip VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text("utf-8"))
-    return found[1]
+    """The version, whose numbers stand in the library's header."""
+    header = (ROOT / "c_core" / "include" / "tdmf_slip" / "version.h").read_text("utf-8")
+    found = re.findall(r"^#define TDMF_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", header, re.MULTILINE)
+    return ".".join(found)
 
 
 def section_of(changelog, wanted):

@@ -112,7 +112,7 @@ def _without_preprocessor(text: str) -> str:
 
     text = COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
     text = FOR_CPLUSPLUS.sub(blank, text)
-    return re.sub(r"^#.*$", "", text, flags=re.MULTILINE)
+    return re.sub(r"^#.*$|^TDMF_API ", "", text, flags=re.MULTILINE)
 
 
 def _in_order(folder: Path) -> list[str]:
@@ -148,9 +148,10 @@ def headers(folder: Path = FOLDER) -> dict[str, Header]:
         starts = _starts(_without_preprocessor(text))
         assert len(nodes) == len(starts), f"{name}: {len(nodes)} declarations begin on {len(starts)} lines"
         header.entries += [_entry(node, line, comments) for node, line in zip(nodes, starts, strict=True)]
-        for macro in MACRO.finditer(text):
-            line = text.count("\n", 0, macro.start()) + 1
-            header.entries.append(Entry("macro", macro[1], macro[1], line, comments.of(line)))
+        macros = {macro[1]: macro.start() for macro in reversed([*MACRO.finditer(text)])}  # the first of each
+        for macro, start in macros.items():
+            line = text.count("\n", 0, start) + 1
+            header.entries.append(Entry("macro", macro, macro, line, comments.of(line)))
         header.entries.sort(key=lambda entry: entry.line)
     return found
 

@@ -18,6 +18,7 @@ def run(*command, **options):
 
 SAYS = {
     "strides": "+0-, speed 1.033110, cost of transport 0.364532",
+    "strides_shared": "+0-, speed 1.033110, cost of transport 0.364532",
     "own_solver": "10 strides, the last +0-0+ at speed 1.061742, t = 247.64449",
     "runner": "tdmf_slip 0.1.0: touchdown at t = 11.90",
     "rough_ground": "stride,x,ground,word,speed",

@@ -6,6 +6,7 @@
 #ifndef TDMF_SLIP_AUTOMATON_H
 #define TDMF_SLIP_AUTOMATON_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
@@ -56,33 +57,33 @@ typedef struct {
  * stays if the load is about to grow. On refusal (the foot or body below the ground, the leg too short, a
  * value out of range or not finite) nothing is written.
  */
-tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                        double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+TDMF_API tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                                 double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
 /* Values of all guards in the present mode; of a fallen run all are 1, of a contact or phase that there is
  * not none is a number. */
-void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                 const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
+TDMF_API void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                          const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
 
 /* The guard by which tdmf_resolve takes its next transition; TDMF_GUARD_COUNT where none is due, or where
  * contact or phase are none. */
-tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                          const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                   const double state[TDMF_STATE_COUNT]);
 
 /* Takes every transition that is due at `time`, in order, until no guard is at or below zero. Goes by the
  * guards' values alone, so it may be called at any time: at an event, after an input jumped, or with nothing
  * due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported. Of a
  * contact or phase that there is not, nothing is changed, and it is reported as unresolved. */
-tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+TDMF_API tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
+                                      double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
 /* Transitions at one instant, at the most. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
 /* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is
  * about to change an input in mid-stance calls it first, so that a rising force is not lost. */
-void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
-                  tdmf_mode *mode, tdmf_record *record);
+TDMF_API void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs,
+                           const double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,8 @@
 #ifndef TDMF_SLIP_CLASSIC_SLIP_H
 #define TDMF_SLIP_CLASSIC_SLIP_H
 
+#include "tdmf_slip/export.h"
+
 #include <stdbool.h>
 
 #ifdef __cplusplus
@@ -34,7 +36,7 @@ typedef struct {
 } tdmf_classic;
 
 /* The paper's: 80 kg, 20 kN/m, 1 m, 9.81 m/s2, 40 degrees, no slip, level ground, no retraction. */
-tdmf_classic tdmf_classic_default(void);
+TDMF_API tdmf_classic tdmf_classic_default(void);
 
 /* How a step ends. */
 typedef enum {
@@ -83,18 +85,19 @@ typedef struct {
 } tdmf_classic_step;
 
 /* The return map at an energy, J, from an apex of a height, m, running forwards; both above the ground. */
-tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energy, double height);
+TDMF_API tdmf_classic_step tdmf_classic_return_map(const tdmf_classic *slip, double energy, double height);
 
 /* The mass a time after touchdown of such a step, while the foot holds. */
-tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, double height, double time);
+TDMF_API tdmf_classic_point tdmf_classic_stance(const tdmf_classic *slip, double energy, double height,
+                                                double time);
 
 /* The height of a gait near a guess that repeats its height at one energy, by Newton's method; false if none
  * is found. On level ground it is periodic. */
-bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double guess, double *height);
+TDMF_API bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double guess, double *height);
 
 /* The touchdown angle and height at which two gaits meet and vanish (slope 1), by Newton's method from a
  * guess in *angle and *height; false if it isn't found. */
-bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, double *height);
+TDMF_API bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, double *height);
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,7 @@
 #ifndef TDMF_SLIP_ENERGY_H
 #define TDMF_SLIP_ENERGY_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -19,8 +20,8 @@ typedef struct {
 } tdmf_energy;
 
 /* Of body, foot and spring; inputs and mode tell the spring's rest length. */
-tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                   const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const tdmf_inputs *inputs,
+                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,7 @@
 #ifndef TDMF_SLIP_ENSEMBLE_H
 #define TDMF_SLIP_ENSEMBLE_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/reduced_map.h"
 
 #include <stdint.h>
@@ -26,7 +27,7 @@ typedef enum {
 /* What may be set anew at each apex: a setting that is tunable, or an input, by its name in the unit, as in
  * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name, or it is NULL.
  */
-int tdmf_setting_of(const char *name);
+TDMF_API int tdmf_setting_of(const char *name);
 
 /* As many there are: no law sets more. */
 enum { TDMF_SETTING_LIMIT = 17 };
@@ -52,8 +53,8 @@ typedef struct {
 } tdmf_affine_law;
 
 /* What the law sets, `count` values, for one of the strides of a runner: the first stride is 0. */
-void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_SECTION_COUNT], uint64_t runner,
-                          uint32_t stride, double *values);
+TDMF_API void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_SECTION_COUNT],
+                                   uint64_t runner, uint32_t stride, double *values);
 
 /* When a runner counts as settled: its apex is this near that of a gait, over the section's scales; and how
  * many strides it has to get there. The distance has to be so small that the gait attracts everything within
@@ -167,24 +168,25 @@ typedef struct {
  * setting is none, is set twice or gets a value out of its range, heights of rough ground are set, a number
  * of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their array NULL, a
  * place to go on from has a contact or phase that there is not, or there is no memory. */
-bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work);
+TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
+                                tdmf_ensemble_work *work);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
-double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
+TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
 
 /* The noise of a sensor, over its standard deviation, in a coordinate of the section: as the step, and drawn
  * by itself where the seeds are the same. */
-double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate);
+TDMF_API double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate);
 
 /* Whether this processor and this build have them. */
-bool tdmf_has_instructions(tdmf_instructions instructions);
+TDMF_API bool tdmf_has_instructions(tdmf_instructions instructions);
 
 /* Which TDMF_BEST_INSTRUCTIONS stands for. */
-tdmf_instructions tdmf_best_instructions(void);
+TDMF_API tdmf_instructions tdmf_best_instructions(void);
 
 /* "avx512" and so on. */
-const char *tdmf_instructions_name(tdmf_instructions instructions);
+TDMF_API const char *tdmf_instructions_name(tdmf_instructions instructions);
 
 #ifdef __cplusplus
 }

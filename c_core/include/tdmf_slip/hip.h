@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_HIP_H
 #define TDMF_SLIP_HIP_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -11,8 +12,8 @@ extern "C" {
 
 /* Total torque on the hip, N.m: the law of the present mode plus the external torque; in graze the torque
  * that holds the foot at the ground; not a number where contact or phase are none. */
-double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                       const double state[TDMF_STATE_COUNT]);
+TDMF_API double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_IMPACT_H
 #define TDMF_SLIP_IMPACT_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -12,8 +13,8 @@ extern "C" {
 /* Applies the impact map (4)-(6) to a state whose foot moves into the ground: the foot is put onto the line
  * and stops across it; along it, it sticks inside the friction cone and is slowed outside; the body's
  * velocity is unchanged. Returns the energy lost, J, never negative. */
-double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                   double state[TDMF_STATE_COUNT]);
+TDMF_API double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs,
+                            const tdmf_ground_line *ground, double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,8 @@
 #ifndef TDMF_SLIP_INSTANT_H
 #define TDMF_SLIP_INSTANT_H
 
+#include "tdmf_slip/export.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -14,10 +16,10 @@ typedef struct {
 } tdmf_instant;
 
 /* The instant `elapsed`, s, after another. */
-tdmf_instant tdmf_instant_after(tdmf_instant from, double elapsed);
+TDMF_API tdmf_instant tdmf_instant_after(tdmf_instant from, double elapsed);
 
 /* s, negative where `to` is before `from`. */
-double tdmf_time_between(tdmf_instant from, tdmf_instant to);
+TDMF_API double tdmf_time_between(tdmf_instant from, tdmf_instant to);
 
 #ifdef __cplusplus
 }

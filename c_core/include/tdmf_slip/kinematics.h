@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_KINEMATICS_H
 #define TDMF_SLIP_KINEMATICS_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -15,16 +16,17 @@ typedef struct {
 } tdmf_point;
 
 /* The body: x_m = x - r sin(theta), y_m = y + r cos(theta)  (7), and its rate. */
-tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
 
 /* The centre of mass of body and foot. */
-tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
 
 /* The foot in the axes of the ground: x along the line from its pivot, y away from it. */
-tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground,
+                                          const double state[TDMF_STATE_COUNT]);
 
 /* Gives the foot a new velocity and keeps the body's: the leg's rates take up the difference. */
-void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

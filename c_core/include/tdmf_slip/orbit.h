@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_ORBIT_H
 #define TDMF_SLIP_ORBIT_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/return_map.h"
 
 #ifdef __cplusplus
@@ -28,20 +29,20 @@ typedef struct {
 } tdmf_orbit;
 
 /* Scales of the section's coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m). */
-void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COUNT]);
+TDMF_API void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COUNT]);
 
 /* Newton's method on the return map from a guess, down to rounding: where the solver's tolerance is as tight,
  * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
  * Iterations that make the error larger are shortened. `change` may be NULL: the stride is differentiated by
  * the section only. With any other NULL there is no start. */
-tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                           const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
+TDMF_API tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                    const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
 
 /* Runs up to `strides` strides from an apex and writes the last one into `section`; less where one does not
  * close: tdmf_find_orbit from there says why. Returns how many were run: 0 for a number below 0, or with
  * NULL. */
-int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
-                double section[TDMF_SECTION_COUNT]);
+TDMF_API int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+                         double section[TDMF_SECTION_COUNT]);
 
 #ifdef __cplusplus
 }

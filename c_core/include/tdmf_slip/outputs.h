@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_OUTPUTS_H
 #define TDMF_SLIP_OUTPUTS_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
@@ -48,8 +49,9 @@ typedef struct {
 } tdmf_outputs;
 
 /* The outputs at an instant of a run that tdmf_start has begun. */
-tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                             const tdmf_record *record, const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, const tdmf_record *record,
+                                      const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

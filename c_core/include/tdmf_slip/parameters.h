@@ -2,6 +2,8 @@
 #ifndef TDMF_SLIP_PARAMETERS_H
 #define TDMF_SLIP_PARAMETERS_H
 
+#include "tdmf_slip/export.h"
+
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -93,23 +95,23 @@ typedef struct {
 } tdmf_refusal;
 
 /* The defaults: Table 1 and friction 0.6, which make a periodic gait from tdmf_default_state. */
-tdmf_parameters tdmf_default_parameters(void);
-tdmf_inputs tdmf_default_inputs(void);
+TDMF_API tdmf_parameters tdmf_default_parameters(void);
+TDMF_API tdmf_inputs tdmf_default_inputs(void);
 
 /* Checks every parameter (NaN and infinity included) and derives the constants. On refusal `model` is left
  * as it was and the first offending parameter is returned. */
-tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters);
+TDMF_API tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters);
 
 /* Checks friction and external torque against their ranges. */
-tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
+TDMF_API tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 
 /* Inputs some time after those given; friction stops at 0. `rates` may be NULL: the inputs are held. */
-tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
+TDMF_API tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
 
 /* Writes "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m" into `text`, with a
  * decimal point whatever the locale. Always terminated; returns `text`, which may be NULL: then nothing is
  * written. */
-char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
+TDMF_API char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity);
 
 #ifdef __cplusplus
 }

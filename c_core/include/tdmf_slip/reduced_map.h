@@ -7,6 +7,7 @@
 #ifndef TDMF_SLIP_REDUCED_MAP_H
 #define TDMF_SLIP_REDUCED_MAP_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/orbit.h"
 
 #ifdef __cplusplus
@@ -22,8 +23,8 @@ enum {
 
 /* The state at an apex above x = 0, with the leg at rest where it is to be placed, integrals zero. `apex` may
  * lie within `state`. */
-void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]);
 
 /* What becomes of a stride. */
 typedef enum {
@@ -69,9 +70,10 @@ typedef struct {
  * `derivatives`, also how it changes with the two coordinates and along `count` directions of parameters and
  * inputs; they are not finite on the edge of an event, see tdmf_native_stride_varied. A log in the solver has
  * touchdown, the events of the stance, and the apex. */
-tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
-                                     const tdmf_change *changes, int count);
+TDMF_API tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model,
+                                              const tdmf_inputs *inputs,
+                                              const double apex[TDMF_REDUCED_COUNT], double until,
+                                              bool derivatives, const tdmf_change *changes, int count);
 
 /* A fixed point of the map, with its stride. Values other than the outcome are those of the last apex tried.
  */
@@ -84,16 +86,17 @@ typedef struct {
 } tdmf_reduced_orbit;
 
 /* Newton's method from a guess, as tdmf_find_orbit; `count` changes, which may be 0. */
-tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
-                                           const tdmf_inputs *inputs, const double guess[TDMF_REDUCED_COUNT],
-                                           const tdmf_change *changes, int count);
+TDMF_API tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
+                                                    const tdmf_inputs *inputs,
+                                                    const double guess[TDMF_REDUCED_COUNT],
+                                                    const tdmf_change *changes, int count);
 
 /* Runs up to `strides` strides, as tdmf_settle. */
-int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
-                        double apex[TDMF_REDUCED_COUNT]);
+TDMF_API int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                 int strides, double apex[TDMF_REDUCED_COUNT]);
 
 /* An outcome in words. */
-const char *tdmf_reduced_outcome_text(tdmf_reduced_outcome outcome);
+TDMF_API const char *tdmf_reduced_outcome_text(tdmf_reduced_outcome outcome);
 
 #ifdef __cplusplus
 }

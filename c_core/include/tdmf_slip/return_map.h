@@ -2,6 +2,7 @@
 #ifndef TDMF_SLIP_RETURN_MAP_H
 #define TDMF_SLIP_RETURN_MAP_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/solver.h"
 #include "tdmf_slip/variation.h"
 
@@ -24,8 +25,8 @@ enum {
 
 /* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. `section`
  * may lie within `state`. */
-void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
+                                 const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
 /* How the next apex and the stride change with something. */
 typedef struct {
@@ -55,9 +56,9 @@ typedef struct {
  * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES, or less
  * than 0, are refused, as are NULL for any pointer but `changes` where there are none, and a tolerance out of
  * range. */
-tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                            const tdmf_change *changes, int count);
+TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                                     const tdmf_change *changes, int count);
 
 #ifdef __cplusplus
 }

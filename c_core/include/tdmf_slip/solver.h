@@ -8,6 +8,7 @@
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/variation.h"
@@ -61,7 +62,7 @@ typedef enum {
 } tdmf_outcome;
 
 /* Default tolerance 1e-11, and limits that no call over a thousand strides reaches. */
-tdmf_solver tdmf_solver_default(void);
+TDMF_API tdmf_solver tdmf_solver_default(void);
 
 /* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time,
  * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
@@ -70,8 +71,9 @@ tdmf_solver tdmf_solver_default(void);
  * at events only, a time before the present one or not a number, a state that is not finite, a contact or
  * phase that there is not or that do not go together, a log that counts less than 0, and any pointer that is
  * NULL but `rates`. */
-tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_inputs *rates, double until, tdmf_motion *motion);
+TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model,
+                                          const tdmf_inputs *inputs, const tdmf_inputs *rates, double until,
+                                          tdmf_motion *motion);
 
 /* How the integration of a stride ended. */
 typedef struct {
@@ -80,8 +82,8 @@ typedef struct {
 } tdmf_stride_outcome;
 
 /* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
-tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
-                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion);
+TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
+                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion);
 
 /* As many directions are integrated at once: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
@@ -92,20 +94,21 @@ enum { TDMF_VARIATION_LIMIT = 8 };
  * that tdmf_native_advance refuses. A run on the edge of an event, where a crossing is a touch, two events
  * come together or a foot stands without friction, has no variation, nor has one by gains that are both zero
  * under the clamp; values are then not finite. Steps are bounded by the variations, too. */
-tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
-                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                              const tdmf_change *changes, tdmf_variation *variations,
-                                              int count);
+TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
+                                                       const tdmf_inputs *inputs, double until,
+                                                       tdmf_motion *motion, const tdmf_change *changes,
+                                                       tdmf_variation *variations, int count);
 
 /* As tdmf_native_stride_varied, for one stance: of a foot in contact, until it is loaded no more, which
  * `closed` tells. From lift-off on, the hip does no work in the variations, and the state is that of
  * lift-off. Without variations `count` is 0. */
-tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
-                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                       const tdmf_change *changes, tdmf_variation *variations, int count);
+TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
+                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                                const tdmf_change *changes, tdmf_variation *variations,
+                                                int count);
 
 /* An outcome in words. */
-const char *tdmf_outcome_text(tdmf_outcome outcome);
+TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,8 @@
 #ifndef TDMF_SLIP_STATE_H
 #define TDMF_SLIP_STATE_H
 
+#include "tdmf_slip/export.h"
+
 #include <stdbool.h>
 
 #ifdef __cplusplus
@@ -75,16 +77,16 @@ typedef struct {
 } tdmf_mode;
 
 /* The line y = height + x tan(slope). */
-tdmf_ground_line tdmf_ground_line_of(double height, double slope);
+TDMF_API tdmf_ground_line tdmf_ground_line_of(double height, double slope);
 
 /* Foot on the ground and loaded: stick or slip. */
-bool tdmf_in_contact(const tdmf_mode *mode);
+TDMF_API bool tdmf_in_contact(const tdmf_mode *mode);
 
 /* +1 or -1 in a slip mode, the sign of the foot's velocity; 0 in every other mode. */
-double tdmf_slip_sign(const tdmf_mode *mode);
+TDMF_API double tdmf_slip_sign(const tdmf_mode *mode);
 
 /* The apex of the default parameters' periodic gait at friction 0.6, integrals zero. */
-void tdmf_default_state(double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_default_state(double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
 
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/energy.h"
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/kinematics.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
@@ -30,9 +31,9 @@ typedef struct {
 /* The derivative along a direction in parameters and inputs (`change`), state and theta_LO (`variation`), in
  * the present mode, clamp held. Either may be NULL: it does not change. Where the hip's power is zero,
  * positive work counts as not changing; a frozen run has derivatives that do not change. */
-tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                const double state[TDMF_STATE_COUNT], const tdmf_change *change,
-                                const tdmf_variation *variation);
+TDMF_API tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                                         const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                         const tdmf_change *change, const tdmf_variation *variation);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include "tdmf_slip/classic_slip.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
+#include "tdmf_slip/eigenvalues.h"
 #include "tdmf_slip/energy.h"
 #include "tdmf_slip/extension.h"
 #include "tdmf_slip/hip.h"

@@ -5,6 +5,7 @@
 #ifndef TDMF_SLIP_VARIATION_H
 #define TDMF_SLIP_VARIATION_H
 
+#include "tdmf_slip/export.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
 
@@ -44,11 +45,11 @@ typedef struct {
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
  * the foot moved down at the ground, and with work of the leg where that thrusts at once. `mode` is the one
  * that it found, and is held. `change` may be NULL: parameters and inputs do not change. */
-tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const double given[TDMF_STATE_COUNT],
-                                     const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                                     const tdmf_change *change,
-                                     const double state_direction[TDMF_STATE_COUNT]);
+TDMF_API tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
+                                              const double given[TDMF_STATE_COUNT],
+                                              const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+                                              const tdmf_change *change,
+                                              const double state_direction[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

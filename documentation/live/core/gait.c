@@ -60,7 +60,7 @@ static bool find_eigenvalues(const tdmf_orbit *orbit) {
             jacobian[TDMF_SECTION_COUNT * row + column] = orbit->stride.by_section[column].apex[row];
         }
     }
-    return live_eigenvalues(TDMF_SECTION_COUNT, jacobian, eigenvalues);
+    return tdmf_eigenvalues(TDMF_SECTION_COUNT, jacobian, eigenvalues);
 }
 
 static void write_stride(const tdmf_return *stride) {

@@ -40,10 +40,4 @@ typedef struct {
 extern const live_output live_outputs[];
 extern const int live_output_count;
 
-/* ---- eigenvalues --------------------------------------------------------------------------------------- */
-
-/* Eigenvalues of a real square matrix of up to TDMF_SECTION_COUNT rows, by rows; pairs of real and imaginary
- * part, the largest first. False where they do not converge or the matrix is not finite. */
-bool live_eigenvalues(int count, const double *matrix, double *pairs);
-
 #endif

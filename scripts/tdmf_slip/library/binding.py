@@ -64,7 +64,7 @@ def _declarations() -> str:
             read(included)
         text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.DOTALL)
         text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-        texts.append(re.sub(r"^#.*$", "", text, flags=re.MULTILINE))
+        texts.append(re.sub(r"^#.*$|^TDMF_API ", "", text, flags=re.MULTILINE))
 
     for name in ROOTS:
         read(name)
