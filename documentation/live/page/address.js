@@ -1,13 +1,15 @@
 /**
  * The page's state in its address: what differs from the defaults, by the unit's names, as in
  * `live.html#ground.friction=0.3&hip.touchdown_angle=45deg`; a number without a unit is in the variable's own.
+ * `race=10` is no value of the runner: it races against one at friction 10.
  * @module
  */
 import { displayUnits, starts, values } from "./data.js";
-import { shownValue } from "./numbers.js";
+import { numberIn, shownValue } from "./numbers.js";
 
 const known = new Map([...values, ...starts].map((variable) => [variable.name, variable]));
 
+const RACE = "race";
 const DIGITS = [4, 7, 12, 14, 15, 16, 17]; // tried in turn
 
 /** The defaults of parameters, inputs and start, by name. */
@@ -33,19 +35,23 @@ function written({ unit }, value) {
 /**
  * What an address says.
  * @param {string} hash With or without its #.
- * @returns {{state: Object<string, number>, problem: string}} The defaults, and over them what was understood.
+ * @returns {{state: Object<string, number>, rival: ?number, problem: string}} The defaults, and over them what was
+ *   understood; the friction of a rival, or null.
  */
 export function stateOf(hash) {
   const state = defaults();
   const problems = [];
+  let rival = null;
   for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
-    if (!known.has(name)) {
+    if (name === RACE) {
+      rival = numberIn(text);
+    } else if (!known.has(name)) {
       problems.push(`${name} in the address is no parameter, input or start value of the runner.`);
     } else {
       state[name] = read(known.get(name), text);
     }
   }
-  return { state, problem: problems.join(" ") };
+  return { state, rival, problem: problems.join(" ") };
 }
 
 /** Whether an address says anything of a runner; else it names a place on the page. */
@@ -60,10 +66,13 @@ export function differences(state) {
     .map((variable) => `${variable.name} = ${shownValue(variable, state[variable.name])}`);
 }
 
-/** The address of a state. */
-export function hashOf(state) {
+/** The address of a state, and of a race against another friction. */
+export function hashOf(state, rival = null) {
   const pairs = [...known.values()]
     .filter(({ name, start }) => state[name] !== start)
     .map((variable) => `${variable.name}=${written(variable, state[variable.name])}`);
+  if (rival !== null) {
+    pairs.push(`${RACE}=${rival}`);
+  }
   return pairs.length ? `#${pairs.join("&")}` : "";
 }

@@ -3,7 +3,7 @@
  * @module
  */
 import { presets, starts, values } from "./data.js";
-import { printed, shownUnit, shownValue } from "./numbers.js";
+import { numberIn, printed, shownUnit, shownValue } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
 const SPAN = 10; // of a slider about a positive value, each way
@@ -62,8 +62,7 @@ class Control {
 
   /** What the field says, in the variable's unit; not a number where it says none. */
   fieldValue() {
-    const text = this.field.value.trim().replace("−", "-").replace(",", ".");
-    return text === "" ? NaN : Number(text) / this.shown.factor;
+    return numberIn(this.field.value) / this.shown.factor;
   }
 
   sliderValue() {

@@ -57,3 +57,23 @@ export function findGait(core, given, apex) {
   core.accept(given);
   return { gait: followed, message: followed ? "" : message };
 }
+
+/**
+ * A runner at the apex of its gait, its centre of mass at x = 0.
+ * @returns {{start: ?Object<string, number>, message: string}} All its values by name, or why there is no such start.
+ */
+export function startOnGait(core, given, apex) {
+  if (!core.accept(given)) {
+    return { start: null, message: core.message };
+  }
+  const { gait, message } = findGait(core, given, apex);
+  if (!gait) {
+    return { start: null, message };
+  }
+  const state = core.stateAt(gait.apex);
+  core.start(state);
+  const shift = core.read()["com.x"];
+  state["foot.x"] -= shift;
+  state["foot.y"] -= shift * Math.tan(given["ground.slope"]);
+  return { start: { ...given, ...state }, message: "" };
+}

@@ -14,6 +14,7 @@ import { $, announce, report } from "./messages.js";
 import { isStart, PageState } from "./page_state.js";
 import { Player } from "./player.js";
 import { Pool, processors } from "./pool.js";
+import { Race } from "./race.js";
 import { apexText } from "./region.js";
 import { Run } from "./run.js";
 import { RunView } from "./run_view.js";
@@ -24,12 +25,18 @@ const SEARCHERS = 2; // a gait's curve goes both ways
 const TOLD = 2000; // ms for which a button says what it did
 
 class Page {
-  constructor(core, pools) {
+  /**
+   * @param {Core[]} cores The runner's, and its rival's.
+   * @param {Object<string, Pool>} pools
+   */
+  constructor([core, other], pools) {
     this.core = core;
     this.run = new Run(core);
     this.state = new PageState(core, this.run);
-    this.view = new RunView(this.run, this.state);
+    this.race = new Race(other, pools.painters, this);
+    this.view = new RunView(this.run, this.state, this.race);
     this.player = new Player(this.run, this.view);
+    this.player.followers.push(() => this.race.follow());
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
     const setFriction = (friction) => this.set(FRICTION, friction);
     this.video = new Video($("video"), $("scene"), this.run, this.player);
@@ -44,7 +51,7 @@ class Page {
       play: () => this.playOrPause(),
       step: () => this.player.step(),
       "step-event": () => this.player.stepToEvent(),
-      restart: () => this.begin(this.state.values),
+      restart: () => this.restart(),
       find: () => this.gaits.find(),
       "start-gait": () => this.startFrom(this.gaits.search.gait.apex),
       paint: () => this.gaits.paint(),
@@ -83,15 +90,20 @@ class Page {
   playOrPause() {
     const wanted = this.run.over || !this.player.running;
     if (this.run.over) {
-      this.begin(this.state.values);
+      this.restart();
     }
     this.player.play(wanted);
   }
 
   readAddress() {
-    report(this.state.readAddress());
+    this.race.end();
+    const { problem, rival } = this.state.readAddress();
+    report(problem);
     this.controls.centre(this.state.values);
     this.afterStart();
+    if (rival !== null) {
+      this.race.start(this.state.values[FRICTION], rival);
+    }
   }
 
   /** One control's value; where it is refused, the page says so and goes on as before. */
@@ -101,8 +113,10 @@ class Page {
     if (problem) {
       this.controls.refuse(name);
     } else if (isStart(name)) {
+      this.race.end();
       this.afterStart();
     } else {
+      this.race.change(this.state.values);
       this.gaits.changed(name);
       this.showValues();
     }
@@ -130,8 +144,22 @@ class Page {
     announce(`Preset: ${preset.name}`);
   }
 
-  /** A new run. */
+  /** The same run, or race, from its start. */
+  restart() {
+    if (this.race.on) {
+      this.race.again();
+    } else {
+      this.begin(this.state.values);
+    }
+  }
+
+  /** A new run of one runner. */
   begin(state) {
+    this.race.end();
+    this.beginRun(state);
+  }
+
+  beginRun(state) {
     const problem = this.state.startAt(state);
     report(problem);
     if (!problem) {
@@ -177,7 +205,7 @@ class Page {
 try {
   const module = await compileCore();
   const pools = { painters: new Pool(module, processors()), searchers: new Pool(module, SEARCHERS) };
-  const page = new Page(await Core.of(module), pools);
+  const page = new Page([await Core.of(module), await Core.of(module)], pools);
   await Promise.all([pools.painters.ready, pools.searchers.ready]);
   /** For scripts and tests: the page as it is. */
   globalThis.tdmfSlip = page;

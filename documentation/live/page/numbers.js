@@ -23,6 +23,12 @@ export function digits(value, count = 4) {
 /** A value, or 0 where it is noise on its scale. */
 export const withoutNoise = (value, scale) => (Math.abs(value) < NOISE * scale ? 0 : value);
 
+/** What a person typed as a number; not a number where it is none. */
+export function numberIn(text) {
+  const typed = text.trim().replace(MINUS, "-").replace(",", ".");
+  return typed === "" ? NaN : Number(typed);
+}
+
 /** As digits, but of the same width from one moment to the next. */
 export function steady(value, decimals) {
   return Number.isFinite(value) ? value.toFixed(decimals).replaceAll("-", MINUS) : "–";

@@ -12,21 +12,26 @@ const ADDRESS_DELAY = 250; // ms; browsers limit how often an address may change
 
 export const isStart = (name) => STARTS.has(name);
 
+/** Of a runner's values those at which it starts. */
+export const startOf = (state) => Object.fromEntries(Object.entries(state).filter(([name]) => isStart(name)));
+
 export class PageState {
   constructor(core, run) {
     this.core = core;
     this.run = run;
     this.values = defaults();
+    /** The friction of who races against the runner; null where nobody does. */
+    this.rival = null;
   }
 
-  /** @returns {string} Why the state of the address, or a part of it, was refused; else empty. */
+  /** @returns {{problem: string, rival: ?number}} Why the state of the address, or a part of it, was refused; else empty. */
   readAddress() {
-    const { state, problem } = stateOf(location.hash);
+    const { state, rival, problem } = stateOf(location.hash);
     const refused = this.startAt(state);
     if (refused && !this.run.outputs) {
       this.startAt(defaults());
     }
-    return [problem, refused].filter(Boolean).join(" ");
+    return { problem: [problem, refused].filter(Boolean).join(" "), rival };
   }
 
   /** A new run with these values; where they are refused, all stays as it is, and a sentence is given. */
@@ -79,6 +84,6 @@ export class PageState {
 
   /** The address of this state. */
   get link() {
-    return location.pathname + location.search + hashOf(this.values);
+    return location.pathname + location.search + hashOf(this.values, this.rival);
   }
 }

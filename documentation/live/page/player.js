@@ -22,8 +22,8 @@ export class Player {
     $("pace").addEventListener("change", () => this.tellPace());
     /** What the last frames took of the main thread, ms. */
     this.frames = [];
-    /** Is told after every frame of the run. */
-    this.advanced = () => {};
+    /** Are told whenever the run has advanced. */
+    this.followers = [];
   }
 
   play(running) {
@@ -58,6 +58,7 @@ export class Player {
   advanceBy(advance) {
     this.play(false);
     advance();
+    this.followers.forEach((follow) => follow());
     this.noticeEnd();
     this.view.draw();
     if (!this.run.over) {
@@ -104,8 +105,8 @@ export class Player {
     } else {
       this.run.advance(duration);
     }
+    this.followers.forEach((follow) => follow());
     this.noticeEnd();
-    this.advanced();
   }
 
   noticeEnd() {

@@ -17,8 +17,10 @@ export class RunView {
   /**
    * @param {Run} run
    * @param {PageState} state Whose values tell of the runner's size and of the ground.
+   * @param {Race} race
    */
-  constructor(run, state) {
+  constructor(run, state, race) {
+    this.race = race;
     this.run = run;
     this.state = state;
     const redraw = () => run.outputs && this.draw();
@@ -45,7 +47,7 @@ export class RunView {
   }
 
   drawPictures() {
-    this.scene.draw(this.run, this.state.values);
+    this.scene.draw(this.run, this.state.values, this.race.on ? this.race : null);
     this.plots.draw(this.run, this.state.values);
     this.now.show(this.run);
   }

@@ -6,14 +6,17 @@ import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
 import { niceTicks } from "./axes.js";
 import { digits } from "./numbers.js";
+import { DISTANCE } from "./race.js";
+import { disc, spring } from "./shapes.js";
 import { palette } from "./theme.js";
 
-const COILS = 7;
 const BODY = 0.1; // radii, over l0
 const FOOT = 0.05;
 const SHOWN_HEIGHT = 1.95; // of the leg's length, at the least
 const FORCE_LENGTH = 0.75; // of the leg's length, for the stride's peak
 const CONE_LENGTH = 0.5;
+const BESIDE = 2.2; // legs of ground beside runners that race
+const RIVAL = 0.55; // opacity
 const TICK_EVERY = 120; // px of the ruler, about
 const TICK_DIGITS = 7;
 
@@ -26,34 +29,83 @@ export class Scene {
   /**
    * @param {Run} run
    * @param {Object<string, number>} given Parameters and inputs, by name.
+   * @param {?Race} race Whose rival runs behind the runner, both in sight.
    */
-  draw(run, given) {
+  draw(run, given, race = null) {
     const context = this.surface.clear();
     const { outputs } = run;
-    const length = given["leg.free_length"];
-    const { width, height } = this.surface;
-    const centre = outputs["com.x"];
     this.line = run.core.ground;
-    const base = this.groundAt(centre);
-    const wanted = Math.max(SHOWN_HEIGHT, (1.2 * (outputs["com.y"] - base)) / length);
-    this.tall += (wanted - this.tall) * (wanted > this.tall ? 1 : 0.02);
-    const scale = (0.86 * height) / (this.tall * length);
-    this.place = {
-      length,
-      scale,
-      x: (x) => 0.5 * width + (x - centre) * scale,
-      y: (y) => 0.9 * height - (y - base) * scale,
-    };
+    this.aim(race ? [run, race.rival] : [run], given["leg.free_length"]);
     context.fillStyle = palette().card;
-    context.fillRect(0, 0, width, height);
-    this.ground(context, centre);
+    context.fillRect(0, 0, this.surface.width, this.surface.height);
+    this.ground(context);
     this.nextGround(context, given);
+    if (race) {
+      this.lanes(context, race);
+    }
     this.trail(context, run.trail);
     this.tracks(context, run.tracks);
     if (!run.fallen) {
       this.forces(context, run, given);
     }
     this.runner(context, outputs, run.fallen);
+    if (race) {
+      this.label(context, outputs, `μ ${digits(race.frictions[0])}`, palette().ink);
+    }
+  }
+
+  /** So that the runners are in sight: where they are in pixels. The picture grows at once, and shrinks slowly. */
+  aim(runs, length) {
+    const { width, height } = this.surface;
+    const along = runs.map(({ outputs }) => outputs["com.x"]);
+    const ends = [Math.min(...along), Math.max(...along)];
+    const centre = 0.5 * (ends[0] + ends[1]);
+    const base = this.groundAt(centre);
+    const high = Math.max(...runs.map(({ outputs }) => outputs["com.y"])) - base;
+    const wide = ends[1] - ends[0] + BESIDE * length;
+    const wanted = Math.max(SHOWN_HEIGHT, (1.2 * high) / length, (0.86 * height * wide) / (width * length));
+    this.tall += (wanted - this.tall) * (wanted > this.tall ? 1 : 0.02);
+    const scale = (0.86 * height) / (this.tall * length);
+    this.place = {
+      length,
+      scale,
+      centre,
+      x: (x) => 0.5 * width + (x - centre) * scale,
+      y: (y) => 0.9 * height - (y - base) * scale,
+    };
+  }
+
+  /** The start, the finish, and the rival, faint. */
+  lanes(context, { rival, frictions }) {
+    const { soft, sans } = palette();
+    const { x, y, length } = this.place;
+    context.strokeStyle = context.fillStyle = soft;
+    context.font = `12px ${sans}`;
+    context.textAlign = "center";
+    for (const [at, text] of [[0, "start"], [DISTANCE * length, "finish"]]) {
+      const foot = y(this.groundAt(at));
+      context.lineWidth = 2;
+      context.beginPath();
+      context.moveTo(x(at), foot);
+      context.lineTo(x(at), 0.3 * foot);
+      context.stroke();
+      context.fillText(text, x(at), 0.3 * foot - 16);
+    }
+    context.globalAlpha = RIVAL;
+    this.tracks(context, rival.tracks);
+    this.runner(context, rival.outputs, rival.fallen);
+    context.globalAlpha = 1;
+    this.label(context, rival.outputs, `μ ${digits(frictions[1])}`, soft);
+  }
+
+  /** Whose body it is. */
+  label(context, outputs, text, colour) {
+    const { x, y, scale, length } = this.place;
+    context.font = `600 13px ${palette().sans}`;
+    context.fillStyle = colour;
+    context.textAlign = "center";
+    context.textBaseline = "bottom";
+    context.fillText(text, x(outputs["body.x"]), y(outputs["body.y"]) - 2 * BODY * length * scale);
   }
 
   /** Height of the ground, m. */
@@ -61,10 +113,10 @@ export class Scene {
     return this.line.height + x * Math.tan(this.line.slope);
   }
 
-  ground(context, centre) {
+  ground(context) {
     const { ink, ground, soft, sans } = palette();
     const { width, height } = this.surface;
-    const { x, y, scale } = this.place;
+    const { x, y, scale, centre } = this.place;
     const half = (0.5 * width) / scale;
     const ends = [centre - half, centre + half];
     context.fillStyle = ground;
@@ -235,33 +287,4 @@ export class Scene {
     const mode = modeName(outputs["contact.mode"]);
     disc(context, foot, FOOT * length * scale, fallen || mode === "flight" ? card : palette()[mode], ink);
   }
-}
-
-function disc(context, [x, y], radius, fill, rim) {
-  context.fillStyle = fill;
-  context.strokeStyle = rim;
-  context.lineWidth = 1.6;
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
-}
-
-/** A coil spring, straight at both ends. */
-function spring(context, from, to, width, colour) {
-  const along = [to[0] - from[0], to[1] - from[1]];
-  const size = Math.max(Math.hypot(...along), 1e-9);
-  const across = [(-along[1] / size) * width, (along[0] / size) * width];
-  const count = 24 * COILS;
-  context.strokeStyle = colour;
-  context.lineWidth = 2;
-  context.lineJoin = "round";
-  context.beginPath();
-  for (let i = 0; i <= count; ++i) {
-    const share = i / count;
-    const winding = Math.max(0, Math.min(1, (share - 0.2) / 0.55));
-    const side = Math.sin(2 * Math.PI * COILS * winding);
-    context.lineTo(from[0] + share * along[0] + side * across[0], from[1] + share * along[1] + side * across[1]);
-  }
-  context.stroke();
 }

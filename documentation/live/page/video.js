@@ -16,7 +16,7 @@ export class Video {
    */
   constructor(button, canvas, run, player) {
     Object.assign(this, { button, canvas, run, player, recorder: null });
-    player.advanced = () => this.follow();
+    player.followers.push(() => this.follow());
   }
 
   /** Records from now on, as fast as the run is shown; the run goes on. */

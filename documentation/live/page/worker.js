@@ -1,10 +1,10 @@
 /**
- * A worker with a core of its own, for what would hold up the page: the search for a gait, its continuation along the
+ * A worker with a core of its own, for what would hold up the page: the search for gaits, their continuation along the
  * friction, and blocks of a region of attraction.
  * @module
  */
 import { Core } from "./core.js";
-import { findGait, followFriction, FRICTION } from "./gaits.js";
+import { findGait, followFriction, FRICTION, startOnGait } from "./gaits.js";
 
 let core = null;
 
@@ -28,6 +28,9 @@ const jobs = {
   },
   find({ given, apex }) {
     return findGait(core, given, apex);
+  },
+  lane({ given, apex }) {
+    return startOnGait(core, given, apex);
   },
   follow({ given, from, gait }) {
     const found = followFriction(core, given, from, gait, given[FRICTION]);

@@ -1,0 +1,98 @@
+"""Two runners race on the live page: on request, by address, at a desk and on a phone."""
+
+import live_pages
+import pytest
+import tdmf_slip
+from live_pages import find, open_page, press, sentence, wait
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.select import Select
+
+built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
+
+BOTH = "[tdmfSlip.run, tdmfSlip.race.rival]"
+TOLD = "document.getElementById('race-told').value"
+
+
+def to_the_line(driver):
+    wait(driver, "tdmfSlip.race.winner !== null", "the winner")
+    assert not driver.execute_script("return tdmfSlip.player.running")
+
+
+def speeds(driver):
+    return driver.execute_script(f"return {BOTH}.map(({{ outputs }}) => outputs['stride.speed'])")
+
+
+def begin(driver, own, rival):
+    for ident, text in (("race-own", own), ("race-rival", rival)):
+        find(driver, ident).clear()
+        find(driver, ident).send_keys(text)
+    press(driver, "race")
+
+
+def test_a_race_on_request(page):
+    press(page, "race")
+    wait(page, "tdmfSlip.race.on", "the start")
+    begun = page.execute_script(f"return {BOTH}.map((run) => run.trail.length ? 0 : run.outputs['com.x'])")
+    assert begun == pytest.approx([0, 0], abs=1e-12)
+    to_the_line(page)
+    gaits = [tdmf_slip.find_orbit({"ground.friction": friction}) for friction in (0.43, 10)]
+    assert speeds(page) == pytest.approx([gait.stride["speed"] for gait in gaits], rel=1e-7)
+    times = page.execute_script(f"return {BOTH}.map((run) => run.time)")
+    assert times[0] == pytest.approx(times[1], rel=1e-12)
+    lead = page.execute_script("return tdmfSlip.race.margin")
+    behind = 100 * (1 - gaits[1].stride["speed"] / gaits[0].stride["speed"])
+    assert page.execute_script("return tdmfSlip.race.winner") == 0 and lead == pytest.approx(behind, abs=0.5)
+    assert page.execute_script(f"return {TOLD}") == f"Friction 0.43 wins over 100 m by {lead:.3g} m."
+    seen = page.execute_script(
+        f"const {{ place, surface }} = tdmfSlip.view.scene; return [surface.width, ...{BOTH}.map((run) =>"
+        "place.x(run.outputs['com.x']))]"
+    )
+    assert 0 < seen[2] < seen[1] < seen[0]
+
+
+def test_a_race_by_address_is_shared_by_address(driver, address):
+    open_page(driver, address, "#ground.friction=0.43&race=10")
+    wait(driver, "tdmfSlip.race.on", "the start")
+    assert driver.execute_script("return tdmfSlip.race.frictions") == [0.43, 10]
+    wait(driver, "location.hash.includes('leg.angle') && location.hash.includes('race=10')", "the address")
+    Select(find(driver, "preset")).select_by_index(3)
+    assert not driver.execute_script("return tdmfSlip.race.on")
+    wait(driver, "!location.hash.includes('race')", "the address without a race")
+
+
+def test_restart_begins_the_race_anew_and_its_button_ends_it(page):
+    begin(page, "0.3", "1,2")
+    wait(page, "tdmfSlip.race.on && tdmfSlip.race.rival.time > 3", "the race")
+    times = page.execute_script(
+        "document.getElementById('restart').click(); tdmfSlip.player.play(false);"
+        f"return {BOTH}.map((run) => run.time)"
+    )
+    assert times == [0, 0] and page.execute_script("return tdmfSlip.race.frictions") == [0.3, 1.2]
+    press(page, "race")
+    assert find(page, "race").text == "Race" and not page.execute_script("return tdmfSlip.race.on")
+
+
+def test_what_is_changed_in_a_race_is_changed_for_both(page):
+    press(page, "race")
+    wait(page, "tdmfSlip.race.on", "the start")
+    page.execute_script("tdmfSlip.player.play(false); tdmfSlip.set('body.external_fx', -0.001)")
+    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(5))")
+    works = page.execute_script(f"return {BOTH}.map(({{ outputs }}) => outputs['energy.external_work'])")
+    shifts = page.execute_script(f"return {BOTH}.map(({{ outputs }}) => outputs['body.x'])")
+    assert len(works) == 2 and all(work < -1e-3 * 4 for work in works) and min(shifts) > 4
+    page.execute_script("tdmfSlip.set('ground.friction', 0.3)")
+    assert page.execute_script("return tdmfSlip.race.frictions") == [0.3, 10]
+    page.execute_script("tdmfSlip.set('leg.angle', 1)")
+    assert not page.execute_script("return tdmfSlip.race.on")
+
+
+def test_a_race_without_a_gait_says_why_and_all_goes_on(page):
+    begin(page, "0.43", "-1")
+    wait(page, "!document.getElementById('problem').hidden", "the reason")
+    assert sentence(page).startswith("No race: ground.friction = -1 is refused")
+    assert page.execute_script("return tdmfSlip.race.on") is False
+    assert page.execute_script("return tdmfSlip.player.running")
+    find(page, "race-rival").send_keys(Keys.BACKSPACE * 2, "10")
+    press(page, "race")
+    wait(page, "tdmfSlip.race.on", "the start")
+    assert sentence(page) == ""
