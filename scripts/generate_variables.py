@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Make everything that follows from modelDescription.xml, the one table of variables.
 
+    generate_variables.py declarations SOURCE OUTPUT    C: parameters, inputs, states, guards
     generate_variables.py ranges      SOURCE OUTPUT     C: ranges and starts for the core
     generate_variables.py variables   SOURCE OUTPUT     C: value references and storage for the unit
     generate_variables.py guid        SOURCE OUTPUT --version V     C: the units' guid
@@ -105,6 +106,82 @@ def generated(lines):
     """A C file of these lines, marked as generated."""
     return "\n".join(
         ["/* Generated from modelDescription.xml by scripts/generate_variables.py. */", *lines, ""]
+    )
+
+
+# ---- the core's declarations ---------------------------------------------------------------------------
+
+
+def told(variable):
+    """A comment of C: what the table says of a variable, and its unit."""
+    unit = "" if variable.unit in (None, "1") else f", {variable.unit}"
+    return f"/* {variable.element.get('description').removeprefix('Event indicator: ')}{unit} */"
+
+
+def struct(name, variables):
+    """A struct with a member of each variable's path."""
+    groups = {}
+    for variable in variables:
+        groups.setdefault(variable.group, []).append(variable)
+    lines = ["typedef struct {"]
+    for group, members in groups.items():
+        names = [variable.name.partition(".")[2] for variable in members]
+        inner = [f"double {n or group}; {told(v)}" for n, v in zip(names, members, strict=True)]
+        lines += inner if names == [""] else ["struct {", *inner, f"}} {group};"]
+    return "\n".join([*lines, f"}} {name};"])
+
+
+def enumeration(variables, count, name=""):
+    """An enumeration of variables."""
+    lines = [f"{v.constant}, {told(v)}" for v in variables]
+    opening, end = ("typedef enum {", f"}} {name};") if name else ("enum {", "};")
+    return "\n".join([opening, *lines, count, end])
+
+
+DECLARATIONS = """\
+/* Parameters, inputs, states and guards, derived from modelDescription.xml by
+ * scripts/generate_variables.py: edit that, not this. */
+#ifndef TDMF_SLIP_VARIABLES_H
+#define TDMF_SLIP_VARIABLES_H
+
+/* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
+ * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
+{parameters}
+
+/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
+ * Discrete inputs, such as ground.height, ground.slope and control, change at events only: their rates are
+ * always zero. */
+{inputs}
+
+/* How many inputs there are, and how many settings: inputs and tunable parameters. */
+enum {{ TDMF_INPUT_COUNT = {input_count}, TDMF_SETTING_LIMIT = {setting_count} }};
+
+/* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
+ * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. The leg's angle is
+ * never wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle is known to 1e-12,
+ * and so is all that follows from it. */
+{states}
+
+/* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
+ * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
+ * so that it is positive even where its event has just happened; that of the apex, which cannot happen
+ * twice, a thousandth of it. */
+{guards}
+
+#endif
+"""
+
+
+def declarations(table):
+    """The public header tdmf_slip/variables.h, before it is formatted."""
+    inputs, parameters = table.inputs(), table.core_parameters()
+    return DECLARATIONS.format(
+        parameters=struct("tdmf_parameters", parameters),
+        inputs=struct("tdmf_inputs", inputs),
+        input_count=len(inputs),
+        setting_count=len(inputs) + sum(v.variability == "tunable" for v in parameters),
+        states=enumeration(table.states, "TDMF_STATE_COUNT"),
+        guards=enumeration(table.guards, "TDMF_GUARD_COUNT", "tdmf_guard"),
     )
 
 
@@ -533,6 +610,7 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     makers = {
+        "declarations": lambda: declarations(table),
         "ranges": lambda: ranges(table),
         "variables": lambda: variables(table),
         "guid": lambda: guid(arguments.source, arguments.version),

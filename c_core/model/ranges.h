@@ -19,8 +19,6 @@ typedef struct {
     size_t offset;   /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 
-enum { TDMF_INPUT_COUNT = 10 };
-
 extern const tdmf_range tdmf_parameter_ranges[];
 extern const size_t tdmf_parameter_count;
 extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];

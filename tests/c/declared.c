@@ -3,34 +3,61 @@
 #include "ranges.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* In powers of length, mass and stiffness; rows as in the tables of ranges. */
+/* In powers of length, mass and stiffness. */
 typedef struct {
     double length, mass, stiffness;
 } dimension;
 
-enum {
-    BODY_MASS = 0,
-    LEG_STIFFNESS = 2,
-    FREE_LENGTH = 4,
-    STANCE_TORQUE = 7,
-    RETRACTION_RATE = 12,
-    THRUST = 14
-};
-enum { GROUND_HEIGHT = 2 };
+/* Of a second: sqrt(m/k). */
+static const dimension si_kg = {0, 1, 0}, si_m = {1, 0, 0}, si_s = {0, 0.5, -0.5}, si_rad = {0, 0, 0};
+static const dimension si_newton = {1, 0, 1}, si_joule = {2, 0, 1}, no_unit = {0, 0, 0};
 
-static const dimension of_parameter[] = {{0, 1, 0},     {0, 1, 0},  {0, 0, 1},      {0, 0.5, 0.5}, {1, 0, 0},
-                                         {1, 0, 0},     {1, -1, 1}, {2, 0, 1},      {0, 0, 0},     {2, 0, 1},
-                                         {2, 0.5, 0.5}, {0, 0, 0},  {0, -0.5, 0.5}, {0, 0, 0},     {1, 0, 0}};
-static const dimension of_input[] = {{0, 0, 0}, {2, 0, 1}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0},
-                                     {1, 0, 1}, {1, 0, 1}, {0, 0, 0}, {2, 0, 1}, {1, 0, 0}};
-static const dimension of_state[] = {{1, 0, 0},      {1, 0, 0},      {1, 0, 0},      {0, 0, 0},
-                                     {1, -0.5, 0.5}, {1, -0.5, 0.5}, {1, -0.5, 0.5}, {0, -0.5, 0.5}};
+static void unknown(const char *what, const char *name) {
+    fprintf(stderr, "no %s of the tests: %s\n", what, name);
+    abort();
+}
 
-static double unit_of(const tdmf_parameters *p, const dimension *d) {
-    return pow(p->leg.free_length, d->length) * pow(p->body.mass, d->mass) *
-           pow(p->leg.stiffness, d->stiffness);
+static dimension dimension_of_factor(const char *name, size_t length) {
+    static const struct {
+        const char *name;
+        const dimension *dimension;
+    } known[] = {{"kg", &si_kg},  {"m", &si_m},      {"s", &si_s},    {"rad", &si_rad},
+                 {"1", &no_unit}, {"N", &si_newton}, {"J", &si_joule}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i) {
+        if (strlen(known[i].name) == length && memcmp(known[i].name, name, length) == 0) {
+            return *known[i].dimension;
+        }
+    }
+    unknown("unit", name);
+    return no_unit;
+}
+
+/* Of a unit as the table writes it: factors with a dot between, a bar before what divides, exponents behind.
+ */
+static dimension dimension_of(const char *unit) {
+    dimension product = no_unit;
+    double sign = 1.0;
+    while (unit != NULL && *unit != '\0') {
+        const size_t length = strcspn(unit, "./23");
+        const dimension factor = dimension_of_factor(unit, length);
+        unit += length;
+        const double power = sign * (*unit == '2' || *unit == '3' ? *unit++ - '0' : 1);
+        product.length += power * factor.length;
+        product.mass += power * factor.mass;
+        product.stiffness += power * factor.stiffness;
+        sign = *unit == '/' ? -1.0 : sign;
+        unit += *unit != '\0';
+    }
+    return product;
+}
+
+static double unit_of(const tdmf_parameters *p, const tdmf_range *range) {
+    const dimension d = dimension_of(range->unit);
+    return pow(p->leg.free_length, d.length) * pow(p->body.mass, d.mass) * pow(p->leg.stiffness, d.stiffness);
 }
 
 static double clip(const tdmf_range *range, double value) {
@@ -61,64 +88,94 @@ static double value_of(random_source *source, const tdmf_range *range, double un
                 sign * typical_value(range) * unit * pow(10.0, random_uniform(source, -decades, decades)));
 }
 
+static const tdmf_range *row_at(const tdmf_range *rows, size_t count, size_t offset) {
+    for (size_t i = 0; i < count; ++i) {
+        if (rows[i].offset == offset) {
+            return &rows[i];
+        }
+    }
+    unknown("row", "an offset");
+    return NULL;
+}
+
+static const tdmf_range *parameter_at(size_t offset) {
+    return row_at(tdmf_parameter_ranges, tdmf_parameter_count, offset);
+}
+
+static const tdmf_range *input_at(size_t offset) {
+    return row_at(tdmf_input_ranges, TDMF_INPUT_COUNT, offset);
+}
+
 tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parameters, double decades) {
+    const tdmf_range *friction = input_at(offsetof(tdmf_inputs, ground.friction));
+    const tdmf_range *external_torque = input_at(offsetof(tdmf_inputs, hip.external_torque));
     tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction =
-        value_of(source, &tdmf_input_ranges[0], unit_of(parameters, &of_input[0]), decades);
+    inputs.ground.friction = value_of(source, friction, unit_of(parameters, friction), decades);
     /* Its start is 0: a share of the stance torque. */
-    const tdmf_range torque = tdmf_parameter_ranges[STANCE_TORQUE];
+    const tdmf_range *torque = parameter_at(offsetof(tdmf_parameters, hip.stance_torque));
     inputs.hip.external_torque =
         random_chance(source, 0.5)
             ? 0.0
-            : clip(&tdmf_input_ranges[1],
-                   0.1 * value_of(source, &torque, unit_of(parameters, &of_input[1]), decades));
+            : clip(external_torque, 0.1 * value_of(source, torque, unit_of(parameters, torque), decades));
     return inputs;
 }
 
 void declared_further_inputs(random_source *source, const tdmf_parameters *parameters, double decades,
                              tdmf_inputs *inputs) {
-    for (int i = GROUND_HEIGHT; i < TDMF_INPUT_COUNT; ++i) {
+    for (int i = 0; i < TDMF_INPUT_COUNT; ++i) {
         const tdmf_range *range = &tdmf_input_ranges[i];
-        if (random_chance(source, 0.5)) {
-            const double value = value_of(source, range, unit_of(parameters, &of_input[i]), decades);
+        const bool is_further = range->offset != offsetof(tdmf_inputs, ground.friction) &&
+                                range->offset != offsetof(tdmf_inputs, hip.external_torque);
+        if (is_further && random_chance(source, 0.5)) {
+            const double value = value_of(source, range, unit_of(parameters, range), decades);
             *(double *)((char *)inputs + range->offset) = random_chance(source, 0.5) ? -value : value;
         }
     }
 }
 
-static double *place_of(tdmf_parameters *parameters, int row) {
-    return (double *)((char *)parameters + tdmf_parameter_ranges[row].offset);
+static double *place_of(tdmf_parameters *parameters, const tdmf_range *range) {
+    return (double *)((char *)parameters + range->offset);
+}
+
+/* What is drawn first: the units of all others are made of it. */
+static bool is_scale(const tdmf_range *range) {
+    return range->offset == offsetof(tdmf_parameters, body.mass) ||
+           range->offset == offsetof(tdmf_parameters, leg.stiffness) ||
+           range->offset == offsetof(tdmf_parameters, leg.free_length);
 }
 
 declared_runner declared_random(random_source *source, double decades) {
-    static const int scales[] = {BODY_MASS, LEG_STIFFNESS, FREE_LENGTH};
     declared_runner runner = {.parameters = tdmf_default_parameters()};
-    for (int i = 0; i < 3; ++i) {
-        *place_of(&runner.parameters, scales[i]) = anywhere(source, &tdmf_parameter_ranges[scales[i]]);
+    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        if (is_scale(range)) {
+            *place_of(&runner.parameters, range) = anywhere(source, range);
+        }
     }
-    for (int i = 0; i < (int)tdmf_parameter_count; ++i) {
-        if (i != scales[0] && i != scales[1] && i != scales[2]) {
-            *place_of(&runner.parameters, i) = value_of(
-                source, &tdmf_parameter_ranges[i], unit_of(&runner.parameters, &of_parameter[i]), decades);
+    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        if (!is_scale(range)) {
+            *place_of(&runner.parameters, range) =
+                value_of(source, range, unit_of(&runner.parameters, range), decades);
         }
     }
     runner.parameters.leg.min_length =
         fmin(runner.parameters.leg.min_length, runner.parameters.leg.free_length);
     runner.inputs = declared_inputs(source, &runner.parameters, decades);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        const double range = i == TDMF_LEG_ANGLE || i == TDMF_LEG_LENGTH ? fmin(decades, 0.3) : decades;
-        runner.state[i] = value_of(source, &tdmf_state_ranges[i], unit_of(&runner.parameters, &of_state[i]),
-                                   isinf(decades) ? decades : range);
+        const tdmf_range *range = &tdmf_state_ranges[i];
+        const double near = i == TDMF_LEG_ANGLE || i == TDMF_LEG_LENGTH ? fmin(decades, 0.3) : decades;
+        runner.state[i] =
+            value_of(source, range, unit_of(&runner.parameters, range), isinf(decades) ? decades : near);
     }
     return runner;
 }
 
 void declared_settings(random_source *source, double decades, tdmf_parameters *parameters) {
-    for (int i = STANCE_TORQUE; i <= THRUST; ++i) {
-        const bool is_setting = i <= RETRACTION_RATE || i == THRUST;
-        if (is_setting && random_chance(source, 0.5)) {
-            *place_of(parameters, i) =
-                value_of(source, &tdmf_parameter_ranges[i], unit_of(parameters, &of_parameter[i]), decades);
+    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        if (range->at_events && random_chance(source, 0.5)) {
+            *place_of(parameters, range) = value_of(source, range, unit_of(parameters, range), decades);
         }
     }
 }

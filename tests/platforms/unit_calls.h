@@ -3,10 +3,12 @@
 #ifndef TDMF_TESTS_UNIT_CALLS_H
 #define TDMF_TESTS_UNIT_CALLS_H
 
+#include "tdmf_slip/variables.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { STATES = 15, INDICATORS = 16 };
+enum { STATES = TDMF_STATE_COUNT, INDICATORS = TDMF_GUARD_COUNT };
 
 typedef struct {
     void *(*make)(bool model_exchange, const char *guid); /* through initialization */

@@ -5,7 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-CORE = Path(__file__).parents[2] / "c_core"
+ROOT = Path(__file__).parents[2]
+CORE = ROOT / "c_core"
 
 
 def words(text):
@@ -21,3 +22,12 @@ def test_derived_files_are_those_of_the_equations(tmp_path):
     assert made.keys() == committed.keys()
     for name, text in made.items():
         assert words(text) == words(committed[name]), f"c_core/derived/{name}: run scripts/derive_equations"
+
+
+def test_declarations_are_those_of_the_table_of_variables(tmp_path):
+    made = tmp_path / "variables.h"
+    script = ROOT / "scripts/generate_variables.py"
+    subprocess.run([sys.executable, script, "declarations", ROOT / "modelDescription.xml", made], check=True)
+    committed = (CORE / "include/tdmf_slip/variables.h").read_text()
+    assert words(made.read_text()) == words(committed), "run scripts/derive_equations"
+    assert len(words(committed)) > 500

@@ -15,31 +15,6 @@
 extern "C" {
 #endif
 
-/* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
- * guard that the present mode does not watch is 1. Every armed guard carries a margin of TDMF_GUARD_MARGIN,
- * so that it is positive even where its event has just happened; that of the apex, which cannot happen twice,
- * a thousandth of it. */
-typedef enum {
-    TDMF_GUARD_TOUCHDOWN,            /* flight: the foot's height */
-    TDMF_GUARD_APEX,                 /* off the ground, retract: the centre of mass's vertical velocity */
-    TDMF_GUARD_CLAMP,                /* flight, retract: the clamp of (12) opens or closes */
-    TDMF_GUARD_LIFT_OFF,             /* contact: ground force across the ground */
-    TDMF_GUARD_SLIP_ONSET_POSITIVE,  /* stick: distance to the edge of the friction cone, beyond which
-                                        the foot slips forward */
-    TDMF_GUARD_SLIP_ONSET_NEGATIVE,  /* stick: the same, backward */
-    TDMF_GUARD_SLIP_VELOCITY_ZERO,   /* slip: speed in the direction of slip */
-    TDMF_GUARD_MID_STANCE,           /* on the ground, until mid-stance: the leg angle */
-    TDMF_GUARD_FORCE_PEAK,           /* contact: rate of the ground force across the ground, up or down */
-    TDMF_GUARD_GRAZE_TO_CONTACT,     /* graze: the stance law loads the foot */
-    TDMF_GUARD_GRAZE_TO_FLIGHT,      /* graze: the flight law lifts it */
-    TDMF_GUARD_BODY_DOWN,            /* fall: the body's height */
-    TDMF_GUARD_LEG_TOO_SHORT,        /* fall: leg length above its minimum */
-    TDMF_GUARD_GREATEST_COMPRESSION, /* contact: the leg shortens before its thrust */
-    TDMF_GUARD_NEW_GROUND,           /* flight: a foot below the ground that was set last */
-    TDMF_GUARD_VERTICAL_FORCE_PEAK,  /* contact on a slope: rate of the vertical ground force, up or down */
-    TDMF_GUARD_COUNT
-} tdmf_guard;
-
 /* In units of the guarded quantity's scale: far above rounding, far below any solver's tolerance. */
 #define TDMF_GUARD_MARGIN 1e-13
 

@@ -26,11 +26,8 @@ typedef enum {
 
 /* What may be set anew at each apex: a setting that is tunable, or an input, by its name in the unit, as in
  * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name, or it is NULL.
- */
+ * There are TDMF_SETTING_LIMIT of them: no law sets more. */
 TDMF_API int tdmf_setting_of(const char *name);
-
-/* As many there are: no law sets more. */
-enum { TDMF_SETTING_LIMIT = 17 };
 
 /* A law from apex to settings, which a controller has that measures each apex and sets what the stride from
  * there is made with:

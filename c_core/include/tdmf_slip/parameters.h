@@ -3,66 +3,13 @@
 #define TDMF_SLIP_PARAMETERS_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/variables.h"
 
 #include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
- * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
-typedef struct {
-    struct {
-        double mass; /* m, kg */
-    } body;
-    struct {
-        double mass; /* m_f, kg */
-    } foot;
-    struct {
-        double stiffness;   /* k, N/m */
-        double damping;     /* c, N.s/m */
-        double free_length; /* l0, m */
-        double min_length;  /* m; a shorter leg ends the run as a fall */
-        double thrust;      /* epsilon, m, that the leg gains from its greatest compression on */
-    } leg;
-    double gravity; /* g, m/s2 */
-    struct {
-        double static_friction_ratio; /* rho, of the friction of a foot at rest to that of one that slips */
-    } ground;
-    struct {
-        double stance_torque;        /* tau0, N.m; its negative drives the first half of a stance */
-        double touchdown_angle;      /* theta0, rad */
-        double kp;                   /* N.m/rad */
-        double kd;                   /* N.m.s/rad */
-        double liftoff_angle_factor; /* eta */
-        double retraction_rate;      /* omega, rad/s, at which the touchdown angle is left in place */
-    } hip;
-} tdmf_parameters;
-
-/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
- * ground.height, ground.slope and control change at events only: their rates are always zero. */
-typedef struct {
-    struct {
-        double friction; /* mu, of stick and slip alike */
-        double height;   /* h, m: the ground is the line y = h + x tan(slope) */
-        double slope;    /* sigma, rad */
-    } ground;
-    struct {
-        double external_torque; /* N.m, added to the hip law */
-    } hip;
-    struct {
-        double extension; /* m, added to the leg's rest length */
-    } leg;
-    struct {
-        double external_fx, external_fy; /* N */
-    } body;
-    struct {                    /* added to the settings of these names */
-        double touchdown_angle; /* rad */
-        double stance_torque;   /* N.m */
-        double thrust;          /* m; the sum is never below 0 */
-    } control;
-} tdmf_inputs;
 
 /* The units of a scaled runner; every tolerance of the model is a pure number times one of these. */
 typedef struct {

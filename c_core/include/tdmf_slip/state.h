@@ -3,6 +3,7 @@
 #define TDMF_SLIP_STATE_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/variables.h"
 
 #include <stdbool.h>
 
@@ -10,30 +11,8 @@
 extern "C" {
 #endif
 
-/* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
- * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. */
-enum {
-    TDMF_FOOT_X,             /* x, m */
-    TDMF_FOOT_Y,             /* y, m */
-    TDMF_LEG_LENGTH,         /* r, m */
-    TDMF_LEG_ANGLE,          /* theta, rad from the vertical, positive with the foot ahead of the body; never
-                                wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle
-                                is known to 1e-12, and so is all that follows from it */
-    TDMF_FOOT_VX,            /* m/s */
-    TDMF_FOOT_VY,            /* m/s */
-    TDMF_LEG_LENGTH_RATE,    /* m/s */
-    TDMF_LEG_ANGLE_RATE,     /* rad/s */
-    TDMF_HIP_WORK,           /* integral of the total torque's power, J */
-    TDMF_HIP_PLACE_TIME,     /* in place, the time since it began, s */
-    TDMF_LEG_WORK,           /* work of the leg by changes of its rest length, J */
-    TDMF_ENERGY_DAMPER_LOSS, /* J */
-    TDMF_ENERGY_FRICTION_LOSS, /* J */
-    TDMF_HIP_POSITIVE_WORK,    /* the part of the hip's work done at positive power, J */
-    TDMF_ENERGY_EXTERNAL_WORK, /* work of the external forces on the body, J */
-    TDMF_STATE_COUNT,
-    TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK,
-    TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 /* what first variations have of them */
-};
+/* How many elements of the state are mechanical, which are its first, and how many a first variation has. */
+enum { TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK, TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 };
 
 /* What the foot does; the numbers are those of `contact.mode` in the unit. */
 typedef enum {
