@@ -8,6 +8,7 @@
 #include "ground_line.h"
 #include "kinematics.h"
 #include "request.h"
+#include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
 
@@ -88,6 +89,8 @@ typedef struct {
     tdmf_change changes[TDMF_VARIATION_LIMIT];
     tdmf_variation variations[TDMF_VARIATION_LIMIT];
     double start_com_x[TDMF_VARIATION_LIMIT];
+    double foot_clearance[TDMF_VARIATION_LIMIT]; /* at the start */
+    tdmf_measured measured;
 } bundle;
 
 static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_ground_line *ground,
@@ -109,16 +112,22 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_grou
         bundle->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
                                                                 &d.model, variation->state)
                                      .x;
+        bundle->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
+                                    tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
+                                                               variation->state[TDMF_FOOT_X]);
     }
 }
 
-static void close_bundle(const bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
+static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
                          const tdmf_motion *motion, tdmf_return *result) {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < bundle->count; ++i) {
-        const tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
-                                                     bundle->start_com_x[i], &bundle->variations[i]);
+        tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
+                                               bundle->start_com_x[i], &bundle->variations[i]);
+        tdmf_vary_measured_end(&bundle->measured, i, model, inputs, motion, derivatives, change.period);
+        change.foot_clearance = bundle->foot_clearance[i];
+        change.measures = bundle->measured.varied[i];
         if (i < TDMF_SECTION_COUNT) {
             result->by_section[i] = change;
         } else {
@@ -146,13 +155,14 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
         return result;
     }
     result.began_at_apex = true;
+    bundle.count = 0;
     if (derivatives) {
         open_bundle(&bundle, model, &motion.mode.ground, motion.state, changes, count);
-        result.outcome = tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
-                                                   bundle.variations, bundle.count);
-    } else {
-        result.outcome = tdmf_native_stride(solver, model, inputs, until, &motion);
     }
+    result.foot_clearance =
+        motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
+    result.outcome = tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.changes,
+                                                 bundle.variations, bundle.count, &bundle.measured);
     if (!result.outcome.closed) {
         return result;
     }
@@ -166,6 +176,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
     result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
     result.impact_loss = motion.record.impact_loss;
+    result.measures = bundle.measured.so_far;
     if (derivatives) {
         close_bundle(&bundle, model, inputs, &motion, &result);
     }

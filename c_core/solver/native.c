@@ -14,6 +14,7 @@
 #include "saltation.h"
 #include "step.h"
 #include "step_limits.h"
+#include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
 #include "turns.h"
@@ -49,6 +50,7 @@ typedef struct {
     tdmf_variation *variations;
     tdmf_mode_variation varied_mode[TDMF_VARIATION_LIMIT];
     motion_variation tangents[TDMF_VARIATION_LIMIT]; /* along the step */
+    tdmf_measured *measured;                         /* of the stride, or NULL */
 } integration;
 
 tdmf_solver tdmf_solver_default(void) {
@@ -246,7 +248,8 @@ static bool take_transitions(integration *integration, tdmf_guard reached) {
  * tolerance, and the model finds it above its margin still. */
 static bool resolve(integration *integration, const tdmf_step_end *end) {
     tdmf_motion *motion = integration->motion;
-    if (integration->count == 0 && !integration->solver->log) {
+    tdmf_met_event met[TDMF_VARIATION_LIMIT];
+    if (integration->count == 0 && !integration->solver->log && !integration->measured) {
         return take_transitions(integration, end->reached);
     }
     const tdmf_side before = side_of(integration);
@@ -257,8 +260,12 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
-            tdmf_saltation(integration->model, &integration->inputs, end->guard, &before, &after,
-                           &integration->changes[i], &integration->variations[i]);
+            tdmf_saltation_met(integration->model, &integration->inputs, end->guard, &before, &after,
+                               &integration->changes[i], &integration->variations[i], &met[i]);
+    }
+    if (integration->measured) {
+        tdmf_measure_event(integration->measured, integration->model, &integration->inputs, &before, &after,
+                           integration->changes, met, integration->count);
     }
     return true;
 }
@@ -346,6 +353,18 @@ static void expand_variations(integration *integration) {
     }
 }
 
+static void measure_step(integration *integration, const tdmf_step_end *end) {
+    const tdmf_measured_step along = {.step = &integration->step,
+                                      .motion = integration->motion,
+                                      .end = end->time,
+                                      .ends_at_event = end->is_event,
+                                      .count = integration->count,
+                                      .changes = integration->changes,
+                                      .varied_mode = integration->varied_mode,
+                                      .tangents = integration->tangents};
+    tdmf_measure_step(integration->measured, &along);
+}
+
 /* What the laws make of the step is the same in a whole mode, unless they drift. */
 static void open_step(integration *integration) {
     const tdmf_mode_equations *equations = &integration->equations;
@@ -372,6 +391,10 @@ static tdmf_outcome advance_once(integration *integration) {
         return TDMF_TOO_STIFF;
     }
     expand_variations(integration);
+    if (integration->measured) {
+        const double trusted = tdmf_measures_trust(step);
+        step->size = trusted < step->size ? trusted : step->size;
+    }
     if (!(step->size > 0.0)) {
         return TDMF_NO_PROGRESS;
     }
@@ -385,6 +408,9 @@ static tdmf_outcome advance_once(integration *integration) {
     note_step(integration, end.time);
     observe_ground_force(integration, end.time);
     observe_leg(integration, end.time);
+    if (integration->measured) {
+        measure_step(integration, &end);
+    }
     integration->equations.positive_work +=
         tdmf_positive_work(step, end.time, reached.work - integration->equations.start.work);
     for (int i = 0; i < integration->count; ++i) {
@@ -418,6 +444,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->events_left = solver->event_limit;
     integration->false_crossings = 0;
     integration->count = 0;
+    integration->measured = NULL;
     integration->varies_thrust = integration->varies_push = false;
     integration->events_in_span = 0;
     /* An input may have jumped since the last call. */
@@ -505,6 +532,21 @@ tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_mo
     return begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)
                ? advance_a_stride(&integration)
                : refused;
+}
+
+tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
+                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                                const tdmf_change *changes, tdmf_variation *variations,
+                                                int count, tdmf_measured *measured) {
+    integration integration;
+    if (!begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)) {
+        return refused;
+    }
+    tdmf_measure_start(measured, model, motion, changes, variations, count);
+    integration.measured = measured;
+    const tdmf_stride_outcome outcome = advance_a_stride(&integration);
+    tdmf_measure_end(measured, motion);
+    return outcome;
 }
 
 tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,

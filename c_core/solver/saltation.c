@@ -15,6 +15,7 @@
 #include "ground_line.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground
  * at another event's time, or without meeting it; or it stands where no friction holds it. */
@@ -123,19 +124,24 @@ static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inp
     return stance;
 }
 
-tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                              const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
-                              const tdmf_variation *variation) {
+tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
+                                  const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
+                                  const tdmf_variation *variation, tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
     if (event->vary_guard == NULL || is_on_edge(inputs, impact, before, after)) {
-        return no_variation();
+        const tdmf_variation none = no_variation();
+        met->shift = NAN;
+        memcpy(met->before, none.state, sizeof met->before);
+        memcpy(met->after, none.state, sizeof met->after);
+        return none;
     }
     const tdmf_direction d = tdmf_direction_of(model, change, variation);
     const double dt = time_shift(event, model, inputs, before, &d);
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
-    const tdmf_variation met_before = varied;
+    met->shift = dt;
+    memcpy(met->before, varied.state, sizeof met->before);
     if (event->vary_reset != NULL) {
         event->vary_reset(model, inputs, &before->mode.ground, before->state, &d, varied.state);
     }
@@ -143,11 +149,19 @@ tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
+    memcpy(met->after, varied.state, sizeof met->after);
     tdmf_direction d_before = d, d_after = d;
-    d_before.state = met_before.state;
-    d_after.state = varied.state;
+    d_before.state = met->before;
+    d_after.state = met->after;
     varied.stance = vary_stance(model, inputs, before, after, dt, &d_before, &d_after, varied.stance);
     shift_along(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;
+}
+
+tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
+                              const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
+                              const tdmf_variation *variation) {
+    tdmf_met_event met;
+    return tdmf_saltation_met(model, inputs, guard, before, after, change, variation, &met);
 }

@@ -13,9 +13,21 @@ typedef struct {
     double peak_force, peak_vertical_force; /* of the stride under way, so far */
 } tdmf_side;
 
+/* How a variation meets an event. */
+typedef struct {
+    double shift; /* s, by which the event is later */
+    double before[TDMF_STATE_COUNT],
+        after[TDMF_STATE_COUNT]; /* of the state where it is met, on either side */
+} tdmf_met_event;
+
 /* The variation after an event that `guard` has fired, from that before it, each at a fixed time. */
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                               const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
                               const tdmf_variation *variation);
+
+/* The same, and how it meets the event; not a number where there is no derivative. */
+tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
+                                  const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
+                                  const tdmf_variation *variation, tdmf_met_event *met);
 
 #endif

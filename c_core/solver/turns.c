@@ -236,7 +236,16 @@ static double next_turn(const tdmf_step *step, changing_factors *changing, doubl
     return first.is_root ? smaller(first.time * step->size, end) : end;
 }
 
-double tdmf_positive_work(const tdmf_step *step, double end, double total) {
+/* One more, if work is done in it. */
+static void add_span(tdmf_spans *spans, double from, double to, double work) {
+    if (spans != NULL && work > 0.0) {
+        spans->from[spans->count] = from;
+        spans->to[spans->count++] = to;
+    }
+}
+
+/* The work done at positive power; where that is, for whoever asks. */
+static double split_work(const tdmf_step *step, double end, double total, tdmf_spans *spans) {
     double from = 0.0, done = 0.0, positive = 0.0;
     if (has_no_torque(step)) {
         return 0.0;
@@ -251,14 +260,25 @@ double tdmf_positive_work(const tdmf_step *step, double end, double total) {
         note_factors_on_ground(step, zero, end / step->size, &changing);
     }
     if (changing.count == 0) {
+        add_span(spans, 0.0, end, total);
         return larger(0.0, total);
     }
     for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
         const double to = next_turn(step, &changing, from, end);
         const double done_then = to < end ? tdmf_step_work(step, to) : total;
+        add_span(spans, from, to, done_then - done);
         positive += larger(0.0, done_then - done);
         done = done_then;
         from = to;
     }
     return positive;
+}
+
+double tdmf_positive_work(const tdmf_step *step, double end, double total) {
+    return split_work(step, end, total, NULL);
+}
+
+void tdmf_positive_spans(const tdmf_step *step, double end, double total, tdmf_spans *spans) {
+    spans->count = 0;
+    split_work(step, end, total, spans);
 }

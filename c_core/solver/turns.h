@@ -27,4 +27,13 @@ bool tdmf_leg_lengthens(const tdmf_step *step, double end);
  */
 double tdmf_positive_work(const tdmf_step *step, double end, double total);
 
+/* Parts of a step. */
+typedef struct {
+    int count;
+    double from[SERIES_ORDER_LIMIT + 1], to[SERIES_ORDER_LIMIT + 1];
+} tdmf_spans;
+
+/* Where in the step up to `end` the hip's power is positive. */
+void tdmf_positive_spans(const tdmf_step *step, double end, double total, tdmf_spans *spans);
+
 #endif

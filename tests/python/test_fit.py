@@ -18,7 +18,7 @@ from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_m
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.library.orbit import orbit_near
-from tdmf_slip.library.quantities import QUANTITIES, quantities_of
+from tdmf_slip.library.quantities import known_quantities, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -33,7 +33,10 @@ RUNNERS = {
 }
 
 
-def measured(orbit, names=tuple(UNITS), error=0.005):
+MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
+
+
+def measured(orbit, names=MEASURED, error=0.005):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
     told = quantities_of(orbit, names)
     least = {"slip_distance": 1e-3 * orbit.stride["length"]}
@@ -51,8 +54,9 @@ def disturbed(row, random):
 def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
     parameters = ["hip.stance_torque", "leg.stiffness", "ground.friction", "body.mass", "hip.touchdown_angle"]
     orbit = find_orbit(start, model=model)
-    exact = varied_gait(orbit.runner, orbit.apex, QUANTITIES, parameters)
-    is_slip = np.array([name == "slip_distance" for name in QUANTITIES])
+    quantities = known_quantities(orbit.runner)
+    exact = varied_gait(orbit.runner, orbit.apex, quantities, parameters)
+    is_slip = np.array([name == "slip_distance" for name in quantities])
     compared = 0
     for k, name in enumerate(parameters):
         value = orbit.runner.values[name]
@@ -60,7 +64,7 @@ def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
 
         def solved(by, name=name, value=value):
             gait = orbit_near(orbit.runner.but(name, value + by), orbit.apex)
-            return np.array([*quantities_of(gait, QUANTITIES).values()]), gait.apex
+            return np.array([*quantities_of(gait, quantities).values()]), gait.apex
 
         (more, apex), (less, other) = solved(step), solved(-step)
         differences = (more - less) / (2.0 * step), (apex - other) / (2.0 * step)
@@ -413,7 +417,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     estimate = told["parameters"]["leg.stiffness"]
     assert estimate["low"] < estimate["value"] < estimate["high"]
     assert estimate["value"] == pytest.approx(Runner.of({}).values["leg.stiffness"], rel=1e-8)
-    assert len(told["residuals"]) == len(UNITS) and told["unidentified"] == []
+    assert len(told["residuals"]) == len(MEASURED) and told["unidentified"] == []
     text = page.read_text(encoding="utf-8")
     assert "leg.stiffness" in text and "data:image/png;base64," in text and "<script" not in text
     assert picture.read_text(encoding="utf-8").startswith("<?xml")

@@ -10,7 +10,13 @@ from tdmf_slip import InputError, OrderNotMetError, Runner, find_gait, find_orbi
 from tdmf_slip.analysis.order import Order
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.orbit import orbit_near
-from tdmf_slip.library.quantities import QUANTITIES, quantities_of, scales_of, varied_stride
+from tdmf_slip.library.quantities import (
+    QUANTITIES,
+    REDUCED_QUANTITIES,
+    quantities_of,
+    scales_of,
+    varied_stride,
+)
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
@@ -33,7 +39,8 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
     orbit = find_orbit(parameters, model=model)
     names = ["hip.stance_torque", "leg.stiffness", "body.mass", "gravity"]
     scales, steps = scales_of(orbit.runner, names), 1e-6
-    exact = varied_stride(orbit.runner, orbit.apex, QUANTITIES, names).by_all * scales
+    quantities = QUANTITIES if model == "full" else REDUCED_QUANTITIES
+    exact = varied_stride(orbit.runner, orbit.apex, quantities, names).by_all * scales
 
     def moved(k, sign):
         apex, runner = orbit.apex.copy(), orbit.runner
@@ -42,7 +49,7 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
         else:
             name = names[k - len(apex)]
             runner = runner.but(name, runner.values[name] * (1.0 + sign * steps))
-        stride = varied_stride(runner, apex, QUANTITIES, [])
+        stride = varied_stride(runner, apex, quantities, [])
         return np.append(stride.left_over, stride.quantities)
 
     for k in range(len(scales)):
@@ -51,8 +58,13 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
         assert exact[:, k] == pytest.approx(difference, abs=1e-6 * size), (k, names)
 
 
-@pytest.mark.parametrize("model", ["full", "reduced"])
-@pytest.mark.parametrize("quantity", QUANTITIES)
+ORDERED = [
+    *((name, "full") for name in QUANTITIES if name != "positive_leg_work"),
+    *((name, "reduced") for name in REDUCED_QUANTITIES),
+]
+
+
+@pytest.mark.parametrize(("quantity", "model"), ORDERED)
 def test_each_quantity_can_be_ordered(quantity, model):
     order = relative_change(find_orbit({"ground.friction": 0.6}, model=model), quantity, 1.03)
     gait = find_gait({"ground.friction": 0.6}, order, ["hip.stance_torque"], model=model)

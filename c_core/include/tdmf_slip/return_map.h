@@ -28,12 +28,24 @@ enum {
 TDMF_API void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
+/* What is measured along a stride besides what its record holds; also the change of each of these. */
+typedef struct {
+    double positive_hip_work;      /* J, done at positive power: the record's positive_work */
+    double positive_leg_work;      /* J, of the jumps of its rest length that do any */
+    double squared_torque;         /* integral of tau^2, N^2 m^2 s */
+    double friction_loss;          /* J */
+    double greatest_slip_velocity; /* m/s, of the foot along the ground, whichever way it slips */
+    double greatest_foot_height;   /* m, in flight, above the ground vertically below */
+} tdmf_stride_measures;
+
 /* How the next apex and the stride change with something. */
 typedef struct {
     double apex[TDMF_SECTION_COUNT];        /* of the next apex */
     double period, length, work;            /* of the stride's quantities of these names */
     double stance_time, slip_distance;      /* of these, too */
     double peak_force, peak_vertical_force; /* and of these */
+    double foot_clearance;                  /* of the return's */
+    tdmf_stride_measures measures;          /* and of these */
 } tdmf_stride_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */
@@ -47,7 +59,9 @@ typedef struct {
     tdmf_stride stride;              /* its quantities */
     double liftoff_angle;            /* theta_LO of the stride, rad */
     double external_work;            /* J, of the stride, as the losses */
-    double damper_loss, friction_loss, impact_loss;       /* J in the stride */
+    double damper_loss, friction_loss, impact_loss; /* J in the stride */
+    double foot_clearance;         /* m, of the foot above the ground at the apex where the stride begins */
+    tdmf_stride_measures measures; /* of the stride */
     tdmf_stride_change by_section[TDMF_SECTION_COUNT];    /* by each coordinate of the start */
     tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES]; /* along each change that was given */
 } tdmf_return;

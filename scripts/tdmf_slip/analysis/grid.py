@@ -14,7 +14,7 @@ from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
 from ..library.members import STATES, check_varied
-from ..library.orbit import LEDGER, STRIDE_QUANTITIES, Orbit, orbit_near
+from ..library.orbit import LEDGER, MEASURE_UNITS, STRIDE_QUANTITIES, Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
@@ -67,6 +67,10 @@ def _of_stride(name: str) -> Callable[[Orbit], float]:
     return lambda orbit: orbit.stride[name]
 
 
+def _of_measure(name: str) -> Callable[[Orbit], float]:
+    return lambda orbit: orbit.stride.get(name, np.nan)
+
+
 def _of_apex(index: int) -> Callable[[Orbit], float]:
     return lambda orbit: float(orbit.section[index])
 
@@ -74,6 +78,7 @@ def _of_apex(index: int) -> Callable[[Orbit], float]:
 COLUMNS: Mapping[str, Column] = {
     **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
     **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
+    **{name: Column(_of_measure(name), None, unit) for name, unit in MEASURE_UNITS.items()},
     **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
     "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
 }

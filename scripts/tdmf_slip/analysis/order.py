@@ -52,7 +52,7 @@ class Order:
         self.ordered = np.array([quantities[name] for name in self.names])
         self.scales = scales_of(runner, self.free)
         self._apex_scales = runner.scales
-        self._quantity_scales = np.array([abs(value) or 1.0 for value in self.ordered])
+        self.quantity_scales = np.array([abs(value) or 1.0 for value in self.ordered])
 
     def with_more(self, *names: str) -> "Order":
         """The same order with more parameters freed."""
@@ -104,12 +104,12 @@ class Order:
 
     def deviations(self, place: Place) -> NDArray[np.float64]:
         """How far a place's quantities are from those ordered, over these."""
-        off: NDArray[np.float64] = (place.varied.quantities - self.ordered) / self._quantity_scales
+        off: NDArray[np.float64] = (place.varied.quantities - self.ordered) / self.quantity_scales
         return off
 
     def rows(self, place: Place) -> NDArray[np.float64]:
         """Changes of what is left over and of the quantities by the place, all over the scales."""
-        scales = np.append(self._apex_scales, self._quantity_scales)
+        scales = np.append(self._apex_scales, self.quantity_scales)
         rows: NDArray[np.float64] = place.varied.by_all * self.scales / scales[:, None]
         return rows
 
@@ -195,7 +195,7 @@ class Order:
         closing = self.closing(place)
         if goal is None:
             return closing
-        return np.append(closing, (place.varied.quantities - goal) / self._quantity_scales)
+        return np.append(closing, (place.varied.quantities - goal) / self.quantity_scales)
 
     def _improved(
         self, place: Place, step: NDArray[Any], goal: NDArray[np.float64] | None, shortenings: int

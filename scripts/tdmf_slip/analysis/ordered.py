@@ -9,7 +9,7 @@ from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.orbit import Orbit
-from ..library.quantities import QUANTITIES, quantities_of
+from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.unit import Unit, load
@@ -67,7 +67,8 @@ def find_gait(
     order : mapping of str to float
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
         strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
-        foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`.
+        foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
+        in the full model also those of `library.orbit.MEASURE_UNITS`, as `foot_clearance`.
     free : sequence of str
         Names of parameters and inputs to be found, as many as are ordered or more.
     guess : sequence of float, optional
@@ -104,7 +105,9 @@ def find_gait(
     """
     wanted = _checked_order(order)
     names = _checked_free(free, wanted)
-    first = find_orbit(runner_by(Runner.of(runner, unit), model), guess, unit=unit)
+    starting = runner_by(Runner.of(runner, unit), model)
+    check_quantities(starting, list(wanted))
+    first = find_orbit(starting, guess, unit=unit)
     system = Order(first.runner, wanted, names)
     begin = system.place_of(first)
     _check_action(system, begin)
@@ -129,7 +132,7 @@ def _met(order: Order, place: Place) -> Orbit:
     """
     orbit = order.orbit(place)
     has = np.array([*quantities_of(orbit, order.names).values()])
-    if not np.allclose(has, order.ordered, rtol=MET, atol=0.0):
+    if not np.all(np.abs(has - order.ordered) <= MET * order.quantity_scales):
         raise RunError(
             f"the gait with {', '.join(order.names)} as ordered is too sensitive to be found to {MET:g}"
         )
@@ -149,8 +152,11 @@ def _checked_order(order: object) -> dict[str, float]:
             )
     if all(name in given for name in TRAVEL):
         raise InputError("order: speed, frequency and length; allowed: two of them, for they set the third")
-    most = {"duty_factor": 1.0}
-    return {name: checked(name, value, LEAST, most.get(name, MOST)) for name, value in given.items()}
+    most, least = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MOST)
+    return {
+        name: checked(name, value, least.get(name, LEAST), most.get(name, MOST))
+        for name, value in given.items()
+    }
 
 
 def _checked_free(free: object, order: Mapping[str, float]) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ import click
 from ..analysis.ordered import OrderNotMetError, find_gait
 from ..analysis.search import find_orbit
 from ..errors import InputError
-from ..library.orbit import TOLD, Orbit
+from ..library.orbit import MEASURE_UNITS, TOLD, Orbit
 from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.told import Told
@@ -104,12 +104,17 @@ def _orbit_text(
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
-    told = dict.fromkeys([*TOLD, *(name for name in order if name in orbit.stride)])
+    basic = [name for name in order if name in orbit.stride and name not in MEASURE_UNITS]
+    told = dict.fromkeys([*TOLD, *basic])
+    measured = {
+        name: quantity(orbit.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in order
+    }
     apex = dict(zip(orbit.runner.coordinates, orbit.apex, strict=True))
     rows = {
         "word": orbit.word,
         "friction": of("ground.friction", orbit.friction),
         **{name: of(f"stride.{name}", orbit.stride[name]) for name in told},
+        **measured,
         **({"frequency": quantity(1.0 / orbit.period, "Hz", 12)} if "frequency" in order else {}),
         **{name: of(name, orbit.runner.values[name]) for name in free},
         "liftoff_angle": of("hip.liftoff_angle", orbit.liftoff_angle),

@@ -1,11 +1,13 @@
 """The command `optimize`: the best runner over parameters within bounds."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import click
 
 from ..analysis.ordered import OrderNotMetError
 from ..errors import InputError
+from ..library.orbit import MEASURE_UNITS
 from ..library.quantities import QUANTITIES
 from ..optimization.optimize import MOST_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, told
@@ -29,7 +31,7 @@ from .output import json_text
 from .ranges import ranges_given
 from .runner import runner_of
 
-UNITS = {"frequency": "Hz"}
+UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 """Of what the unit has no variable for."""
 
 
@@ -159,7 +161,7 @@ def _text(best: Optimum, unit: Unit, told_in: Told) -> str:
     ]
     before, after = told(best.before), told(best.gait)
     for name, value in after.items():
-        variable = unit.variables.get(f"stride.{name}")
+        variable = None if name in UNITS else unit.variables.get(f"stride.{name}")
         of = UNITS.get(name, "1") if variable is None else variable.unit
         rows.append((name, of, f"{before[name]:.9g}", f"{value:.9g}", ""))
     rows.append(("word", "", best.before.word, best.word, ""))

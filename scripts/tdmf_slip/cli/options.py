@@ -100,6 +100,18 @@ _ORDERS = {
     "peak_force": ("N", "Order: largest ground force across the ground, N."),
     "peak_vertical_force": ("N", "Order: largest vertical ground force, N."),
     "cost_of_transport": ("C", "Order: work over weight and length."),
+    "apex_height": ("H", "Order: height of the centre of mass at the apex, m."),
+    "apex_speed": ("V", "Order: its speed there, m/s."),
+    "apex_leg_angle": ("A", "Order: leg angle at the apex, rad."),
+    "foot_clearance": ("H", "Order: height of the foot above the ground at the apex, m."),
+    "greatest_foot_height": ("H", "Order: its greatest height in flight, m."),
+    "positive_hip_work": ("W", "Order: work of the hip at positive power, J."),
+    "positive_leg_work": ("W", "Order: positive work of the leg's changes of rest length, J."),
+    "positive_work": ("W", "Order: positive work of hip and leg, J."),
+    "positive_cost_of_transport": ("C", "Order: positive work over weight and length."),
+    "squared_torque": ("Q", "Order: integral of the squared hip torque, N2 m2 s."),
+    "greatest_slip_velocity": ("V", "Order: greatest speed of the foot in slip, m/s."),
+    "friction_loss": ("W", "Order: energy that friction takes, J."),
 }
 _FREE_OPTION = click.option(
     "--free",

@@ -12,6 +12,8 @@ from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_table, mapping_of
+from ..library.orbit import MEASURE_UNITS
+from ..library.quantities import SIGNED
 
 UNITS: Mapping[str, str] = {
     "speed": "m/s",
@@ -20,6 +22,7 @@ UNITS: Mapping[str, str] = {
     "duty_factor": "1",
     "slip_distance": "m",
     "peak_force": "N",
+    **MEASURE_UNITS,
 }
 """What may be measured, by names of `library.quantities.QUANTITIES`; the frequency is one over the period."""
 ERROR = "_error"
@@ -223,12 +226,13 @@ def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
     """A quantity and its error."""
     high = 1.0 if name == "duty_factor" else MOST
     measured = _number(value)
-    if not 0.0 <= measured <= high:
+    low = -MOST if name in SIGNED else 0.0
+    if not low <= measured <= high:
         raise InputError(
-            f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number 0 to {high:g}"
+            f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
         )
     spread = _number(error)
-    least = SMALLEST_ERROR * max(measured, LEAST)
+    least = SMALLEST_ERROR * max(abs(measured), LEAST)
     if not least <= spread <= MOST:
         raise InputError(
             f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error "

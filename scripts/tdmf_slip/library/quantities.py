@@ -10,18 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .maps import map_of
 from .members import check_has_gaits
-from .orbit import Orbit
+from .orbit import APEX_QUANTITIES, MEASURES, Orbit, apex_quantities, measures_of
 from .return_map import direction
 from .runner import Runner, text_of
+from .section import REDUCED
 from .strides import longest_stride
 from .structs import Return, StrideChange
 
-_OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
+_BASIC: Mapping[str, Callable[[Mapping[str, float]], float]] = {
     "speed": lambda stride: stride["speed"],
     "frequency": lambda stride: 1.0 / stride["period"],
     "length": lambda stride: stride["length"],
@@ -32,6 +33,14 @@ _OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
     "peak_vertical_force": lambda stride: stride["peak_vertical_force"],
     "cost_of_transport": lambda stride: stride["cost_of_transport"],
 }
+_PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
+_MEASURED = tuple(name for name in MEASURES if name not in (*APEX_QUANTITIES, *_PER_DISTANCE))
+QUANTITIES = (*_BASIC, *MEASURES)
+"""What a gait can be ordered by; the frequency is that of strides, one over the period."""
+REDUCED_QUANTITIES = (*_BASIC, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
+"""Those that the reduced map has: its leg is placed in flight as if by itself."""
+SIGNED = ("apex_leg_angle",)
+"""Those that may be 0 or less."""
 _CHANGED = (
     "period",
     "length",
@@ -41,11 +50,9 @@ _CHANGED = (
     "peak_force",
     "peak_vertical_force",
 )
-"""Of these the library has derivatives."""
+"""Of these the library has derivatives, of either map."""
 _READ = (*_CHANGED, "speed", "duty_factor", "cost_of_transport")
 """Of the library's stride."""
-QUANTITIES = tuple(_OF_STRIDE)
-"""What a gait can be ordered by; the frequency is that of strides, one over the period."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +82,48 @@ def quantities_of(orbit: Orbit, names: Sequence[str]) -> dict[str, float]:
     dict of str to float
         By these names, in SI units.
     """
-    return {name: float(_OF_STRIDE[name](orbit.stride)) for name in names}
+    check_quantities(orbit.runner, names)
+    apex = apex_quantities(orbit.runner, orbit.apex)
+    return {name: _value(name, {**orbit.stride, **apex}) for name in names}
+
+
+def known_quantities(runner: Runner) -> tuple[str, ...]:
+    """The quantities that a runner's map has.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+
+    Returns
+    -------
+    tuple of str
+        `QUANTITIES`, or in the reduced map `REDUCED_QUANTITIES`.
+    """
+    return REDUCED_QUANTITIES if runner.reduced else QUANTITIES
+
+
+def check_quantities(runner: Runner, names: Sequence[str]) -> None:
+    """Refuse quantities that the runner's map does not have.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gait.
+    names : sequence of str
+        Of `QUANTITIES`.
+
+    Raises
+    ------
+    InputError
+        The map is the reduced one, and has not one of them.
+    """
+    for name in names:
+        if name not in known_quantities(runner):
+            raise InputError(
+                f"quantity {name} of the reduced map, where the leg in flight is placed as if by itself; "
+                f"allowed: {', '.join(REDUCED_QUANTITIES)}"
+            )
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:
@@ -124,15 +172,18 @@ def varied_stride(
     RunError
         The stride does not close, or has no derivatives.
     """
+    check_quantities(runner, names)
     stride, changes = _changes(runner, apex, parameters)
-    told = _read(stride)
-    d_apex, d_stride = changes[: len(apex)], dict(zip(_CHANGED, changes[len(apex) :], strict=True))
+    told = _read(runner, apex, stride)
+    changed = _changed(runner)
+    d_apex, d_stride = changes[: len(apex)], dict(zip(changed, changes[len(apex) :], strict=True))
+    d_stride |= _apex_changes(runner, changes.shape[1])
     d_weight = np.array([0.0] * len(apex) + [_weight_change(runner, name) for name in parameters])
     rows = [_change(runner, name, told, d_stride, d_weight) for name in names]
     by_all = np.vstack([d_apex - np.eye(*d_apex.shape), *rows])
     if not np.isfinite(by_all).all():
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
-    values = np.array([_OF_STRIDE[name](told) for name in names])
+    values = np.array([_value(name, told) for name in names])
     return VariedStride(np.array(list(stride.apex)) - apex, values, by_all)
 
 
@@ -172,11 +223,12 @@ def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]
     RunError
         The stride does not close.
     """
+    check_quantities(runner, names)
     stride = _stride(runner, apex, (), False)
-    told = _read(stride)
+    told = _read(runner, apex, stride)
     return PlainStride(
         left_over=np.array(list(stride.apex)) - apex,
-        quantities=np.array([_OF_STRIDE[name](told) for name in names]),
+        quantities=np.array([_value(name, told) for name in names]),
         word=text_of(stride.stride.word),
     )
 
@@ -184,21 +236,38 @@ def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]
 def _changes(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str]
 ) -> tuple[Return, NDArray[np.float64]]:
-    """The stride; and changes of the next apex and `_CHANGED`, in rows, by coordinates and parameters.
+    """The stride; and changes of the next apex and `_changed`, in rows, by coordinates and parameters.
 
     The library differentiates by a few parameters at a time.
     """
     most = c.TDMF_RETURN_CHANGES
     parts = [parameters[begin : begin + most] for begin in range(0, len(parameters), most)] or [()]
     strides = [_stride(runner, apex, part, True) for part in parts]
-    columns = [_column(strides[0].by_section[k]) for k in range(len(apex))]
+    columns = [_column(runner, strides[0].by_section[k]) for k in range(len(apex))]
     for stride, part in zip(strides, parts, strict=True):
-        columns += [_column(stride.by_parameter[k]) for k in range(len(part))]
+        columns += [_column(runner, stride.by_parameter[k]) for k in range(len(part))]
     return strides[0], np.array(columns).T
 
 
-def _column(change: StrideChange) -> list[float]:
-    return [*change.apex, *(float(getattr(change, name)) for name in _CHANGED)]
+def _changed(runner: Runner) -> tuple[str, ...]:
+    """Of these the library has derivatives."""
+    return _CHANGED if runner.reduced else (*_CHANGED, *_MEASURED)
+
+
+def _column(runner: Runner, change: StrideChange) -> list[float]:
+    measures = {} if runner.reduced else measures_of(change)
+    basic = {name: float(getattr(change, name)) for name in _CHANGED}
+    return [*change.apex, *({**basic, **measures}[name] for name in _changed(runner))]
+
+
+def _apex_changes(runner: Runner, count: int) -> dict[str, NDArray[np.float64]]:
+    """Of the same, by so many coordinates and parameters."""
+    rows = dict(zip(runner.coordinates, np.eye(count), strict=False))
+    return {name: rows[of] for name, of in APEX_QUANTITIES.items() if of in rows}
+
+
+def _value(name: str, told: Mapping[str, float]) -> float:
+    return float(_BASIC[name](told) if name in _BASIC else told[name])
 
 
 def _stride(
@@ -224,8 +293,13 @@ def _stride(
     return stride
 
 
-def _read(stride: Return) -> dict[str, float]:
-    return {name: float(getattr(stride.stride, name)) for name in _READ}
+def _read(runner: Runner, apex: NDArray[np.float64], stride: Return) -> dict[str, float]:
+    basic = {name: float(getattr(stride.stride, name)) for name in _READ}
+    measures = {} if runner.reduced else measures_of(stride)
+    if measures:
+        work = measures["positive_work"]
+        measures["positive_cost_of_transport"] = work / (_weight(runner) * basic["length"])
+    return {**basic, **measures, **apex_quantities(runner, apex)}
 
 
 def _weight(runner: Runner) -> float:
@@ -245,7 +319,7 @@ def _change(
     d_stride: Mapping[str, NDArray[np.float64]],
     d_weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Of a quantity, by the rules of differentiation, from the changes of `_CHANGED`."""
+    """Of a quantity, by the rules of differentiation, from the changes of `_changed`."""
     if name in d_stride:
         return d_stride[name]
     if name == "frequency":
@@ -256,4 +330,4 @@ def _change(
         return (d_stride["stance_time"] - stride["duty_factor"] * d_stride["period"]) / stride["period"]
     weight = _weight(runner)
     d_product = d_weight * stride["length"] + weight * d_stride["length"]
-    return (d_stride["work"] - stride["cost_of_transport"] * d_product) / (weight * stride["length"])
+    return (d_stride[_PER_DISTANCE[name]] - stride[name] * d_product) / (weight * stride["length"])

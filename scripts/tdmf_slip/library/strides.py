@@ -14,7 +14,7 @@ from ..unit.unit import FRICTION
 from .binding import ffi
 from .maps import map_of
 from .members import check_has_gaits
-from .orbit import Orbit, orbit_near, orbit_of
+from .orbit import APEX_QUANTITIES, Orbit, orbit_near, orbit_of
 from .return_map import Along, direction
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -188,16 +188,20 @@ def _joined(orbits: Sequence[Orbit], last_apex: NDArray[np.float64]) -> Orbit:
 
 
 def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[str, float]:
-    """Quantities of strides in a row: sums, but for the largest forces and what is a ratio."""
+    """Quantities of strides in a row: sums, but for the largest, ratios, and those of the first apex."""
     if len(strides) == 1:
         return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
     weight = (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+    distance = weight * found["length"]
+    greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")
+    ratios = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
     return found | {
         "speed": found["length"] / found["period"],
         "duty_factor": found["stance_time"] / found["period"],
-        "cost_of_transport": found["work"] / (weight * found["length"]) if found["length"] else 0.0,
-        **{name: max(stride[name] for stride in strides) for name in ("peak_force", "peak_vertical_force")},
+        **{name: found[of] / distance if distance else 0.0 for name, of in ratios.items() if name in found},
+        **{name: max(stride[name] for stride in strides) for name in greatest if name in found},
+        **{name: strides[0][name] for name in (*APEX_QUANTITIES, "foot_clearance") if name in found},
     }
 
 

@@ -40,7 +40,18 @@ class Center(Protocol):
     vy: float
 
 
-class StrideChange(Protocol):
+class Measures(Protocol):
+    """`tdmf_stride_measures`: what is measured along a stride, or the change of it; read by its names."""
+
+
+class Measured(Protocol):
+    """`tdmf_return` or `tdmf_stride_change` as far as it is measured; in the reduced map it is not."""
+
+    foot_clearance: float
+    measures: Measures
+
+
+class StrideChange(Measured, Protocol):
     """`tdmf_stride_change` or `tdmf_reduced_change`: how next apex and stride change with something."""
 
     apex: Sequence[float]
@@ -59,7 +70,7 @@ class Stride(Protocol):
     word: object
 
 
-class Return(Protocol):
+class Return(Measured, Protocol):
     """`tdmf_return` or `tdmf_reduced_return`: what became of a stride; how it ended, `maps` can tell."""
 
     apex: Sequence[float]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..contents import ByContents
 from ..library.orbit import Orbit
-from ..library.quantities import QUANTITIES, quantities_of
+from ..library.quantities import known_quantities, quantities_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum beside bounds."""
@@ -24,7 +24,7 @@ def told(orbit: Orbit) -> dict[str, float]:
     dict of str to float
         In SI units, `lambda_max` last.
     """
-    return quantities_of(orbit, QUANTITIES) | {"lambda_max": orbit.lambda_max}
+    return quantities_of(orbit, known_quantities(orbit.runner)) | {"lambda_max": orbit.lambda_max}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -1,6 +1,7 @@
 """A fit as a diagram: each measured quantity with its error bars and the fitted one, and the residuals."""
 
 from collections.abc import Sequence
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -16,7 +17,7 @@ DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
 WIDTH, HEIGHT = 7.6, 2.5
 """Of the figure, and of each row of panels, inches."""
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00", "#5b2a86", "#8a5a00")
-"""Of residuals, by quantity in the order of `UNITS`."""
+"""Of residuals, by quantity in the order of `UNITS`, again and again."""
 NAMES = {name: name.replace("_", " ") for name in UNITS}
 FEW = 12
 """Rows that are numbered each."""
@@ -103,7 +104,7 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], places: Sequence[float]
 
 def _residuals(axes: Axes, fit: Fit, names: Sequence[str], places: Sequence[float], title: str) -> None:
     """Residuals over their errors, and where 95 % of them are to be."""
-    for name, colour in zip(UNITS, COLOURS, strict=True):
+    for name, colour in zip(UNITS, cycle(COLOURS), strict=False):
         its = [of for of in fit.residuals if of.name == name]
         if name in names:
             at = [places[of.row - 1] for of in its]

@@ -1,0 +1,358 @@
+/* An integral I of q changes with a variation at a fixed time by the integral of dq, and by (q- - q+) dt at
+ * an event that shifts by dt. The greatest value inside a mode is at a turn, where it is the same at a time
+ * that is shifted; one at an event is met where the event is. */
+#include "stride_measures.h"
+
+#include "coefficients.h"
+#include "evaluation.h"
+#include "first_root.h"
+#include "ground_line.h"
+#include "guard_series.h"
+#include "series_products.h"
+#include "series_sums.h"
+#include "step_size.h"
+#include "tdmf_slip/dynamics.h"
+#include "turns.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
+
+/* ---- the foot's height -------------------------------------------------------------------------------- */
+
+static double foot_height(const tdmf_motion *motion, const double state[TDMF_STATE_COUNT]) {
+    return state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion->mode.ground, state[TDMF_FOOT_X]);
+}
+
+static double vary_foot_height(const tdmf_model *model, const tdmf_motion *motion,
+                               const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                               const double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    return d_state[TDMF_FOOT_Y] - tdmf_vary_ground_height_at(&motion->mode.ground, state[TDMF_FOOT_X],
+                                                             &d.mode.ground, d_state[TDMF_FOOT_X]);
+}
+
+/* How far the leg reaches down to the ground, as a series. */
+static void expand_drop_along(const tdmf_step *step, double drop[SERIES_TERMS]) {
+    const flight_series *f = &step->series.flight;
+    expand_drop(f->length, f->angle, step->constants.flight.slope, f->angle_rate, step->order, drop);
+}
+
+double tdmf_measures_trust(const tdmf_step *step) {
+    double drop[SERIES_TERMS];
+    series_remainder remainder = {0.0, 0.0};
+    if (step->equations->contact != TDMF_CONTACT_FLIGHT) {
+        return INFINITY;
+    }
+    expand_drop_along(step, drop);
+    note_remainder(&remainder, drop, step->order, step->equations->model->scales.length);
+    return trusted_size(&remainder, INFINITY, step->order, step->tolerance);
+}
+
+/* The state and, for a variation, its change, at a time within a step. */
+static void state_along(const tdmf_measured_step *along, double t, double state[TDMF_STATE_COUNT]) {
+    const tdmf_mode_coordinates there = tdmf_step_at(along->step, t);
+    memcpy(state, along->motion->state, TDMF_STATE_COUNT * sizeof *state);
+    tdmf_state_in_mode(along->step->equations, t, &there, state);
+}
+
+static tdmf_variation variation_along(const tdmf_measured_step *along, int i, double t,
+                                      const double state[TDMF_STATE_COUNT]) {
+    tdmf_mode_variation varied_mode = along->varied_mode[i];
+    tdmf_advance_mode_variation(along->step, t, &along->changes[i], &along->tangents[i], &varied_mode);
+    return tdmf_variation_in_mode(along->step->equations, state, &along->changes[i], &varied_mode);
+}
+
+static void note_height(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
+    const tdmf_model *model = along->step->equations->model;
+    double state[TDMF_STATE_COUNT];
+    state_along(along, t, state);
+    const double height = foot_height(along->motion, state);
+    if (!(height > measured->so_far.greatest_foot_height)) {
+        return;
+    }
+    measured->so_far.greatest_foot_height = height;
+    for (int i = 0; i < along->count; ++i) {
+        const tdmf_variation variation = variation_along(along, i, t, state);
+        measured->varied[i].greatest_foot_height =
+            vary_foot_height(model, along->motion, state, &along->changes[i], variation.state);
+    }
+}
+
+/* ---- turns -------------------------------------------------------------------------------------------- */
+
+typedef void note_turn(tdmf_measured *measured, const tdmf_measured_step *along, double t);
+
+/* At each zero of a rate, a series in time, and at the end of a step that is no event; its start was an end.
+ */
+static void note_turns(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
+                       int order, note_turn *note) {
+    const tdmf_step *step = along->step;
+    double c[SERIES_TERMS], from = 0.0;
+    const double end = along->end / step->size;
+    if (order < 1) {
+        return;
+    }
+    for (int k = 0; k <= order; ++k) {
+        c[k] = rate[k] * step->search.power[k];
+    }
+    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
+        const root turn = first_sign_change(c, order, 0.0, from, end, choice_of(true));
+        if (!turn.is_root || !(turn.time > from)) {
+            break;
+        }
+        note(measured, along, turn.time * step->size);
+        from = turn.time;
+    }
+    if (!along->ends_at_event) {
+        note(measured, along, along->end);
+    }
+}
+
+static void measure_height(tdmf_measured *measured, const tdmf_measured_step *along) {
+    const tdmf_step *step = along->step;
+    const flight_constants *c = &step->constants.flight;
+    const ballistic com = tdmf_step_center_of_mass(step->equations);
+    double drop[SERIES_TERMS], rate[SERIES_TERMS];
+    expand_drop_along(step, drop);
+    for (int k = 0; k < step->order; ++k) {
+        rate[k] = -(double)(k + 1) * c->body_share * drop[k + 1];
+    }
+    rate[0] += com.ground.rate;
+    rate[1] -= c->normal_gravity;
+    rate[2] += 0.5 * com.normal_jerk;
+    note_turns(measured, along, rate, step->order - 1, note_height);
+    if (along->ends_at_event) {
+        note_height(measured, along, along->end); /* in flight nothing jumps, and on the ground it is least */
+    }
+}
+
+static void note_slip(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
+    const tdmf_step *step = along->step;
+    const double sign = tdmf_slip_sign(&along->motion->mode);
+    const double speed = sign * series_at(step->series.ground.foot_vx, step->order, t);
+    if (!(speed > measured->so_far.greatest_slip_velocity)) {
+        return;
+    }
+    measured->so_far.greatest_slip_velocity = speed;
+    for (int i = 0; i < along->count; ++i) {
+        measured->varied[i].greatest_slip_velocity =
+            sign * series_at(along->tangents[i].ground.foot_vx, step->order, t);
+    }
+}
+
+static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *along) {
+    const double *speed = along->step->series.ground.foot_vx;
+    double rate[SERIES_TERMS];
+    for (int k = 0; k < along->step->order; ++k) {
+        rate[k] = (double)(k + 1) * speed[k + 1];
+    }
+    note_turns(measured, along, rate, along->step->order - 1, note_slip);
+}
+
+/* ---- integrals along a step --------------------------------------------------------------------------- */
+
+/* By the law in flight. */
+static void expand_torque_in_flight(const tdmf_step *step, double torque[SERIES_TERMS]) {
+    const flight_series *f = &step->series.flight;
+    const flight_coefficients c = tdmf_flight_coefficients(step->equations);
+    for (int k = 0; k < step->order; ++k) {
+        torque[k] = with_drift(k, -c.gain * f->angle[k] - c.rate_gain * f->angle_rate[k],
+                               c.gain * c.target + c.torque, c.torque_rate);
+    }
+}
+
+static void vary_torque_on_ground(const tdmf_measured_step *along, int i, const ground_coefficients *d,
+                                  double d_torque[SERIES_TERMS]) {
+    const ground_series *g = &along->step->series.ground;
+    const ground_variation *t = &along->tangents[i].ground;
+    const bool grazes = along->step->equations->contact == TDMF_CONTACT_GRAZE;
+    for (int k = 0; k < along->step->order; ++k) {
+        d_torque[k] = grazes ? vary_product(g->turning, t->turning, g->square, t->square, k)
+                             : ramp_of(k, d->torque, d->torque_rate);
+    }
+}
+
+static double integral_of_product(const double *a, const double *b, int order, double t) {
+    double c[SERIES_TERMS];
+    for (int k = 0; k <= order; ++k) {
+        c[k] = product(a, b, k);
+    }
+    return series_integral(c, order, t);
+}
+
+static double vary_friction_loss(const tdmf_measured_step *along, int i, const ground_coefficients *d) {
+    const tdmf_step *step = along->step;
+    const ground_series *g = &step->series.ground;
+    const ground_variation *t = &along->tangents[i].ground;
+    const ground_coefficients c = tdmf_ground_coefficients(step->equations);
+    double d_force[SERIES_TERMS], d_power[SERIES_TERMS];
+    for (int k = 0; k < step->order; ++k) {
+        d_force[k] = vary_ramp_times(k, c.friction, c.friction_rate, d->friction, d->friction_rate,
+                                     g->normal_force, t->normal_force);
+        d_power[k] = vary_product(g->friction_force, d_force, g->foot_vx, t->foot_vx, k);
+    }
+    return series_integral(d_power, step->order - 1, along->end);
+}
+
+static tdmf_direction direction_along(const tdmf_measured_step *along, int i, tdmf_variation *variation) {
+    const tdmf_variation of_mode = {.liftoff_angle = along->varied_mode[i].liftoff_angle};
+    *variation = of_mode;
+    variation->state[TDMF_HIP_PLACE_TIME] = along->varied_mode[i].place_time;
+    return tdmf_direction_of(along->step->equations->model, &along->changes[i], variation);
+}
+
+static double vary_positive_work(const tdmf_measured_step *along, int i, const tdmf_spans *positive) {
+    const tdmf_step *step = along->step;
+    const double *power = step->equations->contact == TDMF_CONTACT_FLIGHT ? along->tangents[i].flight.power
+                                                                          : along->tangents[i].ground.power;
+    double work = 0.0;
+    for (int k = 0; k < positive->count; ++k) {
+        work += series_integral(power, step->order - 1, positive->to[k]) -
+                series_integral(power, step->order - 1, positive->from[k]);
+    }
+    return work;
+}
+
+static void vary_integrals(tdmf_measured *measured, const tdmf_measured_step *along, const double *torque,
+                           const tdmf_spans *positive) {
+    const tdmf_step *step = along->step;
+    const tdmf_contact_mode contact = step->equations->contact;
+    const bool flies = contact == TDMF_CONTACT_FLIGHT;
+    const bool slips = !flies && tdmf_step_ground_case(step).slips;
+    for (int i = 0; i < along->count; ++i) {
+        tdmf_variation variation;
+        double on_ground[SERIES_TERMS];
+        const double *d_torque = flies ? along->tangents[i].flight.torque : on_ground;
+        if (!flies) {
+            const tdmf_direction d = direction_along(along, i, &variation);
+            const ground_coefficients varied =
+                tdmf_vary_ground_coefficients(step->equations, &along->motion->mode, &d);
+            vary_torque_on_ground(along, i, &varied, on_ground);
+            measured->varied[i].friction_loss += slips ? vary_friction_loss(along, i, &varied) : 0.0;
+        }
+        measured->varied[i].squared_torque +=
+            2.0 * integral_of_product(torque, d_torque, step->order - 1, along->end);
+        measured->varied[i].positive_hip_work += vary_positive_work(along, i, positive);
+    }
+}
+
+static void measure_integrals(tdmf_measured *measured, const tdmf_measured_step *along) {
+    const tdmf_step *step = along->step;
+    double in_flight[SERIES_TERMS];
+    const double *torque = step->series.ground.torque;
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
+        expand_torque_in_flight(step, in_flight);
+        torque = in_flight;
+    }
+    measured->so_far.squared_torque += integral_of_product(torque, torque, step->order - 1, along->end);
+    if (along->count > 0) {
+        tdmf_spans positive;
+        tdmf_positive_spans(step, along->end, tdmf_step_work(step, along->end), &positive);
+        vary_integrals(measured, along, torque, &positive);
+    }
+}
+
+void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along) {
+    const tdmf_contact_mode contact = along->step->equations->contact;
+    measure_integrals(measured, along);
+    if (contact == TDMF_CONTACT_FLIGHT) {
+        measure_height(measured, along);
+    } else if (tdmf_slip_sign(&along->motion->mode) != 0.0) {
+        measure_slip(measured, along);
+    }
+}
+
+/* ---- the ends of a stride ----------------------------------------------------------------------------- */
+
+void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const tdmf_motion *motion,
+                        const tdmf_change *changes, const tdmf_variation *variations, int count) {
+    memset(measured, 0, sizeof *measured);
+    measured->so_far.greatest_foot_height = foot_height(motion, motion->state);
+    for (int i = 0; i < count; ++i) {
+        measured->varied[i].greatest_foot_height =
+            vary_foot_height(model, motion, motion->state, &changes[i], variations[i].state);
+    }
+}
+
+static double squared_torque_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+                                const double state[TDMF_STATE_COUNT]) {
+    const double torque = tdmf_evaluate(model, inputs, mode, state).torque;
+    return torque * torque;
+}
+
+void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion) {
+    tdmf_stride_measures *m = &measured->so_far;
+    m->positive_hip_work = motion->record.stride.positive_work;
+    m->friction_loss = motion->state[TDMF_ENERGY_FRICTION_LOSS];
+}
+
+void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_model *model,
+                            const tdmf_inputs *inputs, const tdmf_motion *motion,
+                            const double derivatives[TDMF_STATE_COUNT], double shift) {
+    tdmf_stride_measures *d = &measured->varied[number];
+    d->positive_hip_work += derivatives[TDMF_HIP_POSITIVE_WORK] * shift;
+    d->squared_torque += squared_torque_of(model, inputs, &motion->mode, motion->state) * shift;
+}
+
+/* ---- events ------------------------------------------------------------------------------------------- */
+
+static void add_shifts(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
+                       const tdmf_side *before, const tdmf_side *after, const tdmf_met_event *met,
+                       int count) {
+    const double less_power =
+        before->derivatives[TDMF_HIP_POSITIVE_WORK] - after->derivatives[TDMF_HIP_POSITIVE_WORK];
+    const double less_friction =
+        before->derivatives[TDMF_ENERGY_FRICTION_LOSS] - after->derivatives[TDMF_ENERGY_FRICTION_LOSS];
+    const double less_torque = squared_torque_of(model, inputs, &before->mode, before->state) -
+                               squared_torque_of(model, inputs, &after->mode, after->state);
+    for (int i = 0; i < count; ++i) {
+        measured->varied[i].positive_hip_work += less_power * met[i].shift;
+        measured->varied[i].friction_loss += less_friction * met[i].shift;
+        measured->varied[i].squared_torque += less_torque * met[i].shift;
+    }
+}
+
+/* A thrust of 0 does none, but one that is a little larger does positive work where it begins. */
+static void measure_jump(tdmf_measured *measured, const tdmf_side *before, const tdmf_side *after,
+                         const tdmf_met_event *met, int count) {
+    const double work = after->state[TDMF_LEG_WORK] - before->state[TDMF_LEG_WORK];
+    const bool begins = after->mode.thrusts && !before->mode.thrusts;
+    if (work > 0.0 || (work == 0.0 && begins)) {
+        measured->so_far.positive_leg_work += work;
+        for (int i = 0; i < count; ++i) {
+            measured->varied[i].positive_leg_work +=
+                met[i].after[TDMF_LEG_WORK] - met[i].before[TDMF_LEG_WORK];
+        }
+    }
+}
+
+static void note_slip_beside(tdmf_measured *measured, const tdmf_model *model, const tdmf_side *side,
+                             const tdmf_change *changes, const tdmf_met_event *met, bool is_after,
+                             int count) {
+    const double sign = tdmf_slip_sign(&side->mode);
+    const tdmf_ground_line *line = &side->mode.ground;
+    const double vx = side->state[TDMF_FOOT_VX], vy = side->state[TDMF_FOOT_VY];
+    const double speed = sign * tdmf_velocity_along(line, vx, vy);
+    if (!(speed > measured->so_far.greatest_slip_velocity)) {
+        return;
+    }
+    measured->so_far.greatest_slip_velocity = speed;
+    for (int i = 0; i < count; ++i) {
+        const tdmf_direction d = tdmf_direction_of(model, &changes[i], NULL);
+        const double *d_state = is_after ? met[i].after : met[i].before;
+        measured->varied[i].greatest_slip_velocity =
+            sign * tdmf_vary_velocity_along(line, vx, vy, &d.mode.ground, d_state[TDMF_FOOT_VX],
+                                            d_state[TDMF_FOOT_VY]);
+    }
+}
+
+void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
+                        const tdmf_side *before, const tdmf_side *after, const tdmf_change *changes,
+                        const tdmf_met_event *met, int count) {
+    add_shifts(measured, model, inputs, before, after, met, count);
+    measure_jump(measured, before, after, met, count);
+    note_slip_beside(measured, model, before, changes, met, false, count);
+    note_slip_beside(measured, model, after, changes, met, true, count);
+}

@@ -1,0 +1,54 @@
+/* Quantities of a stride that are met along it and change nothing: integrals, and the greatest of what has a
+ * turn, each with its first variations. Only strides that are asked for them pay for them. */
+#ifndef TDMF_SOLVER_STRIDE_MEASURES_H
+#define TDMF_SOLVER_STRIDE_MEASURES_H
+
+#include "mode_variation.h"
+#include "saltation.h"
+#include "tdmf_slip/return_map.h"
+
+typedef struct {
+    tdmf_stride_measures so_far;
+    tdmf_stride_measures varied[TDMF_VARIATION_LIMIT]; /* at a fixed time, as variations are */
+} tdmf_measured;
+
+/* A step of the motion, with as many variations as there are. */
+typedef struct {
+    const tdmf_step *step;
+    const tdmf_motion *motion; /* its state is of the last event */
+    double end;
+    bool ends_at_event; /* what is met there is the event's */
+    int count;
+    const tdmf_change *changes;
+    const tdmf_mode_variation *varied_mode; /* at the step's start */
+    const motion_variation *tangents;       /* along it */
+} tdmf_measured_step;
+
+/* How far the foot's height may be trusted to be known along a step in flight; else infinity. */
+double tdmf_measures_trust(const tdmf_step *step);
+
+/* At the apex where a stride begins. */
+void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const tdmf_motion *motion,
+                        const tdmf_change *changes, const tdmf_variation *variations, int count);
+
+/* Along a step that has been looked through for its end. */
+void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along);
+
+/* At an event, with what each variation is there. */
+void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
+                        const tdmf_side *before, const tdmf_side *after, const tdmf_change *changes,
+                        const tdmf_met_event *met, int count);
+
+/* At the apex where the stride closes; the variation of that number meets it later by `shift`. */
+void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion);
+void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_model *model,
+                            const tdmf_inputs *inputs, const tdmf_motion *motion,
+                            const double derivatives[TDMF_STATE_COUNT], double shift);
+
+/* As tdmf_native_stride_varied, and measures the stride. */
+tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
+                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
+                                                const tdmf_change *changes, tdmf_variation *variations,
+                                                int count, tdmf_measured *measured);
+
+#endif
