@@ -26,6 +26,7 @@ extensions = [
     "content_security_policy",
     "laws",
     "mathml",
+    "notebooks",
     "python_reference",
     "variable_reference",
 ]
@@ -39,6 +40,7 @@ myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "attrs_inline"
 myst_heading_anchors = 3
 myst_update_mathjax = False
 nb_execution_mode = "force"
+nb_execution_in_temp = True  # as whoever downloads a guide
 nb_execution_raise_on_error = True
 nb_execution_timeout = 240
 nb_execution_show_tb = True

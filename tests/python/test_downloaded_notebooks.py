@@ -1,0 +1,110 @@
+"""The guides as notebooks: readable anywhere, run where only the wheel is, from an empty folder."""
+
+import html
+import json
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+import pytest
+import tdmf_slip
+from conftest import succeed
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SITE = ROOT / "dist" / "site"
+NOTEBOOKS = {path.stem: path for path in sorted(SITE.glob("_downloads/*/*.ipynb"))}
+WHEELS = sorted((ROOT / "dist").glob("*manylinux*_x86_64.whl"))
+NEED_FILES = ("start", "controller", "c_library", "feedback")
+"""Those that need the command, a compiler or files; `TDMF_SLIP_LONG=1` runs the others, too."""
+RUN = NOTEBOOKS if os.environ.get("TDMF_SLIP_LONG") == "1" else [n for n in NEED_FILES if n in NOTEBOOKS]
+EXECUTE = (
+    "import sys, nbformat, nbclient; book = nbformat.read(sys.argv[1], 4);"
+    "nbclient.NotebookClient(book, timeout=600, resources={'metadata': {'path': sys.argv[2]}}).execute();"
+    "import tdmf_slip; print(tdmf_slip.__file__)"
+)
+built = pytest.mark.skipif(not NOTEBOOKS, reason="NOT TESTED: notebooks; ./scripts/site builds them")
+sys.path.insert(0, str(ROOT / "documentation" / "extensions"))
+
+
+def cells(name, kind):
+    content = json.loads(NOTEBOOKS[name].read_text(encoding="utf-8"))
+    return [cell for cell in content["cells"] if cell["cell_type"] == kind]
+
+
+@built
+def test_every_notebook_reads_without_sphinx():
+    pictures, texts = 0, 0
+    for name in NOTEBOOKS:
+        for cell in cells(name, "markdown"):
+            text, attached = "".join(cell["source"]), cell.get("attachments", {})
+            texts += 1
+            assert not re.search(r"^```\{|\{[\w-]+\}`", text, re.MULTILINE), (name, text)
+            for told, target in re.findall(r"\[([^\]]*)\]\(([^)]+)\)", text):
+                assert told and target.startswith(("https://", "attachment:")), (name, told, target)
+            named = set(re.findall(r"\(attachment:([^)]+)\)", text))
+            assert named == set(attached), name
+            pictures += len(named)
+    assert len(NOTEBOOKS) >= 18 and texts > 80 and pictures >= 18
+
+
+@built
+@pytest.mark.skipif(not WHEELS, reason="NOT TESTED: notebooks run; ./scripts/release makes the wheel")
+@pytest.mark.parametrize("name", RUN)
+def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, tmp_path, name):
+    installed = environment.install(WHEELS[0])
+    needed = {shutil.which(tool) and str(pathlib.Path(shutil.which(tool)).parent) for tool in ("cc", "bash")}
+    variables = installed | {"PATH": os.pathsep.join([installed["PATH"], *filter(None, needed)])}
+    folder = tmp_path / "empty"
+    folder.mkdir()
+    command = (environment.programs / "python", "-c", EXECUTE, NOTEBOOKS[name], folder)
+    said = succeed(*command, env=variables, cwd=tmp_path)
+    assert said.splitlines()[-1].startswith(str(environment.folder))
+
+
+# ---- what a page shows of an output is what was printed ----
+
+
+def outputs(page):
+    """What the page shows as printed."""
+    text = (SITE / "guides" / f"{page}.html").read_text(encoding="utf-8")
+    found = re.findall(r'<div class="output stream[^"]*">.*?<pre>(.*?)</pre>', text, re.DOTALL)
+    return [html.unescape(re.sub(r"<[^>]+>", "", one)).strip() for one in found]
+
+
+@built
+def test_the_start_page_shows_what_the_command_prints(command):
+    status, out, _ = command("gait", "--friction", "0.43")
+    assert status == 0 and out.count("\n") > 15
+    shown = [one for one in outputs("start") if one.startswith("word ")]
+    assert len(shown) == 1
+    numbers = re.compile(r"-?\d\.?\d*(?:e-\d+)?")
+    assert numbers.sub("#", shown[0]) == numbers.sub("#", out.strip())
+    for one, other in zip(shown[0].splitlines()[:-2], out.splitlines()[:-2], strict=False):
+        assert one == other or one.startswith("apex."), (one, other)
+
+
+@built
+def test_the_paper_page_shows_the_table_as_validate_prints_it():
+    wanted = tdmf_slip.validate()
+    (table,) = [one for one in outputs("paper") if one.startswith("friction mu")]
+    assert table == wanted.as_text().strip()
+    assert "\n".join(f"{claim.source}: {claim.what}" for claim in wanted.differing) in outputs("paper")
+
+
+def test_pieces_of_an_output_are_joined_as_they_came():
+    notebooks = pytest.importorskip("notebooks", reason="NOT TESTED: the site's output, MyST-NB is missing")
+    from myst_nb.core.utils import coalesce_streams
+    from nbformat.v4 import new_output
+
+    def torn():
+        pieces = [("stdout", "len"), ("stdout", "gth\n 26."), ("stderr", "a"), ("stdout", "24\n")]
+        return [new_output("stream", name=name, text=text) for name, text in pieces]
+
+    assert coalesce_streams(torn())[0]["text"] != "length\n 26.24\n"  # else nothing is torn, nothing to join
+    joined = notebooks.in_one_piece(torn(), coalesce_streams)
+    assert [(one["name"], one["text"]) for one in joined] == [
+        ("stdout", "length\n 26.24\n"),
+        ("stderr", "a\n"),
+    ]
