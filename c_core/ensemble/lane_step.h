@@ -2,8 +2,8 @@
 #ifndef TDMF_ENSEMBLE_LANE_STEP_H
 #define TDMF_ENSEMBLE_LANE_STEP_H
 
-#include "flight_guards.h"
-#include "ground_guards.h"
+#include "flight_watch.h"
+#include "ground_watch.h"
 #include "members.h"
 
 /* What a step has come to. */
@@ -73,7 +73,7 @@ static inline lane_outcome step_flying(flying_member *m, choice live, flight_cas
     const real trusted = expand_flight_step(c, &m->at, is.forced, order, tolerance, f, &longest);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, f->length, order,
                                           tolerance, live);
-    watch_flight(&search, c, f, change, &com, is, tolerance);
+    watch_flight(&search, c, f, &com, is, change, tolerance);
     const real end = search.size * smaller(search.time, real_of(1.0));
     const choice too_stiff = lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);

@@ -75,7 +75,17 @@ def motion(c, s, contact, turns):
     )
 
 
-# ---- guards in these coordinates, and what they are made of -----------------------------------------------
+# ---- guards in these coordinates, by the names of their events, and what others are made of ---------------
+
+
+def body_down(y):
+    """Y, the height of the body over the ground."""
+    return y
+
+
+def slip_velocity_zero(foot_vx, slip_sign):
+    """sgn(u) u, the speed of a foot that slips."""
+    return slip_sign * foot_vx
 
 
 def ahead(x, y, slope):

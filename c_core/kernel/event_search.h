@@ -178,13 +178,4 @@ static inline void watch(event_search *search, int guard, choice watching, const
     }
 }
 
-/* The leg is as short as it may be; its length may change by `change` in the step. */
-static inline void watch_length(event_search *search, const mode_constants *mode, const real *length,
-                                int order, real change) {
-    const guard_series g = {length, real_of(1.0), length[0] - mode->min_length, order};
-    if (any(search->live & not(g.start > change))) {
-        watch(search, TDMF_GUARD_LEG_TOO_SHORT, search->live, &g, search->beyond_margin * mode->length_scale);
-    }
-}
-
 #endif

@@ -1,4 +1,4 @@
-/* The events of flight. */
+/* Events of flight that take more than a series; derived/flight_watch.h has them all. */
 #ifndef TDMF_KERNEL_FLIGHT_GUARDS_H
 #define TDMF_KERNEL_FLIGHT_GUARDS_H
 
@@ -121,22 +121,13 @@ static inline void watch_clamp(event_search *search, const flight_constants *c, 
           TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor * c->mode.energy_scale);
 }
 
-static inline void watch_flight(event_search *search, const flight_constants *c, const flight_series *f,
-                                real length_change, const ballistic *com, flight_case is, double tolerance) {
-    watch_length(search, &c->mode, f->length, search->order, length_change);
-    watch_heights(search, c, f, tolerance, f->length[0] + length_change, com);
-    if (is.awaits_ground) {
-        watch_new_ground(search, c, f, tolerance, com);
-    }
+static inline void watch_apex(event_search *search, const flight_constants *c, const ballistic *com,
+                              bool rising) {
     if (INPUTS_RAMP && any(not(com->rise_jerk == 0.0))) {
-        watch_ramped_apex(search, c, com, is.rising);
-    } else if (is.rising) {
+        watch_ramped_apex(search, c, com, rising);
+    } else if (rising) {
         watch_apex_in_flight(search, c, com);
     }
-    if (is.retracts) {
-        watch_clamp(search, c, f);
-    }
-    search_pending(search);
 }
 
 #endif

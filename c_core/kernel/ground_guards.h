@@ -1,4 +1,4 @@
-/* The events of a leg that stands. */
+/* Events of a leg that stands that take more than a series; derived/ground_watch.h has them all. */
 #ifndef TDMF_KERNEL_GROUND_GUARDS_H
 #define TDMF_KERNEL_GROUND_GUARDS_H
 
@@ -6,13 +6,6 @@
 #include "graze_guards.h"
 #include "ground_step.h"
 #include "guard_series.h"
-
-static inline void watch_standing_leg(event_search *search, const ground_constants *c, const ground_series *g,
-                                      real length_change) {
-    const guard_series body = {g->y, real_of(1.0), g->y[0], search->order};
-    watch(search, TDMF_GUARD_BODY_DOWN, search->live, &body, search->beyond_margin * c->mode.length_scale);
-    watch_length(search, &c->mode, g->length, search->order, length_change);
-}
 
 /* theta, by the body's place over the foot, seen along the vertical. */
 static inline void watch_mid_stance(event_search *search, const ground_constants *c, const ground_series *g) {
@@ -29,17 +22,6 @@ static inline void watch_mid_stance(event_search *search, const ground_constants
     } else {
         const guard_series ahead = {g->x, real_of(-1.0), -g->x[0], search->order};
         watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
-    }
-}
-
-/* The leg's length stops falling. */
-static inline void watch_greatest_compression(event_search *search, const ground_constants *c,
-                                              const ground_series *g) {
-    const choice awaits = c->awaits_thrust > 0.0;
-    const guard_series shortening = {g->length_rate, real_of(-1.0), -g->length_rate[0], search->order - 1};
-    if (any(awaits)) {
-        watch(search, TDMF_GUARD_GREATEST_COMPRESSION, awaits, &shortening,
-              search->beyond_margin * c->mode.speed_scale);
     }
 }
 
@@ -87,28 +69,6 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
         watch_edge(search, c, g, 1.0, may_slip);
         watch_edge(search, c, g, -1.0, may_slip);
     }
-}
-
-static inline void watch_slip(event_search *search, const ground_constants *c, const ground_series *g) {
-    const guard_series speed = {g->foot_vx, c->slip_sign, c->slip_sign * g->foot_vx[0], search->order};
-    watch(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, search->live, &speed,
-          search->beyond_margin * c->mode.speed_scale);
-}
-
-static inline void watch_ground(event_search *search, const ground_constants *c, const ground_series *g,
-                                const ground_coordinates *at, ground_case is, real length_change) {
-    watch_standing_leg(search, c, g, length_change);
-    watch_mid_stance(search, c, g);
-    if (is.grazes) {
-        watch_graze(search, c, g, at->angle);
-    } else {
-        watch_forces(search, c, g, !is.slips);
-        watch_greatest_compression(search, c, g);
-    }
-    if (is.slips) {
-        watch_slip(search, c, g);
-    }
-    search_pending(search);
 }
 
 #endif

@@ -2,12 +2,13 @@
 #ifndef TDMF_KERNEL_MODE_CONSTANTS_H
 #define TDMF_KERNEL_MODE_CONSTANTS_H
 
-#include "width.h"
+#include "guard_parameters.h"
 
 typedef struct {
     real margin_factor; /* of guards, see margins.h */
-    real min_length, damping, gravity;
+    real damping, gravity;
     real length_scale, time_scale, speed_scale, force_scale, energy_scale;
+    guard_parameters guards;
 } mode_constants;
 
 /* What has been done and lost since the start of the run. */

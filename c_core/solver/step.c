@@ -1,9 +1,9 @@
 /* Steps of the native solver by the kernel, for one runner. */
 #include "step.h"
 
-#include "flight_guards.h"
+#include "flight_watch.h"
 #include "friction.h"
-#include "ground_guards.h"
+#include "ground_watch.h"
 #include "series_sums.h"
 
 int tdmf_step_order(double tolerance) {
@@ -104,7 +104,7 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
                             .retracts = mode->phase == TDMF_PHASE_RETRACT,
                             .awaits_ground = step->equations->ground_waits,
                             .forced = step->equations->is_forced};
-    watch_flight(&step->search, &step->constants.flight, &step->series.flight, step->length_change, &com, is,
+    watch_flight(&step->search, &step->constants.flight, &step->series.flight, &com, is, step->length_change,
                  step->tolerance);
 }
 

@@ -9,7 +9,6 @@
 static mode_constants mode_constants_of(const tdmf_model *model, double margin_factor) {
     const mode_constants constants = {
         .margin_factor = margin_factor,
-        .min_length = model->parameters.leg.min_length,
         .damping = model->parameters.leg.damping,
         .gravity = model->parameters.gravity,
         .length_scale = model->scales.length,
@@ -17,6 +16,7 @@ static mode_constants mode_constants_of(const tdmf_model *model, double margin_f
         .speed_scale = model->scales.speed,
         .force_scale = model->scales.force,
         .energy_scale = model->scales.energy,
+        .guards = guard_parameters_of(model),
     };
     return constants;
 }
