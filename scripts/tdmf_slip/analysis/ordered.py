@@ -1,6 +1,7 @@
 """Gaits to order: the gait of a given speed, step frequency or the like, by freeing as many parameters."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
+from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .order import Order, Place
 from .search import find_orbit, runner_by
@@ -25,7 +27,11 @@ LEAST, MOST = 1e-9, 1e9
 MET = 1e-10
 """Of what is ordered."""
 LAST_STEPS = 10
-"""From the nearest gait towards the order."""
+"""From the nearest gait towards the order, and from each of the others."""
+MOST_BEGINNINGS = 8
+"""Other gaits that a search begins from."""
+DESCENTS = 2
+"""Of these, so many of the nearest lead on to the gait that is nearest of all."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 
@@ -113,13 +119,30 @@ def find_gait(
     _check_action(system, begin)
     place, share = system.solved_from(begin)
     if share < 1.0:
-        nearest = nearest_from(system, (place, begin))
-        place, share = system.solved_from(nearest, LAST_STEPS)
+        others = beginnings(system, first, load(unit))
+        place, share, nearest = _met_from_elsewhere(system, (begin, place), others)
         if share < 1.0:
-            nearest = min(nearest, place, key=system.gap)
             helps = parameters_that_help(system, nearest, first, show_progress)
             raise _not_met(system, nearest, helps, load(unit))
     return _met(system, place)
+
+
+def _met_from_elsewhere(
+    order: Order, known: Sequence[Place], others: Iterator[Place]
+) -> tuple[Place, float, Place]:
+    """From gaits all over the freed parameters, and from the nearest one that the nearest of them lead to.
+
+    The place that was come to, the share of the way to the order, and the nearest of all that were seen.
+    """
+    seen = [*known]
+    for other in islice(others, MOST_BEGINNINGS):
+        place, share = order.solved_from(other, LAST_STEPS)
+        seen += [other, place]
+        if share == 1.0:
+            return place, share, place
+    nearest = nearest_from(order, sorted(seen, key=order.gap)[:DESCENTS])
+    place, share = order.solved_from(nearest, LAST_STEPS)
+    return place, share, min(nearest, place, key=order.gap)
 
 
 def _met(order: Order, place: Place) -> Orbit:

@@ -65,7 +65,7 @@ UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
     type=Number(1, MOST_STARTS, whole=True),
     default=STARTS,
     show_default=True,
-    help="How many searches are made, from places spread over the bounds.",
+    help="How many searches are made at the most, from gaits all over the bounds.",
 )
 @click.option(
     "--points",
@@ -195,5 +195,8 @@ def _judgement(best: Optimum) -> str:
     words = " and ".join(best.falls)
     where = f", on the border between {words}, by the gradients of both sides" if best.is_at_border else ""
     limits = f"; kept by {' and '.join(best.limits)}" if best.limits else ""
-    proved = f"the {most} {best.objective}, an optimum to first order{where}{limits}"
-    return f"{proved}; best of {best.starts} searches"
+    scope = "a local optimum" if best.is_local else "the optimum, for no gait can have less,"
+    proved = f"the {most} {best.objective}: {scope} to first order{where}{limits}"
+    if best.starts == 1:
+        return f"{proved}; one search"
+    return f"{proved}; the best of {best.basins} basins that {best.starts} searches came to"

@@ -14,7 +14,8 @@ def scale_of(runner: Runner, unit: str) -> float:
     runner : Runner
         With the length l0, the time sqrt(m/k) and the energy k l0^2.
     unit : str
-        Of a quantity of the stride or the apex: `m`, `s`, `m/s`, `N`, `J`, `rad`, `rad/s` or `1`.
+        Of a quantity of the stride or the apex, a parameter or an input: `m`, `N.s/m` and so on, as the
+        unit's variables have them.
 
     Returns
     -------
@@ -31,6 +32,13 @@ def scale_of(runner: Runner, unit: str) -> float:
         "rad": 1.0,
         "rad/s": 1.0 / scales.time,
         "1": 1.0,
+        "kg": scales.energy / scales.speed**2,
+        "m/s2": scales.speed / scales.time,
+        "N/m": scales.force / scales.length,
+        "N.s/m": scales.force / scales.speed,
+        "N.m": scales.energy,
+        "N.m/rad": scales.energy,
+        "N.m.s/rad": scales.energy * scales.time,
     }[unit]
 
 

@@ -40,6 +40,9 @@ DIFFERENCES = (1e-5, 1e-7)
 """Of the width of the bounds: steps of differences along the gaits; the second one where a piece is
 narrow."""
 
+ROOM, OFF_FOLDS = 0.05, 1e-2
+"""Below its limit and off folds by so much, it does not matter how the spectrum changes."""
+
 
 @dataclass(frozen=True, eq=False)
 class Candidate(ByContents):
@@ -67,9 +70,20 @@ class Candidate(ByContents):
 class Gaits:
     """The gaits of a runner over several parameters."""
 
-    def __init__(self, runner: Runner, space: Space, names: Sequence[str], spectrum: bool = False) -> None:
-        """Whose, over which parameters, and what is asked of them: quantities, and eigenvalues or not."""
+    def __init__(
+        self,
+        runner: Runner,
+        space: Space,
+        names: Sequence[str],
+        spectrum: bool = False,
+        radius: float | None = None,
+    ) -> None:
+        """Whose, over which parameters, and what is asked of them.
+
+        Quantities, and eigenvalues or not; the limit of these, if any.
+        """
         self.runner, self.space, self.names, self.with_spectrum = runner, space, tuple(names), spectrum
+        self.radius = np.inf if radius is None else radius
 
     def candidate(self, orbit: Orbit, at: NDArray[np.float64]) -> Candidate:
         """A gait with its gradients.
@@ -83,9 +97,19 @@ class Gaits:
         apex_slopes = varied.apex_by_parameters * self.space.width
         spectrum = Spectrum.none(len(at))
         if self.with_spectrum:
-            spectrum = spectrum_of(orbit.jacobian, self._jacobian_changes(orbit, at, apex_slopes))
+            spectrum = self._spectrum(orbit, at, apex_slopes)
         slopes = varied.by_parameters * self.space.width
         return Candidate(at, orbit, apex_slopes, varied.quantities, slopes, spectrum)
+
+    def _spectrum(self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
+        """Of a gait; without slopes where it has none, unless a limit is near and they matter."""
+        try:
+            return spectrum_of(orbit.jacobian, self._jacobian_changes(orbit, at, apex_slopes))
+        except RunError:
+            spectrum = spectrum_of(orbit.jacobian, [np.zeros_like(orbit.jacobian)] * len(at), simple=False)
+            if spectrum.sizes[0] > self.radius - ROOM or spectrum.fold < OFF_FOLDS:
+                raise
+            return spectrum
 
     def _jacobian_changes(
         self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]

@@ -13,7 +13,7 @@ from .optimum import Optimum
 from .problem import Goal
 from .request import check_action, checked_objective, checked_radius, checked_space, checked_values
 
-STARTS, MOST_STARTS = 3, 100
+STARTS, MOST_STARTS = 6, 100
 
 
 def optimize(
@@ -39,8 +39,11 @@ def optimize(
     iterate is no gait, because of a fold or a fall, the search backs off; near a fold it stops where the
     leading eigenvalue is 0.99 or so, and tells so in `limits`.
 
-    The search is local: from the runner given, and from further starts that are spread over the bounds. A
-    better gait that none of them leads to may exist, also on another branch.
+    Each search is local. The first one begins with the runner given, the others where gaits promise most of a
+    thousand or so that the ensemble engine settles all over the bounds, and that have no better one near them
+    (multi-level single linkage). How many different optima they end at is told, in `basins`. A better gait
+    that none of them leads to may exist, also on a branch of unstable ones: the result is called local,
+    unless no gait can have less.
 
     Parameters
     ----------
@@ -57,8 +60,9 @@ def optimize(
     stable : bool or float, default False
         Only gaits whose spectral radius is at most this; True stands for 0.99. The radius is constrained by
         the leading eigenvalues one by one, which are smooth where the radius itself is not.
-    starts : int, default 3
-        How many searches are made; the best counts.
+    starts : int, default 6
+        How many searches are made at the most; the best counts. With one, only the runner's own gait is begun
+        with.
     model : str, optional
         `full` or `reduced`, as in `find_orbit`.
     show_progress : bool, default False
@@ -98,6 +102,6 @@ def optimize(
     before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)
-    with progress.bar("optimize", len(optimizer.starts), "starts", show_progress) as bar:
-        found, _ = optimizer.best(goal, bar)
+    with progress.bar("optimize", count, "starts", show_progress) as bar:
+        found = optimizer.best(goal, bar)
     return optimizer.optimum(goal, found)

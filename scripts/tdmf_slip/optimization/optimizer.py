@@ -2,11 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.ordered import OrderNotMetError
+from ..analysis.settled import evenly
 from ..contents import ByContents
 from ..errors import RunError
 from ..library.orbit import Orbit
@@ -16,6 +19,7 @@ from .optimum import FOLD, STABILITY, Optimum, told
 from .problem import OFF_FOLD, Feasibility, Goal, Problem
 from .search import Found, Search
 from .space import Space
+from .starts import Spread, Start
 
 ROUGHLY = 1e-4
 """Violation of constraints from which SLSQP is left to meet them."""
@@ -25,18 +29,27 @@ ACTIVE = 1e-5
 """Of an eigenvalue: as near to its limit, it is at it."""
 NATURAL = 1e-2
 """Least scale of a quantity, over that of its dimension: of one that is zero, or all but."""
+APART = 1e-2
+"""Over the width of the bounds, and of apices over the scales: optima as near are one."""
 TRIES = 4
 """Shares of the way to a start that are tried: all, a half, and so on."""
 
 
 @dataclass(frozen=True, eq=False)
-class Start(ByContents):
-    """A gait where a search begins."""
+class Best(ByContents):
+    """The best of several searches."""
 
-    at: NDArray[np.float64]
-    """Where it is, inside the bounds from 0 to 1."""
-    orbit: Orbit
-    """The gait."""
+    found: Found
+    """Where it ended."""
+    starts: int
+    """How many searches were made."""
+    basins: int
+    """At how many different optima they ended."""
+
+    @property
+    def start(self) -> Start:
+        """As a start for other searches."""
+        return Start(self.found.gait.at, self.found.gait.orbit)
 
 
 class Optimizer:
@@ -59,13 +72,31 @@ class Optimizer:
                 f"no gait within the bounds of {', '.join(space.bounds)} is reached from the runner's own; "
                 "allowed: bounds nearer to its values"
             )
-        places = _spread(starts - 1, len(space.bounds))
-        others = (_reached(gaits, first, place, TRIES) for place in places)
-        self.starts = [first, *(start for start in others if start is not None)]
+        self.first, self.count, self._gaits_of = first, starts, gaits
+
+    @cached_property
+    def spread(self) -> Spread:
+        """Gaits all over the bounds."""
+        return Spread(self.first, self.space)
+
+    def starts(self, problem: Problem) -> list[Start]:
+        """Where the searches for a problem begin: at the runner's own gait, and where it promises most.
+
+        Where too few runners settle, from places that are reached along the gaits from the first.
+        """
+        more = self.count - 1
+        if not more:
+            return [self.first]
+        found = list(islice(self.spread.starts(problem, self.first), more))
+        if not found:
+            places = evenly(more, len(self.space.bounds))
+            reached = (_reached(self._gaits_of, self.first, place, TRIES) for place in places)
+            found = [start for start in reached if start is not None]
+        return [self.first, *found]
 
     def scales(self, goal: Goal) -> dict[str, float]:
         """Of a goal's quantities: their sizes at the first start, or what is prescribed."""
-        orbit = self.starts[0].orbit
+        orbit = self.first.orbit
         length, _, _, _, speed, rate = _natural(orbit)
         natural = {"speed": speed, "frequency": rate, "stance_time": 1.0 / rate}
         natural |= {"length": length, "slip_distance": length}
@@ -77,26 +108,34 @@ class Optimizer:
 
     def candidate(self, goal: Goal) -> Candidate:
         """The first start, with its gradients."""
-        return self._gaits(goal).candidate(self.starts[0].orbit, self.starts[0].at)
+        return self._gaits(goal).candidate(self.first.orbit, self.first.at)
 
-    def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> tuple[Found, Start]:
-        """Of all searches, the best gait that meets the constraints; it is a start for others, too.
+    def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> "Best":
+        """Of all searches, the best gait that meets the constraints.
 
         Raises
         ------
         OrderNotMetError
             None does.
+        RunError
+            No search could begin.
         """
         problem = Problem(goal, self.scales(goal))
-        found = []
-        for start in starts or self.starts:
-            found.append(self._searched(problem, start))
+        found, begun, trouble = [], starts or self.starts(problem), ""
+        for start in begun:
+            try:
+                found.append(self._searched(problem, start))
+            except RunError as lost:
+                trouble = str(lost)
             bar.update()
+        bar.update(0 if starts else self.count - len(begun))
+        if not found:
+            raise RunError(trouble)
         allowed = [one for one in found if problem.violation(one.gait) <= FEASIBLE]
         if not allowed:
             raise self._not_met(goal, min(found, key=lambda one: problem.violation(one.gait)))
         best = min(allowed, key=lambda one: problem.objective(one.gait)[0])
-        return best, Start(best.gait.at, best.gait.orbit)
+        return Best(best, len(begun), _basins(allowed))
 
     def _searched(self, problem: Problem, start: Start) -> Found:
         """From one start; where it is far from meeting the constraints, first to where they are met."""
@@ -120,7 +159,7 @@ class Optimizer:
         return Search(gaits, problem).run(gaits.candidate(start.orbit, start.at))
 
     def _gaits(self, goal: Goal) -> Gaits:
-        return Gaits(self.before.runner, self.space, goal.names, goal.with_spectrum)
+        return Gaits(self.before.runner, self.space, goal.names, goal.with_spectrum, goal.radius)
 
     def _not_met(self, goal: Goal, found: Found) -> OrderNotMetError:
         wanted = [f"{name} {value:.6g}" for name, value in goal.at.items()]
@@ -141,9 +180,10 @@ class Optimizer:
             (),
         )
 
-    def optimum(self, goal: Goal, found: Found) -> Optimum:
+    def optimum(self, goal: Goal, best: "Best") -> Optimum:
         """As it is told of."""
-        spectrum, limits = found.gait.spectrum, []
+        found, limits = best.found, []
+        spectrum = found.gait.spectrum
         if goal.radius is not None and goal.radius - spectrum.sizes[0] <= ACTIVE:
             limits.append(STABILITY)
         if spectrum.fold <= OFF_FOLD * (1.0 + ACTIVE):
@@ -158,8 +198,23 @@ class Optimizer:
             limits=tuple(limits),
             falls=found.falls,
             why=found.why,
-            starts=len(self.starts),
+            starts=best.starts,
+            basins=best.basins,
         )
+
+
+def _basins(found: Sequence[Found]) -> int:
+    """How many different optima there are among gaits that searches ended at."""
+    different: list[Candidate] = []
+    for gait in (one.gait for one in found if not one.why):
+        scales = gait.orbit.runner.scales
+        if not any(
+            np.linalg.norm(gait.at - other.at) < APART
+            and np.linalg.norm((gait.orbit.apex - other.orbit.apex) / scales) < APART
+            for other in different
+        ):
+            different.append(gait)
+    return len(different)
 
 
 def _natural(orbit: Orbit) -> NDArray[np.float64]:
@@ -180,12 +235,3 @@ def _reached(gaits: Gaits, begin: Start, place: NDArray[np.float64], tries: int)
         except RunError:
             continue
     return None
-
-
-def _spread(count: int, dimension: int) -> list[NDArray[np.float64]]:
-    """Places that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1."""
-    ratio = 1.5
-    for _ in range(60):
-        ratio = (1.0 + ratio) ** (1.0 / (dimension + 1))
-    steps = ratio ** -np.arange(1.0, dimension + 1)
-    return [np.asarray((0.5 + (k + 1) * steps) % 1.0) for k in range(count)]

@@ -9,6 +9,8 @@ from ..library.quantities import known_quantities, quantities_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum beside bounds."""
+NEVER_NEGATIVE = ("slip_distance",)
+"""Quantities of which no gait has less than zero."""
 
 
 def told(orbit: Orbit) -> dict[str, float]:
@@ -53,13 +55,25 @@ class Optimum(ByContents):
     """What kept the search from an optimum; empty where this is one."""
     starts: int
     """Of how many searches this is the best."""
+    basins: int
+    """How many different optima these ended at."""
 
     def __repr__(self) -> str:
         """In a line: what is best, by what."""
         values = ", ".join(f"{name} {value:.6g}" for name, value in self.parameters.items())
         most = "least" if self.is_least else "most"
         kind = "stable" if self.gait.stable else "unstable"
-        return f"<Optimum {most} {self.objective} {self.value:.6g}: {values}; {self.gait.word}, {kind}>"
+        scope = "local" if self.is_local else "global"
+        return f"<Optimum, {scope}: {most} {self.objective} {self.value:.6g}: {values}; {self.word}, {kind}>"
+
+    @property
+    def is_local(self) -> bool:
+        """Whether a better gait may exist that no search has led to.
+
+        Searches from many starts prove nothing of the rest. False only where no gait can have less, as of a
+        slip of zero.
+        """
+        return not (self.is_least and self.objective in NEVER_NEGATIVE and self.value <= 0.0)
 
     @property
     def value(self) -> float:
@@ -95,6 +109,9 @@ class Optimum(ByContents):
             "limits": list(self.limits),
             "falls": dict(self.falls),
             "problem": self.why or None,
+            "local": self.is_local,
+            "starts": self.starts,
+            "basins": self.basins,
             "word_before": self.before.word,
             "apex": [float(value) for value in self.gait.apex],
             "start_values": self.gait.start_values,

@@ -15,10 +15,11 @@ from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .optimize import MOST_STARTS, STARTS
-from .optimizer import Optimizer, Start
+from .optimizer import Optimizer
 from .optimum import Optimum, told
 from .problem import Goal
 from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
+from .starts import Start
 
 POINTS, MOST_POINTS = 7, 1000
 
@@ -70,8 +71,8 @@ def pareto_front(
         As in `optimize`.
     points : int, default 7
         How many runners, both ends among them.
-    starts : int, default 3
-        How many searches are made for the ends; the others begin at their neighbours.
+    starts : int, default 6
+        How many searches are made at the most for the ends; the others begin at their neighbours.
     model : str, optional
         As in `optimize`.
     show_progress : bool, default False
@@ -113,11 +114,11 @@ def pareto_front(
     before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
-    total = 2 * len(optimizer.starts) + 2 * (count - 2)
+    total = 2 * optimizer.count + 2 * (count - 2)
     with progress.bar("Pareto front", total, "searches", show_progress) as bar:
         ends = [optimizer.best(goal, bar) for goal in goals]
-        inside = _between(optimizer, goals, ends[0][1], ends[1][1], count, bar)
-        found = [optimizer.optimum(goals[0], ends[0][0]), *inside, optimizer.optimum(goals[1], ends[1][0])]
+        inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
+        found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
     return Front((first, second), tuple(found))
 
 
@@ -131,9 +132,10 @@ def _between(
         at_most = {second.objective: (second.sign, float(limit))}
         goal = Goal(first.objective, first.sign, first.at, at_most, first.radius)
         try:
-            found, begin = optimizer.best(goal, bar, (begin, end))
+            found = optimizer.best(goal, bar, (begin, end))
         except OrderNotMetError:
             continue
+        begin = found.start
         yield optimizer.optimum(goal, found)
 
 

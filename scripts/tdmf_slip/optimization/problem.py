@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from .gaits import Candidate
+from .spectrum import Spectrum
 
 PENALTY = 100.0
 """What a violated constraint weighs against the objective, in a comparison of two gaits."""
@@ -22,6 +23,8 @@ MET = 1e-8
 OFF_FOLD = 1e-4
 """Least det(I - J)^2 of a gait that is to keep off folds: the eigenvalue there is 0.99 or so, instead of
 1."""
+LEAST_ROOM = 1e-2
+"""Between the largest radius that is asked for and 1, as a scale."""
 LITTLE = 1e-3
 """Size of the linear program's box."""
 
@@ -87,13 +90,12 @@ class Problem:
         slopes = -scales[:, None] * gait.slopes[rows]
         spectrum = gait.spectrum
         if goal.radius is not None:
-            left, slopes = (
-                np.append(left, goal.radius - spectrum.sizes),
-                np.vstack([slopes, -spectrum.slopes]),
-            )
+            sizes, by_size = _below(spectrum, goal.radius)
+            left = np.append(left, sizes)
+            slopes = np.vstack([slopes, by_size[:, None] * spectrum.slopes])
         if goal.fold:
-            left = np.append(left, spectrum.fold - OFF_FOLD)
-            slopes = np.vstack([slopes, spectrum.fold_slopes])
+            left = np.append(left, spectrum.fold / OFF_FOLD - 1.0)
+            slopes = np.vstack([slopes, spectrum.fold_slopes / OFF_FOLD])
         return left, slopes
 
     def violation(self, gait: Candidate) -> float:
@@ -104,6 +106,31 @@ class Problem:
         """The objective with what a violation weighs: the less, the better is the gait."""
         violation = self.violation(gait)
         return self.objective(gait)[0] + (PENALTY * violation if violation > MET else 0.0)
+
+    def rough_merit(self, quantities: NDArray[np.float64], weight: float) -> float:
+        """The merit of a gait of which no more than its quantities is known: of its eigenvalues nothing.
+
+        Parameters
+        ----------
+        quantities : ndarray of float, shape (q,)
+            By the goal's `names`, in SI units.
+        weight : float
+            Of a violation.
+
+        Returns
+        -------
+        float
+            The less, the better.
+        """
+        goal, by_name = self.goal, dict(zip(self.goal.names, quantities, strict=True))
+        off = sum(abs(by_name[name] - value) / self.scales[name] for name, value in goal.at.items())
+        over = sum(
+            max(0.0, sign * (by_name[name] - limit)) / self.scales[name]
+            for name, (sign, limit) in goal.at_most.items()
+        )
+        return float(
+            goal.sign * by_name[goal.objective] / self.scales[goal.objective] + weight * (off + over)
+        )
 
     def steepest(
         self, gait: Candidate, normal: NDArray[np.float64] | None = None, *, along: bool = False
@@ -150,6 +177,19 @@ class Problem:
         violation = self.violation(gait)
         now = PENALTY * violation / LITTLE if violation > MET else 0.0
         return max(0.0, now - float(found.fun)) if found.success else np.inf
+
+
+def _below(spectrum: Spectrum, radius: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How far eigenvalues are below a radius, and the change of this by their sizes.
+
+    A positive one goes to 1 at a fold as a square root does: (1 - size)^2 is told of it, which is linear
+    there, and is as much below its limit to first order, but for a factor of two.
+    """
+    room = max(1.0 - radius, LEAST_ROOM)
+    off = 1.0 - spectrum.sizes
+    bent = (off * np.abs(off) - (1.0 - radius) ** 2) / room
+    values = np.where(spectrum.positive, bent, radius - spectrum.sizes)
+    return values, np.where(spectrum.positive, -2.0 * np.abs(off) / room, -1.0)
 
 
 class Feasibility(Problem):

@@ -33,6 +33,8 @@ class Spectrum(ByContents):
     """The largest first, shape (m,)."""
     slopes: NDArray[np.float64]
     """Their changes, in rows, shape (m, d)."""
+    positive: NDArray[np.bool_]
+    """Which of them are of positive real eigenvalues, shape (m,)."""
     fold: float
     """det(I - J)^2."""
     fold_slopes: NDArray[np.float64]
@@ -41,14 +43,18 @@ class Spectrum(ByContents):
     @classmethod
     def none(cls, count: int) -> "Spectrum":
         """Of nobody, over so many parameters."""
-        return cls(np.zeros(0), np.zeros((0, count)), np.inf, np.zeros(count))
+        return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0, dtype=bool), np.inf, np.zeros(count))
 
     def along(self, directions: NDArray[np.float64]) -> "Spectrum":
         """The same, with the changes along directions, shape (d, e), in columns."""
-        return Spectrum(self.sizes, self.slopes @ directions, self.fold, self.fold_slopes @ directions)
+        return Spectrum(
+            self.sizes, self.slopes @ directions, self.positive, self.fold, self.fold_slopes @ directions
+        )
 
 
-def spectrum_of(jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.float64]]) -> Spectrum:
+def spectrum_of(
+    jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.float64]], simple: bool = True
+) -> Spectrum:
     """The leading eigenvalues' sizes, and how they change.
 
     Parameters
@@ -57,6 +63,8 @@ def spectrum_of(jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.floa
         Of the map.
     changes : sequence of ndarray of float, shape (n, n)
         Of the Jacobian, by each parameter.
+    simple : bool, default True
+        Whether the eigenvalues have to be apart; else their sizes alone are told.
 
     Returns
     -------
@@ -71,11 +79,13 @@ def spectrum_of(jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.floa
     values, right = np.linalg.eig(jacobian)
     leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
     sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(changes)))
+    positive = np.zeros(LEADING, dtype=bool)
     for row, k in enumerate(leading):
         sizes[row] = abs(values[k])
-        if sizes[row] > LEAST:
+        positive[row] = values[k].imag == 0.0 and values[k].real > 0.0
+        if simple and sizes[row] > LEAST:
             slopes[row] = _slopes(jacobian, values[k], right[:, k], changes)
-    return Spectrum(sizes, slopes, *_fold(jacobian, changes))
+    return Spectrum(sizes, slopes, positive, *_fold(jacobian, changes))
 
 
 def _fold(

@@ -16,10 +16,11 @@ from ...analysis.search import find_orbit
 from ...errors import RunError
 from ...library.orbit import orbit_near
 from ...library.runner import Runner
-from ...optimization.optimizer import Optimizer, Start
+from ...optimization.optimizer import Optimizer
 from ...optimization.optimum import Optimum
 from ...optimization.problem import Goal
 from ...optimization.space import Space
+from ...optimization.starts import Start
 from ...pictures import style
 from ...terminal import progress
 from ...unit.unit import FRICTION
@@ -96,9 +97,9 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
     try:
         optimizer = Optimizer(find_orbit(runner), Space(BOUNDS), 1)
         starts = list(_starts(optimizer.space, runner, near))
-        starts += optimizer.starts if begin or not starts else []
+        starts += [optimizer.first] if begin or not starts else []
         with progress.bar("", len(starts), "", show=False) as bar:
-            return [optimizer.optimum(goal, optimizer.best(goal, bar, starts)[0])]
+            return [optimizer.optimum(goal, optimizer.best(goal, bar, starts))]
     except RunError:
         return []
 

@@ -1,0 +1,157 @@
+"""Gaits of runners whose parameters are spread over a box, side by side: thousands of them in a second.
+
+Each runner begins near a gait that is known and makes strides until they repeat themselves; one that falls
+begins once more, where its nearest neighbour among those that run has come to. Gaits that are found so are
+stable: others attract nobody.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contents import ByContents
+from ..errors import InputError
+from ..library.crowd import Crowd
+from ..library.noted_strides import CLOSED, Request, noted_strides
+from ..library.runner import Runner
+
+TOLERANCE = 1e-6
+"""Of a step, relative: where runners settle need not be known any better."""
+AT_ONCE = 8
+"""Strides between two looks at who still runs."""
+BEGINNINGS, LOOKS = 3, 6
+"""Beginnings of a runner that falls, and further looks after the last of them."""
+SETTLED = 1e-3
+"""Over the scales: a stride that comes back as near is next to a gait."""
+TAKEN_IN = 0.5
+"""Over the widths of the box: a neighbour that is farther is none to begin from."""
+
+
+@dataclass(frozen=True, eq=False)
+class Settled(ByContents):
+    """Runners that have settled."""
+
+    numbers: NDArray[np.intp]
+    """Which of those that began, shape (m,)."""
+    apexes: NDArray[np.float64]
+    """Next to those of their gaits, shape (m, n)."""
+    strides: int
+    """That all made together."""
+
+
+def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
+    """Places that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1.
+
+    Parameters
+    ----------
+    count, dimension : int
+        How many, of how many coordinates.
+    first : int, default 0
+        How many of the same places come before them.
+
+    Returns
+    -------
+    ndarray of float, shape (count, dimension)
+        From 0 to 1.
+    """
+    ratio = 1.5
+    for _ in range(60):
+        ratio = (1.0 + ratio) ** (1.0 / (dimension + 1))
+    steps = ratio ** -np.arange(1.0, dimension + 1)
+    numbers = first + 1.0 + np.arange(count)
+    places: NDArray[np.float64] = (0.5 + numbers[:, None] * steps) % 1.0
+    return places
+
+
+def settled_gaits(
+    runner: Runner, varied: Mapping[str, NDArray[np.float64]], begin: NDArray[np.float64]
+) -> Settled:
+    """Which runners settle on a gait, and where.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose values all have but for those that vary.
+    varied : mapping of str to ndarray of float, shape (runners,)
+        Parameters and inputs of each, within their ranges. Runners whose values do not go together are left
+        out.
+    begin : ndarray of float, shape (n,)
+        An apex to begin with.
+
+    Returns
+    -------
+    Settled
+        Those whose gaits lead forward.
+    """
+    runs = _Runs(runner, varied, begin)
+    runs.begin()
+    for _ in range(LOOKS):
+        runs.go_on(runs.running.copy())
+    return runs.settled()
+
+
+class _Runs:
+    """Runners side by side."""
+
+    def __init__(
+        self, runner: Runner, varied: Mapping[str, NDArray[np.float64]], begin: NDArray[np.float64]
+    ) -> None:
+        self.runner, self.varied = runner, varied
+        rows = np.column_stack(list(varied.values()))
+        low, high = rows.min(axis=0), rows.max(axis=0)
+        self.places = (rows - low) / np.where(high > low, high - low, 1.0)
+        self.able = np.array([_goes_together(runner, varied, k) for k in range(len(rows))])
+        self.apexes = np.tile(begin, (len(rows), 1))
+        self.running = np.zeros(len(rows), dtype=bool)
+        self.returns = np.full(len(rows), np.inf)
+        self.strides = 0
+
+    def begin(self) -> None:
+        """From the apex given; those that fall from there on, from where their neighbours have come to."""
+        from scipy.spatial import KDTree  # slow to load
+
+        self.go_on(self.able)
+        for _ in range(BEGINNINGS - 1):
+            fallen = self.able & ~self.running
+            if not (fallen.any() and self.running.any()):
+                return
+            runners = np.flatnonzero(self.running)
+            far, nearest = KDTree(self.places[runners]).query(self.places[fallen])
+            near = np.zeros_like(fallen)
+            near[np.flatnonzero(fallen)[far <= TAKEN_IN]] = True
+            self.apexes[near] = self.apexes[runners[nearest[far <= TAKEN_IN]]]
+            if near.any():
+                self.go_on(near)
+
+    def go_on(self, which: NDArray[np.bool_]) -> None:
+        """Strides of some of the runners; those that fall run no longer."""
+        if not which.any():
+            return
+        crowd = Crowd(
+            self.runner, {name: np.ascontiguousarray(row[which]) for name, row in self.varied.items()}
+        )
+        made = noted_strides(Request(crowd, self.apexes[which], AT_ONCE, {}, tolerance=TOLERANCE))
+        closed = (made["fate"] == CLOSED).all(axis=1) & (made["length"][:, -1] > 0.0)
+        self.strides += int(np.count_nonzero(made["fate"] == CLOSED))
+        ends, begins = made["next_apex"][:, -1], made["apex"][:, -1]
+        going = np.flatnonzero(which)[closed]
+        self.running[which] = closed
+        self.apexes[going] = ends[closed]
+        self.returns[going] = np.linalg.norm((ends - begins)[closed] / self.runner.scales, axis=1)
+
+    def settled(self) -> Settled:
+        """Those that still run and come back."""
+        numbers = np.flatnonzero(self.running & (self.returns < SETTLED))
+        return Settled(numbers, self.apexes[numbers], self.strides)
+
+
+def _goes_together(runner: Runner, varied: Mapping[str, NDArray[np.float64]], number: int) -> bool:
+    """Whether the library takes a runner's values."""
+    try:
+        for name, row in varied.items():
+            runner = runner.but(name, float(row[number]))
+        return runner.model is not None
+    except InputError:
+        return False

@@ -1,0 +1,71 @@
+"""Where searches begin: runners all over a box that settle, and which of them have no better one near."""
+
+import numpy as np
+import pytest
+from tdmf_slip import find_orbit
+from tdmf_slip.analysis.linkage import linked
+from tdmf_slip.analysis.settled import evenly, settled_gaits
+from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.scales import scale_of
+
+NAMES = ("hip.touchdown_angle", "hip.stance_torque")
+LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])
+
+
+def test_each_basin_of_a_wavy_function_is_begun_in():
+    """cos 4 pi x cos 4 pi y has its least, -1, at twelve places of the square, all but four on its edges."""
+    places = evenly(2000, 2)
+    merits = np.prod(np.cos(4.0 * np.pi * places), axis=1)
+    begun = places[list(linked(places, merits))]
+    grid = [(x, y) for x in np.arange(5) / 4.0 for y in np.arange(5) / 4.0]
+    least = [place for place in grid if np.prod(np.cos(4.0 * np.pi * np.array(place))) < -0.9]
+    assert len(least) == 12
+    for place in least:
+        assert np.min(np.linalg.norm(begun - place, axis=1)) < 0.05
+    assert len(begun) < 40
+
+
+def test_one_basin_is_begun_in_once():
+    places = evenly(500, 3)
+    begun = linked(places, np.sum((places - 0.4) ** 2, axis=1))
+    assert len(begun) == 1
+    assert linked(places[:0], np.zeros(0)) == []
+
+
+@pytest.mark.parametrize("dimension", [1, 2, 5])
+def test_places_fill_a_box_evenly(dimension):
+    """Each half of each side has half of them."""
+    places = evenly(1000, dimension)
+    assert np.all((places >= 0.0) & (places < 1.0))
+    assert np.mean(places < 0.5, axis=0) == pytest.approx(0.5, abs=0.01)
+    assert np.array_equal(evenly(10, dimension, 990), places[990:])
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_runners_that_settle_are_next_to_their_gaits(model):
+    first = find_orbit({"ground.friction": 0.3}, model=model)
+    values = LOW + evenly(200, 2) * (HIGH - LOW)
+    found = settled_gaits(first.runner, dict(zip(NAMES, values.T.copy(), strict=True)), first.apex)
+    assert 80 < len(found.numbers) < 200
+    for number, apex in list(zip(found.numbers, found.apexes, strict=True))[::10]:
+        runner = first.runner.but(NAMES[0], values[number, 0]).but(NAMES[1], values[number, 1])
+        gait = orbit_near(runner, apex)
+        assert np.max(np.abs((gait.apex - apex) / runner.scales)) < 0.02
+        assert gait.lambda_max < 1.0
+
+
+def test_runners_whose_values_do_not_go_together_are_left_out():
+    first = find_orbit({})
+    lengths = np.array([0.02, 1.0, 0.04])
+    found = settled_gaits(first.runner, {"leg.free_length": lengths}, first.apex)
+    assert found.numbers.tolist() == [1]
+
+
+def test_scales_are_those_of_the_runner():
+    runner = find_orbit({}).runner.but("leg.stiffness", 4.0).but("leg.free_length", 2.0).but("body.mass", 9.0)
+    assert scale_of(runner, "kg") == pytest.approx(9.0)
+    assert scale_of(runner, "N/m") == pytest.approx(4.0)
+    assert scale_of(runner, "N.m") == pytest.approx(16.0) == scale_of(runner, "N.m/rad")
+    assert scale_of(runner, "N.s/m") == pytest.approx(6.0)
+    assert scale_of(runner, "N.m.s/rad") == pytest.approx(16.0 * 1.5)
+    assert scale_of(runner, "m/s2") == pytest.approx(2.0 / 1.5**2)
