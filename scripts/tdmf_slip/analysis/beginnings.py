@@ -84,6 +84,10 @@ def _spread(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) 
 
 
 def _gap(quantities: NDArray[np.float64], ordered: NDArray[np.float64]) -> float:
-    """How far a gait is from an order, by factors: half is as far as twice."""
-    least = NONE * np.abs(ordered)
-    return float(np.linalg.norm(np.log(np.maximum(quantities, least) / np.maximum(ordered, least))))
+    """How far a gait is from an order, by factors: half is as far as twice; where signs differ, over it."""
+    size = np.abs(ordered)
+    size[size == 0.0] = 1.0
+    factors = np.maximum(quantities / size, NONE) / np.maximum(ordered / size, NONE)
+    positive = (ordered > 0.0) & (quantities >= 0.0)
+    off = np.where(positive, np.log(factors), (quantities - ordered) / size)
+    return float(np.linalg.norm(off))

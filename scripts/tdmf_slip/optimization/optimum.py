@@ -9,7 +9,16 @@ from ..library.quantities import known_quantities, quantities_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum beside bounds."""
-NEVER_NEGATIVE = ("slip_distance",)
+NEVER_NEGATIVE = (
+    "slip_distance",
+    "greatest_slip_velocity",
+    "friction_loss",
+    "positive_hip_work",
+    "positive_leg_work",
+    "positive_work",
+    "positive_cost_of_transport",
+    "squared_torque",
+)
 """Quantities of which no gait has less than zero."""
 
 
