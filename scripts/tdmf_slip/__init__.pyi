@@ -1,5 +1,6 @@
 from .analysis.basin import basin
 from .analysis.branch import Branch
+from .analysis.comparison import Comparison, compare
 from .analysis.curve import Curve
 from .analysis.curves import continue_curves
 from .analysis.first_passage import strides_to_fall
@@ -40,6 +41,7 @@ __all__ = [
     "Attraction",
     "BorderProof",
     "Branch",
+    "Comparison",
     "Controllability",
     "Curve",
     "Feedback",
@@ -61,6 +63,7 @@ __all__ = [
     "__version__",
     "apex_covariance",
     "basin",
+    "compare",
     "continue_branch",
     "continue_curves",
     "controllability",

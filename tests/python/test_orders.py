@@ -10,13 +10,8 @@ from tdmf_slip import InputError, OrderNotMetError, Runner, find_gait, find_orbi
 from tdmf_slip.analysis.order import Order
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.orbit import orbit_near
-from tdmf_slip.library.quantities import (
-    QUANTITIES,
-    REDUCED_QUANTITIES,
-    quantities_of,
-    scales_of,
-    varied_stride,
-)
+from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
+from tdmf_slip.library.varied_stride import varied_stride
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 

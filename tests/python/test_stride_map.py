@@ -9,8 +9,9 @@ import xarray
 from tdmf_slip import AffineLaw, InputError, Runner, find_orbit, stride_map
 from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.library.ensemble import instruction_sets
+from tdmf_slip.library.measures import STRIDE_QUANTITIES
 from tdmf_slip.library.noted_strides import STRIDE_FATES
-from tdmf_slip.library.orbit import LEDGER, STRIDE_QUANTITIES
+from tdmf_slip.library.orbit import LEDGER
 from tdmf_slip.library.rough_ground import RoughGround
 from tdmf_slip.library.settings import SETTINGS
 from tdmf_slip.library.strides import strides_from

@@ -82,7 +82,8 @@ class Branch(ByContents, Drawable):
             and `unstable`, how many eigenvalues are outside the unit circle; by special point `special_kind`,
             `special_value` and `special_why`.
         """
-        from .grid import as_dataset, attributes_of  # xarray is slow to load
+        from .gait_columns import attributes_of
+        from .grid import as_dataset  # xarray is slow to load
 
         unit = load(unit)
         data = as_dataset(self.orbits, {"point": np.arange(len(self.orbits), dtype=float)}, unit)

@@ -1,6 +1,6 @@
 """Gaits over the friction and a second parameter: a grid on file, made row by row."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,75 +14,19 @@ from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
 from ..library.members import STATES, check_varied
-from ..library.orbit import LEDGER, MEASURE_UNITS, STRIDE_QUANTITIES, Orbit, orbit_near
+from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import MOST_VALUES, Given, Values
+from .gait_columns import COLUMNS, attributes_of
 from .search import model_of
 from .sweep import check_values, sweep_row
 
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""
-
-
-@dataclass(frozen=True)
-class Column:
-    """A number of a gait, as a variable of a dataset."""
-
-    value_of: Callable[[Orbit], float]
-    """Reads it off a gait."""
-    variable: str | None
-    """The unit's variable that has its unit and description, if there is one."""
-    unit: str = ""
-    """Where there is none."""
-
-    def attributes(self, unit: Unit) -> dict[str, str]:
-        """Unit and description, by the names that CF gives them."""
-        return {"units": self.unit} if self.variable is None else attributes_of(unit, self.variable)
-
-
-def attributes_of(unit: Unit, name: str) -> dict[str, str]:
-    """Unit and description of one of the unit's variables, by the names that CF gives them.
-
-    Parameters
-    ----------
-    unit : Unit
-        Which unit.
-    name : str
-        Of the variable.
-
-    Returns
-    -------
-    dict of str to str
-        `units` and `long_name`.
-    """
-    variable = unit.variables[name]
-    return {"units": variable.unit or "1", "long_name": variable.description}
-
-
-def _of_stride(name: str) -> Callable[[Orbit], float]:
-    return lambda orbit: orbit.stride[name]
-
-
-def _of_measure(name: str) -> Callable[[Orbit], float]:
-    return lambda orbit: orbit.stride.get(name, np.nan)
-
-
-def _of_apex(index: int) -> Callable[[Orbit], float]:
-    return lambda orbit: float(orbit.section[index])
-
-
-COLUMNS: Mapping[str, Column] = {
-    **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
-    **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
-    **{name: Column(_of_measure(name), None, unit) for name, unit in MEASURE_UNITS.items()},
-    **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
-    "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
-}
-"""All numbers of a gait, by the names that they have in a dataset."""
 
 
 def as_dataset(

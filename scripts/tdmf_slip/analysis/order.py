@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
-from ..library.quantities import VariedStride, scales_of, varied_stride
+from ..library.quantities import scales_of
 from ..library.runner import Runner
+from ..library.varied_stride import VariedStride, varied_stride
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is ordered at once."""

@@ -74,7 +74,7 @@ def find_gait(
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
         strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
         foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
-        in the full model also those of `library.orbit.MEASURE_UNITS`, as `foot_clearance`.
+        in the full model also those of `library.measures.MEASURE_UNITS`, as `foot_clearance`.
     free : sequence of str
         Names of parameters and inputs to be found, as many as are ordered or more.
     guess : sequence of float, optional

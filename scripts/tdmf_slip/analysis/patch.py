@@ -16,8 +16,8 @@ from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.ensemble import FATES, Case, run_ensemble
 from ..library.orbit import Orbit
-from ..library.quantities import plain_stride
 from ..library.runner import Runner
+from ..library.varied_stride import plain_stride
 from ..unit.unit import FRICTION
 
 AFTER = 30

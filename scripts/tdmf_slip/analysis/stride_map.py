@@ -108,7 +108,7 @@ def stride_map(
     -------
     xarray.Dataset
         Over `runner` and `stride`: `fate`, by the flag values of its attribute; `apex` and `next_apex`, over
-        `coordinate` too; quantities of the stride by the names of `library.orbit.STRIDE_QUANTITIES` and
+        `coordinate` too; quantities of the stride by the names of `library.measures.STRIDE_QUANTITIES` and
         `LEDGER`, `liftoff_angle` and `word`; what was set, by the names of the settings; `ground.height` on
         rough ground. Over `runner` the parameters that vary. A runner's other values are attributes.
 

@@ -7,7 +7,8 @@ import click
 from ..analysis.ordered import OrderNotMetError, find_gait
 from ..analysis.search import find_orbit
 from ..errors import InputError
-from ..library.orbit import MEASURE_UNITS, TOLD, Orbit
+from ..library.measures import MEASURE_UNITS
+from ..library.orbit import TOLD, Orbit
 from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.told import Told

@@ -19,6 +19,7 @@ COMMANDS = (
     "animate",
     "basin",
     "bench",
+    "compare",
     "continue",
     "figures",
     "fit",

@@ -7,7 +7,7 @@ import click
 
 from ..analysis.ordered import OrderNotMetError
 from ..errors import InputError
-from ..library.orbit import MEASURE_UNITS
+from ..library.measures import MEASURE_UNITS
 from ..library.quantities import QUANTITIES
 from ..optimization.optimize import MOST_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, told

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from ..library.orbit import orbit_near
-from ..library.quantities import plain_stride, varied_stride
+from ..library.varied_stride import plain_stride, varied_stride
 from .problem import FIRST_STEP, Problem
 
 WEIGHT = 1e3

@@ -12,7 +12,7 @@ from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_table, mapping_of
-from ..library.orbit import MEASURE_UNITS
+from ..library.measures import MEASURE_UNITS
 from ..library.quantities import SIGNED
 
 UNITS: Mapping[str, str] = {

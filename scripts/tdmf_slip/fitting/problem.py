@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
-from ..library.quantities import PlainStride, plain_stride, scales_of
+from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait
+from ..library.varied_stride import PlainStride, plain_stride
 from .measurements import Measurements
 
 FIRST_STEP = 0.1

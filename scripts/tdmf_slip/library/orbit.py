@@ -18,101 +18,21 @@ from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
+from .measures import STRIDE_QUANTITIES, all_measures
 from .members import check_has_gaits
 from .return_map import Along, derivatives, direction
 from .runner import Runner, text_of
 from .section import COORDINATES, REDUCED, Apex, checked_apex
-from .structs import EventLog, Measured, Return
+from .structs import EventLog, Return
 from .word import Event, Letter, letters_of, noted
 
 SETTLING_STRIDES = 400
-STRIDE_QUANTITIES = (
-    "period",
-    "length",
-    "rise",
-    "speed",
-    "work",
-    "hip_work",
-    "leg_work",
-    "positive_work",
-    "cost_of_transport",
-    "touchdowns",
-    "stance_time",
-    "duty_factor",
-    "slip_distance",
-    "peak_force",
-    "peak_vertical_force",
-)
-MEASURE_UNITS: Mapping[str, str] = {
-    "apex_height": "m",
-    "apex_speed": "m/s",
-    "apex_leg_angle": "rad",
-    "foot_clearance": "m",
-    "greatest_foot_height": "m",
-    "positive_hip_work": "J",
-    "positive_leg_work": "J",
-    "positive_work": "J",
-    "positive_cost_of_transport": "1",
-    "squared_torque": "N2.m2.s",
-    "greatest_slip_velocity": "m/s",
-    "friction_loss": "J",
-}
-"""What else is measured along a stride of the full model, with its units: of its first apex height, speed,
-leg angle, and clearance, the foot's height above the ground; the foot's greatest height in flight; work done
-at positive power by the hip, by the leg's changes of rest length, and by both, also per weight and distance;
-the integral of the squared hip torque; the foot's greatest speed along the ground in slip; what friction
-takes."""
-MEASURES = tuple(MEASURE_UNITS)
-APEX_QUANTITIES = {"apex_height": "com_height", "apex_speed": "com_speed", "apex_leg_angle": "leg_angle"}
-"""Those of `MEASURES` that are coordinates of the apex at which a stride begins."""
 LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
 """What closes the balance of energy of a stride with the work of hip and leg, J."""
 TOLD = ("period", "length", "speed", "work", "cost_of_transport")
-"""Of the quantities of a stride, those that a gait is told by."""
+"""Those that a gait is told by."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 """Those that tell where its energy comes from and goes to."""
-
-
-def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
-    """Where a stride begins, by the names of quantities.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride.
-    apex : sequence of float, shape (n,)
-        In the order of the runner's `coordinates`.
-
-    Returns
-    -------
-    dict of str to float
-        By the names of `APEX_QUANTITIES`, as far as the runner's map has them.
-    """
-    at = dict(zip(runner.coordinates, map(float, apex), strict=True))
-    return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
-
-
-_ALONG = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
-_GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
-
-
-def measures_of(measured: Measured) -> dict[str, float]:
-    """What the library has measured along a stride, or the change of it.
-
-    Parameters
-    ----------
-    measured : Measured
-        A stride of the full model, or how it changes.
-
-    Returns
-    -------
-    dict of str to float
-        By the names of `MEASURES`, but for those of the apex and for what is per weight and distance.
-    """
-    told = {name: float(getattr(measured.measures, name)) for name in (*_ALONG, *_GREATEST)}
-    told["foot_clearance"] = float(measured.foot_clearance)
-    told["positive_work"] = told["positive_hip_work"] + told["positive_leg_work"]
-    return told
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -128,8 +48,8 @@ class Orbit(ByContents, Drawable):
     liftoff_angle: float
     """Of the leg at lift-off, rad."""
     stride: Mapping[str, float]
-    """By the names in `STRIDE_QUANTITIES` and `LEDGER`, in the full model also in `MEASURES`: `positive_work`
-    is that of hip and leg, in the reduced map that of the hip."""
+    """By the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `measures.MEASURES`: there
+    `positive_work` is that of hip and leg, in the reduced map that of the hip."""
     jacobian: NDArray[np.float64]
     """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None
@@ -349,19 +269,15 @@ def orbit_of(
         As of a gait.
     """
     jacobian, by_parameter = derivatives(runner, stride)
-    quantities = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
-    quantities |= {name: float(getattr(stride, name)) for name in LEDGER}
-    if not runner.reduced:
-        quantities |= {**measures_of(stride), **apex_quantities(runner, apex)}
-        weight = (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
-        distance = weight * quantities["length"]
-        quantities["positive_cost_of_transport"] = quantities["positive_work"] / distance if distance else 0.0
+    told = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
+    told |= {name: float(getattr(stride, name)) for name in LEDGER}
+    told |= {} if runner.reduced else all_measures(runner, apex, stride)
     return Orbit(
         runner=runner,
         apex=apex,
         word=text_of(stride.stride.word),
         liftoff_angle=stride.liftoff_angle,
-        stride=quantities,
+        stride=told,
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,

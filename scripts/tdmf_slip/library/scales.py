@@ -29,6 +29,7 @@ def scale_of(runner: Runner, unit: str) -> float:
         "m/s": scales.speed,
         "N": scales.force,
         "J": scales.energy,
+        "N2.m2.s": scales.energy**2 * scales.time,
         "rad": 1.0,
         "rad/s": 1.0 / scales.time,
         "1": 1.0,

@@ -13,8 +13,9 @@ from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import ffi
 from .maps import map_of
+from .measures import APEX_QUANTITIES
 from .members import check_has_gaits
-from .orbit import APEX_QUANTITIES, Orbit, orbit_near, orbit_of
+from .orbit import Orbit, orbit_near, orbit_of
 from .return_map import Along, direction
 from .runner import Runner
 from .section import Apex, checked_apex

@@ -67,6 +67,7 @@ class StrideChange(Measured, Protocol):
 class Stride(Protocol):
     """`tdmf_stride`: a completed stride; its quantities are read by their names."""
 
+    length: float
     word: object
 
 

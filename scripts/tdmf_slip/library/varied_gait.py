@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
-from .quantities import varied_stride
 from .runner import Runner
+from .varied_stride import varied_stride
 
 
 @dataclass(frozen=True, eq=False)

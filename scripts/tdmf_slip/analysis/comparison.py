@@ -1,0 +1,284 @@
+"""Runners compared with what could confound them held equal to what the first of them has.
+
+Two runners that differ in friction differ in speed, in how high they hop and in how high they carry the foot.
+A difference between them says what friction does only where these are the same.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ..checks import is_one_of, near_matches, shown
+from ..contents import ByContents
+from ..errors import InputError
+from ..given import row_of
+from ..library.measures import MEASURE_UNITS
+from ..library.members import VARIED, check_varied
+from ..library.orbit import Orbit
+from ..library.quantities import check_quantities, known_quantities, quantities_of
+from ..library.runner import Runner
+from ..terminal import progress
+from ..terminal.text import headed, table
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .ordered import OrderNotMetError, find_gait
+from .search import find_orbit, runner_by
+
+HELD = 1e-8
+"""Over its size: a quantity as near to the reference's is held."""
+OTHER_UNITS = {"frequency": "Hz", **MEASURE_UNITS}
+
+
+@dataclass(frozen=True)
+class NotHeld:
+    """A quantity that a runner could not be given."""
+
+    runner: int
+    """Its number; the reference is 0."""
+    quantity: str
+    """By its name."""
+    wanted: float
+    """What the reference has."""
+    has: float
+    """What the runner has that came nearest."""
+
+
+@dataclass(frozen=True, eq=False)
+class MatchedRunner(ByContents):
+    """A runner as it was given, and as it was matched to the reference."""
+
+    parameters: Mapping[str, float]
+    """Of the matched runner, in the unit's units: what was varied, and what tells the runners apart."""
+    before: Orbit
+    """The gait that it had."""
+    after: Orbit
+    """The gait that it has with what is held as the reference has it, or as near to it as was found."""
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison(ByContents):
+    """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
+
+    hold: tuple[str, ...]
+    """Quantities that are to be equal."""
+    vary: tuple[str, ...]
+    """What may change for it."""
+    runners: tuple[MatchedRunner, ...]
+    """In the order in which they were given; the first is as it was."""
+    not_held: tuple[NotHeld, ...]
+    """What could not be made equal: empty where all runners are matched."""
+
+    @property
+    def gaits(self) -> tuple[Orbit, ...]:
+        """Of the matched runners."""
+        return tuple(matched.after for matched in self.runners)
+
+    def as_json(self) -> dict[str, object]:
+        """The comparison as a plain object."""
+        return {
+            "hold": list(self.hold),
+            "vary": list(self.vary),
+            "runners": [
+                {
+                    "parameters": dict(matched.parameters),
+                    "before": _told(matched.before),
+                    "after": _told(matched.after),
+                }
+                for matched in self.runners
+            ],
+            "not_held": [
+                {"runner": of.runner, "quantity": of.quantity, "wanted": of.wanted, "has": of.has}
+                for of in self.not_held
+            ],
+        }
+
+    def table(self, unit: Unit | None = None) -> str:
+        """Every quantity of every runner, before and after, and what could not be held.
+
+        Parameters
+        ----------
+        unit : Unit, optional
+            For the units; by default that of `fmu_path`.
+
+        Returns
+        -------
+        str
+            Lines; a star marks what is held.
+        """
+        variables = load(unit).variables
+        columns = [
+            (f"runner {number}{'' if step == 'after' else ' as given'}", getattr(matched, step))
+            for number, matched in enumerate(self.runners)
+            for step in (("after",) if number == 0 else ("before", "after"))
+        ]
+        rows = [
+            (headed(name, variables[name].unit), *(f"{gait.runner.values[name]:.6g}" for _, gait in columns))
+            for name in self.runners[0].parameters
+        ]
+        rows.append(("word", *(gait.word for _, gait in columns)))
+        rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
+        for name in known_quantities(self.runners[0].after.runner):
+            of = OTHER_UNITS.get(name) or variables[f"stride.{name}"].unit
+            mark = " *" if name in self.hold else ""
+            values = (quantities_of(gait, [name])[name] for _, gait in columns)
+            rows.append((headed(name, of) + mark, *(f"{value:.6g}" for value in values)))
+        rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
+        lines = [table(("", *(title for title, _ in columns)), rows), "", "* held"]
+        lines += [
+            f"not held: {of.quantity} of runner {of.runner} is {of.has:.6g}, not {of.wanted:.6g}"
+            for of in self.not_held
+        ]
+        return "\n".join(lines)
+
+
+def _told(gait: Orbit) -> dict[str, object]:
+    """A gait by its quantities."""
+    return {
+        "word": gait.word,
+        "stable": gait.stable,
+        "lambda_max": gait.lambda_max,
+        **quantities_of(gait, known_quantities(gait.runner)),
+    }
+
+
+def compare(
+    runners: Sequence[Runner | Mapping[str, Given] | Orbit | None],
+    *,
+    hold: Sequence[str],
+    vary: Sequence[str],
+    model: str | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Comparison:
+    """Runners made equal in what could confound a comparison.
+
+    The first runner is the reference and stays as it is. Of each other one, what `vary` names is changed
+    until its gait has what `hold` names as the reference has it, as `find_gait` does it; where no such gait
+    is found, the nearest is taken and `not_held` says what differs.
+
+    Parameters
+    ----------
+    runners : sequence of Runner, mapping of str to float, Orbit or None
+        Two or more: runners, or start values by the unit's names and in its units, over the unit's own; None
+        is the unit's own runner. A gait is where the search for the runner's gait begins.
+    hold : sequence of str
+        Quantities of a gait that are to be equal, by names of `library.quantities.QUANTITIES`, as `speed`,
+        `apex_height` and `foot_clearance`.
+    vary : sequence of str
+        Parameters and inputs that may change for it: as many as are held, or more. Of more, each step is the
+        shortest one, over their values.
+    model : str, optional
+        `full` or `reduced`, as in `find_orbit`.
+    show_progress : bool, default False
+        A bar on stderr.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Comparison
+        Each runner before and after, and what could not be held.
+
+    Raises
+    ------
+    InputError
+        There are fewer than two runners, a name is unknown, nothing is held, or `find_gait` refuses what is
+        varied.
+    RunError
+        A runner has no gait.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> matched = tdmf_slip.compare(
+    ...     [{"ground.friction": 0.2}, {"ground.friction": 10.0}],
+    ...     hold=["speed", "apex_height", "apex_leg_angle"],
+    ...     vary=["hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor"],
+    ... )
+    >>> matched.not_held, round(matched.gaits[1].stride["speed"], 6)
+    ((), 0.83435)
+    """
+    given = row_of(runners, "runners", "a list of two runners or more")
+    if len(given) < 2:
+        raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
+    names = _checked_hold(hold)
+    varied = tuple(row_of(vary, "vary", "a list of names of parameters and inputs"))
+    for name in varied:
+        check_varied(name, "vary")
+    before = [_gait_of(runner, model, unit) for runner in given]
+    for gait in before:
+        check_quantities(gait.runner, names)
+    goal = quantities_of(before[0], names)
+    matched, not_held = [before[0]], []
+    with progress.bar("compare", len(before) - 1, "runners", show_progress) as bar:
+        for number, gait in enumerate(before[1:], start=1):
+            after, missing = _matched(gait, goal, varied, number, model, unit)
+            matched.append(after)
+            not_held += missing
+            bar.update()
+    told = _telling([*before, *matched], varied)
+    return Comparison(
+        names,
+        varied,
+        tuple(
+            MatchedRunner({name: after.runner.values[name] for name in told}, one, after)
+            for one, after in zip(before, matched, strict=True)
+        ),
+        tuple(not_held),
+    )
+
+
+def _checked_hold(hold: object) -> tuple[str, ...]:
+    names = tuple(row_of(hold, "hold", "a list of names of quantities"))
+    known = known_quantities(Runner.of(None))
+    if not names:
+        raise InputError(f"hold: nothing is held; allowed: {', '.join(known)}")
+    for name in names:
+        if not is_one_of(name, known):
+            raise InputError(
+                f"hold {shown(name)} is not allowed; allowed: {', '.join(known)}{near_matches(name, known)}"
+            )
+        if names.count(name) > 1:
+            raise InputError(f"hold: {name} is given twice; allowed: once")
+    return names
+
+
+def _gait_of(
+    given: Runner | Mapping[str, Given] | Orbit | None, model: str | None, unit: Unit | None
+) -> Orbit:
+    if isinstance(given, Orbit):
+        return given
+    return find_orbit(runner_by(Runner.of(given, unit), model), unit=unit)
+
+
+def _matched(
+    gait: Orbit,
+    goal: Mapping[str, float],
+    vary: Sequence[str],
+    number: int,
+    model: str | None,
+    unit: Unit | None,
+) -> tuple[Orbit, list[NotHeld]]:
+    """The gait with what is held, or the nearest one with what it lacks."""
+    if _lacking(gait, goal, number) == []:
+        return gait, []
+    try:
+        found = find_gait(gait.runner, goal, vary, guess=gait.apex, model=model, unit=unit)
+    except OrderNotMetError as problem:
+        found = problem.nearest
+    return found, _lacking(found, goal, number)
+
+
+def _lacking(gait: Orbit, goal: Mapping[str, float], number: int) -> list[NotHeld]:
+    has = quantities_of(gait, list(goal))
+    return [
+        NotHeld(number, name, wanted, has[name])
+        for name, wanted in goal.items()
+        if abs(has[name] - wanted) > HELD * max(abs(wanted), abs(has[name]))
+    ]
+
+
+def _telling(gaits: Sequence[Orbit], vary: Sequence[str]) -> tuple[str, ...]:
+    """Parameters and inputs that are varied, or of which the runners have different values."""
+    return tuple(
+        name for name in VARIED if name in vary or len({gait.runner.values[name] for gait in gaits}) > 1
+    )

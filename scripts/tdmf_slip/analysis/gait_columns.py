@@ -1,0 +1,64 @@
+"""Numbers of a gait as variables of a dataset, with units."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..library.measures import MEASURE_UNITS, STRIDE_QUANTITIES
+from ..library.orbit import LEDGER, Orbit
+from ..library.section import COORDINATES
+from ..unit.unit import Unit
+
+
+@dataclass(frozen=True)
+class Column:
+    """A number of a gait, as a variable of a dataset."""
+
+    value_of: Callable[[Orbit], float]
+    """Reads it off a gait."""
+    variable: str | None
+    """The unit's variable that has its unit and description, if there is one."""
+    unit: str = ""
+    """Where there is none."""
+
+    def attributes(self, unit: Unit) -> dict[str, str]:
+        """Unit and description, by the names that CF gives them."""
+        return {"units": self.unit} if self.variable is None else attributes_of(unit, self.variable)
+
+
+def attributes_of(unit: Unit, name: str) -> dict[str, str]:
+    """Unit and description of one of the unit's variables, by the names that CF gives them.
+
+    Parameters
+    ----------
+    unit : Unit
+        Which unit.
+    name : str
+        Of the variable.
+
+    Returns
+    -------
+    dict of str to str
+        `units` and `long_name`.
+    """
+    variable = unit.variables[name]
+    return {"units": variable.unit or "1", "long_name": variable.description}
+
+
+def _of_stride(name: str) -> Callable[[Orbit], float]:
+    return lambda orbit: orbit.stride.get(name, np.nan)  # the reduced map measures less
+
+
+def _of_apex(index: int) -> Callable[[Orbit], float]:
+    return lambda orbit: float(orbit.section[index])
+
+
+COLUMNS: Mapping[str, Column] = {
+    **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
+    **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
+    **{name: Column(_of_stride(name), None, unit) for name, unit in MEASURE_UNITS.items()},
+    **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
+    "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
+}
+"""All numbers of a gait, by the names that they have in a dataset."""

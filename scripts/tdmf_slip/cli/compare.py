@@ -1,0 +1,98 @@
+"""The command `compare`: runners matched in what could confound a comparison."""
+
+import click
+
+from ..analysis.comparison import compare
+from ..errors import InputError
+from ..library.quantities import QUANTITIES
+from ..library.runner import Runner
+from ..unit.unit import FRICTION, Unit, load
+from .options import JSON_OPTION, MODEL_OPTION, SET_OPTION, Command, values_given
+from .output import json_text
+from .runner import runner_of
+
+
+@click.command("compare", cls=Command)
+@click.option(
+    "--friction",
+    "frictions",
+    type=float,
+    multiple=True,
+    metavar="MU",
+    help=f"A runner by the friction of its ground; short for {FRICTION}. Repeatable.",
+)
+@click.option(
+    "--parameters",
+    "files",
+    multiple=True,
+    metavar="FILE",
+    help="A runner by a TOML or JSON file, or a preset. Repeatable; as many as frictions, or one of either.",
+)
+@click.option(
+    "--hold",
+    required=True,
+    metavar="NAMES",
+    help=f"Quantities that are to be equal, as in speed,apex_height: {', '.join(QUANTITIES)}.",
+)
+@click.option(
+    "--vary",
+    required=True,
+    metavar="NAMES",
+    help="Parameters that may change for it, at least as many, as in hip.stance_torque,hip.touchdown_angle.",
+)
+@SET_OPTION
+@MODEL_OPTION
+@JSON_OPTION
+def compare_command(
+    frictions: tuple[float, ...],
+    files: tuple[str, ...],
+    hold: str,
+    vary: str,
+    settings: tuple[str, ...],
+    model: str,
+    as_json_object: bool,
+) -> None:
+    """Runners made equal in speed, clearance or the like: what is left of a difference has fewer causes.
+
+    The first runner is the reference. What could not be made equal is told, and is no error.
+    """
+    unit = load()
+    found = compare(
+        _runners(unit, frictions, files, settings, model),
+        hold=_names(hold),
+        vary=_names(vary),
+        model=model,
+        show_progress=True,
+        unit=unit,
+    )
+    print(json_text(found.as_json()) if as_json_object else found.table(unit))
+
+
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",")]
+
+
+def _runners(
+    unit: Unit, frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
+) -> list[Runner]:
+    """Those of the options, in the order in which they were given.
+
+    Raises
+    ------
+    InputError
+        Frictions and files are not as many, or there are fewer than two runners.
+    """
+    count = max(len(frictions), len(files))
+    if count < 2 or any(len(given) not in (0, 1, count) for given in (frictions, files)):
+        raise InputError(
+            f"--friction {len(frictions)} times, --parameters {len(files)} times; allowed: two runners or "
+            "more by either, or by as many of both"
+        )
+    of_each = [
+        (
+            frictions[number % len(frictions)] if frictions else None,
+            files[number % len(files)] if files else None,
+        )
+        for number in range(count)
+    ]
+    return [runner_of(unit, file, values_given(friction, settings), model) for friction, file in of_each]

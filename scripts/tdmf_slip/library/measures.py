@@ -1,0 +1,127 @@
+"""What is measured along a stride: what its record holds, and more in the full model, by the C library."""
+
+from collections.abc import Mapping
+
+from .runner import Runner
+from .section import Apex
+from .structs import Measured, Return
+
+STRIDE_QUANTITIES = (
+    "period",
+    "length",
+    "rise",
+    "speed",
+    "work",
+    "hip_work",
+    "leg_work",
+    "positive_work",
+    "cost_of_transport",
+    "touchdowns",
+    "stance_time",
+    "duty_factor",
+    "slip_distance",
+    "peak_force",
+    "peak_vertical_force",
+)
+"""What the record of any stride holds."""
+MEASURE_UNITS: Mapping[str, str] = {
+    "apex_height": "m",
+    "apex_speed": "m/s",
+    "apex_leg_angle": "rad",
+    "foot_clearance": "m",
+    "greatest_foot_height": "m",
+    "positive_hip_work": "J",
+    "positive_leg_work": "J",
+    "positive_work": "J",
+    "positive_cost_of_transport": "1",
+    "squared_torque": "N2.m2.s",
+    "greatest_slip_velocity": "m/s",
+    "friction_loss": "J",
+}
+"""What else is measured along a stride of the full model, with its units: of its first apex height, speed,
+leg angle, and clearance, the foot's height above the ground; the foot's greatest height in flight; work done
+at positive power by the hip, by the leg's changes of rest length, and by both, also per weight and distance;
+the integral of the squared hip torque; the foot's greatest speed along the ground in slip; what friction
+takes."""
+MEASURES = tuple(MEASURE_UNITS)
+APEX_QUANTITIES = {"apex_height": "com_height", "apex_speed": "com_speed", "apex_leg_angle": "leg_angle"}
+"""Those of `MEASURES` that are coordinates of the apex at which a stride begins."""
+_ALONG = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
+_GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
+
+
+def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
+    """Where a stride begins, by the names of quantities.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose stride.
+    apex : sequence of float, shape (n,)
+        In the order of the runner's `coordinates`.
+
+    Returns
+    -------
+    dict of str to float
+        By the names of `APEX_QUANTITIES`, as far as the runner's map has them.
+    """
+    at = dict(zip(runner.coordinates, map(float, apex), strict=True))
+    return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
+
+
+def measures_of(measured: Measured) -> dict[str, float]:
+    """What the library has measured along a stride, or the change of it.
+
+    Parameters
+    ----------
+    measured : Measured
+        A stride of the full model, or how it changes.
+
+    Returns
+    -------
+    dict of str to float
+        By the names of `MEASURES`, but for those of the apex and for what is per weight and distance.
+    """
+    told = {name: float(getattr(measured.measures, name)) for name in (*_ALONG, *_GREATEST)}
+    told["foot_clearance"] = float(measured.foot_clearance)
+    told["positive_work"] = told["positive_hip_work"] + told["positive_leg_work"]
+    return told
+
+
+def weight_of(runner: Runner) -> float:
+    """Of body and foot, N.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose.
+
+    Returns
+    -------
+    float
+        Mass times gravity.
+    """
+    return (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+
+
+def all_measures(runner: Runner, apex: Apex, stride: Return) -> dict[str, float]:
+    """Of a stride of the full model.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose.
+    apex : sequence of float, shape (6,)
+        Where it begins.
+    stride : Return
+        As the library gives it.
+
+    Returns
+    -------
+    dict of str to float
+        By the names of `MEASURES`.
+    """
+    told = {**apex_quantities(runner, apex), **measures_of(stride)}
+    distance = weight_of(runner) * stride.stride.length
+    told["positive_cost_of_transport"] = told["positive_work"] / distance if distance else 0.0
+    return told
