@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit
-from ..library.quantities import plain_stride
 from ..library.runner import Runner
 from ..library.scales import scale_of
+from ..library.varied_stride import plain_stride
 from ..unit.unit import Unit
 from .linkage import linked
 from .order import Order, Place

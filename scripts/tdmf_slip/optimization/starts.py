@@ -11,7 +11,7 @@ from ..analysis.settled import evenly, settled_gaits
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
-from ..library.quantities import plain_stride
+from ..library.varied_stride import plain_stride
 from .problem import Problem
 from .space import Space
 
