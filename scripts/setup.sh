@@ -121,28 +121,26 @@ for_each_platform() {
     done
 }
 
-# build_units PLATFORM
-build_units() {
+# build_platform PLATFORM: its units, the importer that compares platforms, and the library of its wheel, in one build.
+build_platform() {
     cmake --preset "$1" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
-        cmake --build "build/platforms/$1" --target fmi2_unit fmi3_unit importer
+        cmake --build "build/platforms/$1" --target fmi2_unit fmi3_unit importer tdmf_slip_shared
 }
 
-# The units for every platform, in build/platforms: each cross-compiled by Zig, then all in one file. The ensemble
-# engine, which is not in them, is in the wheels.
+# Everything for every platform, in build/platforms: each cross-compiled by Zig, then the units of all in one file.
 build_platforms() {
     local platform units=()
     mkdir -p build/platforms
     set_source_date
-    say "Cross-compiling the units by Zig: ${PLATFORMS[*]}"
-    for_each_platform build_units units
+    say "Cross-compiling by Zig: ${PLATFORMS[*]}"
+    for_each_platform build_platform binaries
     for platform in "${PLATFORMS[@]}"; do
         units+=("build/platforms/$platform/fmu_src")
     done
     .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
 }
 
-# What is given out, in dist: source distribution, a wheel for every platform, both units, and what goes with them
-# (scripts/release_files.py). The wheels' own binaries come from Zig too, for the systems that their tags name.
+# The wheels' own binaries come from Zig too, for the systems that their tags name.
 wheel_tag() {
     case $1 in
     x86_64-linux) echo manylinux_2_17_x86_64 ;;
@@ -155,32 +153,31 @@ wheel_tag() {
     esac
 }
 
-# build_wheel PLATFORM: into dist. Which target Zig compiles for is what CMake's preset of the platform says.
-build_wheel() {
-    local platform=$1 target folder=build/platforms/wheels/$1
-    target=$(sed -n 's/^TDMF_SLIP_TARGET:[A-Z]*=//p' "build/platforms/$platform/CMakeCache.txt")
+# Into dist, of what build_platforms has built: a wheel of the Python files alone, and for each platform its library and
+# headers beside them, and the units of all platforms.
+pack_wheels() {
+    local platform folder=build/platforms/wheels packed=()
     rm -rf "$folder"
-    mkdir -p "$folder"
-    .venv/bin/python -m build --wheel --no-isolation -o "$folder" \
-        -C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig.cmake" \
-        -C "cmake.define.TDMF_SLIP_TARGET=$target" \
-        -C "cmake.define.Python3_EXECUTABLE=$PWD/.venv/bin/python" \
-        -C "cmake.define.TDMF_SLIP_UNITS_DIR=$PWD/build/platforms" -C build.targets=tdmf_slip_shared \
-        -C "build-dir=build/platforms/wheel/$platform" . &&
-        .venv/bin/python -m wheel tags --remove --platform-tag "$(wheel_tag "$platform")" "$folder"/*.whl &&
-        cp "$folder"/*.whl dist
+    .venv/bin/python -m build --wheel --no-isolation -C wheel.cmake=false -o "$folder/pure" . || return
+    for platform in "${PLATFORMS[@]}"; do
+        cmake --install "build/platforms/$platform" --component unit --prefix "$folder/$platform" &&
+            cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu "$folder/$platform/tdmf_slip" || return
+        packed+=("$(wheel_tag "$platform")=$folder/$platform")
+    done
+    .venv/bin/python scripts/pack_wheels.py "$folder"/pure/*.whl dist "${packed[@]}"
 }
 
+# What is given out, in dist: source distribution, a wheel for every platform, both units, and what goes with them
+# (scripts/release_files.py).
 build_distribution() {
     set_source_date
-    say "Building source distribution and wheels into dist"
+    say "Packing source distribution and wheels into dist"
     mkdir -p dist
     rm -f dist/*.whl dist/*.tar.gz dist/*.fmu dist/*.cdx.json dist/RELEASE_NOTES.md dist/recipe.yaml dist/SHA256SUMS
-    .venv/bin/python -m build --sdist --no-isolation -o dist . >build/distribution.log 2>&1 || {
+    { .venv/bin/python -m build --sdist --no-isolation -o dist . && pack_wheels; } >build/distribution.log 2>&1 || {
         tail -n 40 build/distribution.log >&2
-        fail "the source distribution could not be built"
+        fail "the distribution could not be made"
     }
-    for_each_platform build_wheel wheel
     cp build/platforms/TDMF_SLIP.fmu build/platforms/TDMF_SLIP_FMI3.fmu dist
     .venv/bin/python scripts/release_files.py dist
 }

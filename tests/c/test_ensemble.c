@@ -2,6 +2,7 @@
  * runner's end is the same, bit for bit, whoever its neighbours are and however many threads there are. */
 #include "compare.h"
 #include "reference_gaits.h"
+#include "sample.h"
 #include "scene.h"
 #include "tdmf_slip/ensemble.h"
 
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNNERS = 1500 };
+enum { RUNNERS = sample_of(1500) };
 
 static const double tight = 1e-11;
 

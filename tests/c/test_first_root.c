@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "first_root.h"
 #include "random.h"
+#include "sample.h"
 
 #include <float.h>
 
@@ -58,7 +59,7 @@ static double rounding_of(const double *roots, int count) {
 /* Roots anywhere, some outside the reach and some close together; the polynomial is positive at 0. What is
  * found is a root to rounding, and before it the polynomial is positive wherever one looks. */
 static void the_first_of_many_roots(void **state) {
-    enum { RUNS = 5000, MOST = 12, LOOKS = 400 };
+    enum { RUNS = sample_of(5000), MOST = 12, LOOKS = 400 };
     random_source source = {41};
     int found_some = 0;
     (void)state;

@@ -5,11 +5,12 @@
  * of the light foot, the hip's gains on the inertia of the leg, and the present rates of the leg. The step is
  * chosen from these as the run goes on, so that no combination has to be left out. */
 #include "compare.h"
+#include "sample.h"
 #include "scene.h"
 
 #include <math.h>
 
-enum { RUNS = 8000, STEPS = 3000, STEPS_PER_INPUT = 500, MOST_EVENTS_PER_STEP = 20 };
+enum { RUNS = sample_of(8000), STEPS = 3000, STEPS_PER_INPUT = 500, MOST_EVENTS_PER_STEP = 20 };
 
 /* ---- a random run ----------------------------------------------------------------------------------- */
 
@@ -242,12 +243,12 @@ static void begin(runner *runner) {
 /* The sample must have met what it is meant to meet. */
 static void assert_saw_everything(const tally *seen) {
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
-        assert_true(seen->contact[contact] > 1000);
+        assert_true(seen->contact[contact] > sample_of(1000));
     }
     for (int phase = TDMF_PHASE_DRIVE; phase <= TDMF_PHASE_PLACE; ++phase) {
-        assert_true(seen->phase[phase] > 1000);
+        assert_true(seen->phase[phase] > sample_of(1000));
     }
-    assert_true(seen->strides > 100 && seen->falls > 100);
+    assert_true(seen->strides > sample_of(100) && seen->falls > sample_of(100));
 }
 
 static void any_runner_goes_on_or_falls(void **unused) {

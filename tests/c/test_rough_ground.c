@@ -4,6 +4,7 @@
 #include "philox.h"
 #include "random.h"
 #include "reference_gaits.h"
+#include "sample.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ static void philox_gives_the_published_words(void **unused) {
     }
 }
 
-enum { STEPS = 1000000 };
+enum { STEPS = sample_of(1000000) };
 
 static double step(int i) {
     return tdmf_ground_step(20261122u + (uint64_t)(i % 7), (uint64_t)(i % 1000) << 24, (uint32_t)(i / 1000));
@@ -86,7 +87,7 @@ static double step_of(counted of) {
 
 static void steps_are_independent_along_strides_runners_and_seeds(void **unused) {
     (void)unused;
-    enum { PAIRS = 100000 };
+    enum { PAIRS = sample_of(100000) };
     static const counted neighbours[] = {
         {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, (uint64_t)1 << 32, 0}, {(uint64_t)1 << 32, 0, 0}};
     for (size_t n = 0; n < sizeof neighbours / sizeof neighbours[0]; ++n) {
@@ -111,7 +112,7 @@ static void a_step_is_the_same_whatever_was_drawn_before(void **unused) {
 
 /* ---- runners ------------------------------------------------------------------------------------------ */
 
-enum { RUNNERS = 300, STRIDES = 12 };
+enum { RUNNERS = sample_of(300), STRIDES = 12 };
 
 static const double roughness = 0.05;
 static const uint64_t seed = 7;
@@ -269,7 +270,7 @@ static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused)
 /* Bit for bit. */
 static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
     (void)unused;
-    enum { FIRST = 113, PART = 71 };
+    enum { FIRST = 113 * RUNNERS / 300, PART = 71 * RUNNERS / 300 };
     static crowd all, part;
     gather(&all);
     assert_true(tdmf_run_ensemble(&all.ensemble, all.ends, NULL));

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "random.h"
 #include "reference_gaits.h"
+#include "sample.h"
 #include "tdmf_slip/ensemble.h"
 
 #include <math.h>
@@ -417,7 +418,7 @@ static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) 
 /* As to the products of neighbours, and of noise and steps of the same seed. */
 static void noise_is_normal_and_drawn_by_itself(void **unused) {
     (void)unused;
-    enum { DRAWS = 100000 };
+    enum { DRAWS = sample_of(100000) };
     double square = 0.0, by_step = 0.0, by_coordinate = 0.0, by_stride = 0.0;
     for (uint32_t i = 0; i < DRAWS; ++i) {
         const int j = (int)(i % 5);

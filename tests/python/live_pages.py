@@ -120,7 +120,12 @@ def close(one, other):
 
 
 def center(driver, element):
-    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", element)
+    """Scroll there; the page is told of it in the next frame, and stands after that."""
+    driver.execute_async_script(
+        "arguments[0].scrollIntoView({block: 'center'});"
+        "requestAnimationFrame(() => requestAnimationFrame(arguments[1]))",
+        element,
+    )
 
 
 def hint(ident):

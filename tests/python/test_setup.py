@@ -200,10 +200,28 @@ def test_contributing_names_scripts_and_presets_that_there_are():
     assert {preset["configurePreset"] for preset in presets["testPresets"]} <= there
 
 
-def test_a_public_host_runs_the_same_script():
+def test_a_public_host_runs_all_parts_of_the_same_script():
     workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text(encoding="utf-8")
-    assert "run: ./scripts/test\n" in workflow
+    assert "run: ./scripts/test --only ${{ matrix.part }}\n" in workflow
+    script = (ROOT / "scripts" / "test").read_text(encoding="utf-8")
+    parts = re.search(r"^PARTS=\((.*)\)$", script, re.MULTILINE)[1].split()
+    assert len(parts) == 6 and f"part: [{', '.join(parts)}]\n" in workflow
     assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
+
+
+def test_the_parts_of_the_tests_have_files_that_there_are():
+    script = (ROOT / "scripts" / "test").read_text(encoding="utf-8")
+    files = re.findall(r"^[A-Z]+_TESTS=\((.*)\)$", script, re.MULTILINE)
+    names = " ".join(files).split()
+    assert len(files) == 2 and len(names) == 9
+    assert all((ROOT / "tests" / "python" / f"{name}.py").is_file() for name in names), names
+
+
+@POSIX_ONLY
+def test_a_part_that_there_is_not_is_refused():
+    done = subprocess.run([ROOT / "scripts" / "test", "--only", "all"], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "--only takes one of: lint c sanitize platforms site python; it was given 'all'" in done.stderr
 
 
 def test_no_workflow_may_write_to_the_repository_unless_a_job_asks_for_it():
