@@ -11,3 +11,5 @@ except ImportError:
     raise InputError(
         "proofs need python-flint, which is missing; install it by: pip install 'tdmf-slip[proof]'"
     ) from None
+
+from . import pickled  # noqa: F401 # it tells pickle of balls

@@ -8,6 +8,7 @@ holds every zero of G in the box X around m; where K(X) lies in the interior of 
 What is proved rests on balls alone; how m and Y were found does not matter.
 """
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -25,6 +26,9 @@ from .undecided import UndecidedError
 
 MOST_STEPS = 12
 SHARPENINGS = 12
+ROOM = 1.3
+"""By how much a box that is tried next is wider than what the operator would just map into itself."""
+TINY = 1e-13
 
 
 def refined(
@@ -126,10 +130,10 @@ def proved_stride(
 class NotIncludedError(UndecidedError):
     """The operator does not map a box into itself."""
 
-    def __init__(self, image: list[float]) -> None:
-        """What it maps it to: radii around the centre."""
+    def __init__(self, box: list[float] | None) -> None:
+        """Radii of a box that it may map into itself, if there are any."""
         super().__init__("the inclusion of the fixed point in the box")
-        self.image = image
+        self.box = box
 
 
 class Inclusion:
@@ -168,11 +172,31 @@ class Inclusion:
         radii = arb_mat(unknowns, 1, [arb(0, r) for r in starts.radii[:unknowns]])
         image = shift + rest * radii
         balls = zip(image.entries(), starts.radii, strict=False)
+        widths = absolute_floats(rest)
+        self.contraction = spectral_radius(widths)
+        """About how much of the box is left; 1 and more proves nothing. No proof rests on it."""
         if not all(ball.is_finite() and abs(ball) < radius for ball, radius in balls):
-            raise NotIncludedError([float(abs(ball).upper()) for ball in image.entries()])
+            raise NotIncludedError(self._better_box(widths, absolute_floats(shift)))
         for _ in range(SHARPENINGS):
             image = shift + rest * image
         self.image = [float(abs(ball).upper()) for ball in image.entries()]
         """Radii around the centre that hold the solution, to rounding of doubles."""
         self.solution = [x + dx for x, dx in zip(starts.centre, image.entries(), strict=False)]
         """Enclosed, shape (6,) or (7,)."""
+
+    def _better_box(self, widths: NDArray[np.float64], shift: NDArray[np.float64]) -> list[float] | None:
+        """Just larger than the solution of  box = shift + widths box."""
+        if not self.contraction < 1.0:
+            return None
+        least = np.linalg.solve(np.eye(len(widths)) - widths, shift.ravel())
+        return [ROOM * max(size, TINY) for size in least]
+
+
+def absolute_floats(matrix: arb_mat) -> NDArray[np.float64]:
+    """Upper bounds of the entries' absolute values, about."""
+    return np.array([[float(abs(x).upper()) for x in row] for row in matrix.tolist()])
+
+
+def spectral_radius(matrix: NDArray[np.float64]) -> float:
+    """The largest size of an eigenvalue; infinite where an entry is not finite."""
+    return float(np.max(np.abs(np.linalg.eigvals(matrix)))) if np.all(np.isfinite(matrix)) else math.inf

@@ -10,8 +10,9 @@ from flint import arb, ctx
 from .exact import Exact, ball_of
 from .proof import assumptions, decimal, told
 
-BITS = 112
-"""Of the arithmetic in which pieces are compared."""
+BITS = 56
+"""Of the arithmetic in which pieces are proved."""
+COMPARING_BITS = 2 * BITS
 
 
 @dataclass(frozen=True)
@@ -24,8 +25,8 @@ class Piece:
     """The parameter's greatest value in it."""
     word: str = ""
     """The gait word; empty where it is left undecided."""
-    stable: bool = False
-    """Proved to be; false says nothing."""
+    stable: bool | None = None
+    """All gaits are stable, or none; None where neither is proved."""
     centre: Sequence[float] = ()
     """The apex that xi is counted from, at the middle of the piece, shape (6,)."""
     tilt: Sequence[float] = ()
@@ -42,6 +43,11 @@ class Piece:
         """There is exactly one gait, with this word, for each value."""
         return bool(self.word)
 
+    def middle(self) -> arb:
+        """The point, in its middle or very near it, that its tilt is counted from."""
+        with ctx.workprec(BITS):
+            return ball_of((self.begin + self.end) / 2).mid()
+
     def as_row(self) -> dict[str, object]:
         """As a plain object."""
         return {**vars(self), "begin": decimal(self.begin), "end": decimal(self.end)}
@@ -56,14 +62,14 @@ class Piece:
         """Whether its gait at its end is proved to be that of the next piece at its beginning."""
         if not (self.proved and other.proved and self.end == other.begin):
             return False
-        with ctx.workprec(BITS):
+        with ctx.workprec(COMPARING_BITS):
             places = [_place(piece, self.end) for piece in (self, other)]
             rows = zip(*places, self.enclosure, other.box, strict=True)
             return all(abs(a - b) + arb(radius) < arb(room) for a, b, radius, room in rows)
 
 
 def _place(piece: Piece, value: Fraction) -> list[arb]:
-    away = ball_of(value - (piece.begin + piece.end) / 2)
+    away = ball_of(value) - piece.middle()
     return [arb(x) + arb(slope) * away for x, slope in zip(piece.centre, piece.tilt, strict=True)]
 
 
@@ -98,9 +104,10 @@ class RangeProof:
         return tuple(dict.fromkeys(piece.word for piece in self.pieces if piece.proved))
 
     @property
-    def stable(self) -> bool:
-        """Every gait of the range is proved to be."""
-        return self.proved and all(piece.stable for piece in self.pieces)
+    def stable(self) -> bool | None:
+        """Every gait of the range is proved to be stable, or every one to be unstable; None otherwise."""
+        found = {piece.stable for piece in self.pieces}
+        return found.pop() if self.proved and len(found) == 1 else None
 
     @property
     def is_one_branch(self) -> bool:
@@ -116,12 +123,24 @@ class RangeProof:
             share = float(sum(b - a for a, b in self.left) / (self.end - self.begin))
             return f"Undecided for {of}: {share:.3g} of {span} is left, in {len(self.left)} pieces."
         words = f"the word {self.words[0]}" if len(self.words) == 1 else f"the words {', '.join(self.words)}"
-        kind = "; all are stable" if self.stable else ""
+        kind = {True: "; all are stable", False: "; all are unstable", None: self._judgement()}[self.stable]
         joined = ", all of one branch" if self.is_one_branch else ""
         return (
             f"Of {of}, for each {span}, there is exactly one gait in one of {len(self.pieces)} boxes, with "
             f"{words}{joined}{kind}."
         )
+
+    def _judgement(self) -> str:
+        """How much of the range has stable gaits, unstable ones, and what is left."""
+        kinds = {"stable": True, "unstable": False, "left open": None}
+        shares = {kind: self._share(stable) for kind, stable in kinds.items()}
+        return "; of the range " + ", ".join(
+            f"{share:.3g} is {kind}" for kind, share in shares.items() if share
+        )
+
+    def _share(self, stable: bool | None) -> float:
+        widths = [piece.end - piece.begin for piece in self.pieces if piece.stable is stable]
+        return float(sum(widths, Fraction(0)) / (self.end - self.begin))
 
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
@@ -132,7 +151,7 @@ class RangeProof:
             "vary": self.name,
             "range": [decimal(self.begin), decimal(self.end)],
             "words": list(self.words),
-            "stable": self.stable or None,
+            "stable": self.stable,
             "one_branch": self.is_one_branch,
             "pieces": len(self.pieces),
             "left": [[decimal(a), decimal(b)] for a, b in self.left],

@@ -1,0 +1,187 @@
+"""Gaits over a range of a parameter, piece by piece, each as wide as its enclosures allow.
+
+In a piece of the range the gait is sought at  centre + tilt (q - middle) + xi  with xi in a small box: the
+tilt is the tangent of the branch, so that xi has only what the branch bends, which is of second order in the
+width.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+from flint import arb, arb_mat, ctx
+from numpy.typing import NDArray
+
+from ..analysis.search import find_orbit
+from ..errors import RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.runner import Runner
+from .eigenvalues import eigenvalues, is_contracting
+from .exact import Exact, ball_of
+from .krawczyk import ROOM, Inclusion, NotIncludedError, proved_stride
+from .parameters import Parameters
+from .range_proof import BITS, Piece
+from .starts import Fineness, Starts
+from .stride import Stride
+from .undecided import UndecidedError
+
+FIRST = Fraction(1, 4)
+"""Of the range, the piece that is tried first, and until one is proved, of each the next."""
+NARROWEST = Fraction(1, 10**10)
+"""A box that is undecided and no wider is left."""
+GROWTH = 4.0
+"""At the most, from one piece to the next."""
+SHRINKAGE = Fraction(3, 4)
+RECOVERY = Fraction(103, 100)
+"""Of the width after one that was too wide, by each piece that is proved."""
+FULL = 0.6
+"""Of its size, what the operator leaves of a box that is as wide as is worth while: 1 proves nothing."""
+TRIES = 4
+WIDEST_BOX = 3.0
+"""Of xi, in units of the piece's width: a wider one bends the stride more than the parameter does."""
+SPLITS = 3
+"""How often a piece whose gaits are proved, but not their stability, is cut in two for its sake."""
+
+
+class RangeProver:
+    """Of one runner, along one parameter."""
+
+    def __init__(self, runner: Runner, values: Mapping[str, Exact], name: str) -> None:
+        """Whose gaits, with exact values, and what is varied."""
+        self.runner, self.name = runner, name
+        self.parameters = Parameters(values, name)
+        self.fine = Fineness(BITS)
+        self.bend: list[float] = [1e3] * 6
+        self.growth = 1.0
+
+    def pieces(self, begin: Fraction, end: Fraction) -> Iterator[Piece]:
+        """Pieces from one end to the other.
+
+        Parameters
+        ----------
+        begin, end : Fraction
+            Of a range.
+
+        Yields
+        ------
+        Piece
+            In order, without gaps.
+        """
+        width, orbit, shrinkage = (end - begin) * FIRST, None, FIRST
+        most = width
+        while begin < end:
+            until = min(begin + short_decimal(min(width, most)), end)
+            try:
+                orbit = self._orbit((begin + until) / 2, orbit)
+                piece = self._piece(begin, until, orbit)
+            except (UndecidedError, RunError) as problem:
+                if until - begin > NARROWEST:
+                    width, most = (until - begin) * shrinkage, (until - begin) * SHRINKAGE
+                    continue
+                piece = Piece(begin, until, undecided=str(problem))
+            yield from self._judged(piece, orbit, SPLITS)
+            width, most = (until - begin) * Fraction(self.growth), short_decimal(most * RECOVERY, 5)
+            begin, shrinkage = until, SHRINKAGE
+
+    def _judged(self, piece: Piece, orbit: Orbit | None, splits: int) -> Iterator[Piece]:
+        """The piece, or its halves where these tell whether the gaits are stable."""
+        if not piece.proved or piece.stable is not None or not splits or orbit is None:
+            yield piece
+            return
+        middle = (piece.begin + piece.end) / 2
+        try:
+            halves = [self._half(*ends, orbit) for ends in ((piece.begin, middle), (middle, piece.end))]
+        except (UndecidedError, RunError):
+            yield piece
+            return
+        for half, own in halves:
+            yield from self._judged(half, own, splits - 1)
+
+    def _half(self, begin: Fraction, end: Fraction, orbit: Orbit) -> tuple[Piece, Orbit]:
+        own = self._orbit((begin + end) / 2, orbit)
+        return self._piece(begin, end, own), own
+
+    def _orbit(self, value: Fraction, last: Orbit | None) -> Orbit:
+        runner = self.runner.but(self.name, float(value))
+        if last is None:
+            return find_orbit(runner, along=self.name)
+        return orbit_near(runner, last.apex, along=self.name)
+
+    def _piece(self, begin: Fraction, end: Fraction, orbit: Orbit) -> Piece:
+        """One box, or no decision."""
+        tilt = np.linalg.solve(np.eye(6) - orbit.jacobian, np.asarray(orbit.by_parameter))
+        square = float((end - begin) / 2) ** 2
+        box: Sequence[float] = [bend * square + 1e-11 for bend in self.bend]
+        tried = Piece(begin, end, centre=rounded(orbit.apex, 12), tilt=rounded(tilt, 6))
+        for _ in range(TRIES):
+            try:
+                piece, inside = proved_piece(self.parameters, replace(tried, box=[at_least(r) for r in box]))
+            except NotIncludedError as problem:
+                if problem.box is None or max(problem.box) > WIDEST_BOX * float(end - begin):
+                    raise
+                box = problem.box
+                continue
+            self.bend = [ROOM * size / square for size in inside.image]
+            self.growth = min(GROWTH, FULL / max(inside.contraction, 1e-3))
+            return piece
+        raise UndecidedError("the inclusion of the fixed point in the box")
+
+
+def rounded(values: Sequence[float] | NDArray[np.float64], places: int) -> list[float]:
+    """Short decimals near numbers that only have to be near something."""
+    return [round(float(value), places) for value in values]
+
+
+def at_least(size: float) -> float:
+    """A short decimal that is not below a size, and a hundredth above it at the most."""
+    return float(f"{1.0055 * size:.3g}")
+
+
+def proved_piece(parameters: Parameters, piece: Piece) -> tuple[Piece, Inclusion]:
+    """What is proved of a piece in its box.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Of the runner, with what is varied.
+    piece : Piece
+        With centre, tilt and box.
+
+    Returns
+    -------
+    Piece
+        With the word, the stability and the enclosure.
+    Inclusion
+        That proves it.
+
+    Raises
+    ------
+    UndecidedError
+        Nothing is proved of it.
+    """
+    fine = Fineness(BITS)
+    with ctx.workprec(BITS):
+        value = piece.middle()
+        radius = max(abs(ball_of(end) - value).upper() for end in (piece.begin, piece.end))
+        centre = [*(arb(x) for x in piece.centre), value]
+        starts = Starts(centre, [*(arb(r) for r in piece.box), radius], [arb(t) for t in piece.tilt])
+    stride = proved_stride(parameters, starts, fine, fine)
+    inside = Inclusion(starts, stride, fine)
+    enclosure = [at_least(size) for size in inside.image]
+    return replace(piece, word=stride.word, stable=_is_stable(stride), enclosure=enclosure), inside
+
+
+def _is_stable(stride: Stride) -> bool | None:
+    """Of every gait of a piece; None where that is open."""
+    assert stride.derivative is not None
+    with ctx.workprec(BITS):
+        square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
+        return True if is_contracting(square) else eigenvalues(square, stride.rank).stable
+
+
+def short_decimal(width: Fraction, digits: int = 2) -> Fraction:
+    """A decimal near a width and not above, so that the ends of pieces stay short."""
+    places = digits - 1 - math.floor(math.log10(width))
+    return Fraction(math.floor(width * 10**places), 10**places)

@@ -1,0 +1,167 @@
+"""Tests of the prover itself: orbits with known answers, other steps, laws that are broken on purpose."""
+
+import json
+import pathlib
+import pickle
+from types import SimpleNamespace as Record
+
+import pytest
+import tdmf_slip
+
+pytest.importorskip("flint")
+
+from flint import arb, ctx
+from tdmf_slip.proof import flow as flow_module
+from tdmf_slip.proof import laws, varied_flow
+from tdmf_slip.proof.modes import Mode
+from tdmf_slip.proof.roots import Guard
+from tdmf_slip.proof.undecided import UndecidedError
+from tdmf_slip.proof.varied_flow import VariedFlow
+
+PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
+KNOWN = next(gait for gait in PROVED["gaits"] if gait["friction"] == "0.2")
+GIVEN = {"ground.friction": "0.2"}
+BITS, DEGREE = 128, 40
+PLANE = Record(
+    slope=arb(0), longest_step=0.5, scales={}, swing=1.0, varied=False, retracts=False, parameters=None
+)
+"""What a step asks of a runner, for a system of the plane: position is `length`, velocity `length_rate`."""
+
+
+def plane(monkeypatch, acceleration):
+    """Steps that follow  x'' = acceleration(x, x')  in the place of a runner's motion."""
+
+    def rates(runner, mode, at):
+        return {
+            **{"length": at.length_rate, "length_rate": acceleration(at.length, at.length_rate)},
+            **{name: arb(0) for name in ("angle", "angle_rate", "sine", "cosine")},
+        }
+
+    for module in (flow_module, varied_flow):
+        monkeypatch.setattr(module, "rates", rates)
+
+
+def half_turn(position):
+    """From rest at a positive position to the next rest: when, where, and the slope of where by the start."""
+    start = {"length": position, "angle": arb(0), "length_rate": arb(0), "angle_rate": arb(0)}
+    time, slopes, order = arb(0), None, 1
+    while True:
+        step = VariedFlow(PLANE, Mode("stick"), start, DEGREE)
+        step.vary(PLANE)
+        guard = Guard("rest", -step.tubes["length_rate"], order)
+        order, end = 0, step.reach
+        rest = guard.zero_after(arb(0), end) if guard.reached(arb(0), end) is not None else None
+        derivative = step.matrix(end if rest is None else rest)
+        slopes = derivative if slopes is None else derivative * slopes
+        if rest is not None:  # the section is met at rest, so that a later meeting does not move it
+            return time + rest, step.tubes["length"].at(rest), slopes[0, 0]
+        time, start = time + end, step.at(end)
+
+
+def test_the_harmonic_oscillator_has_its_period(monkeypatch):
+    plane(monkeypatch, lambda x, v: -x)
+    with ctx.workprec(BITS):
+        time, position, slope = half_turn(arb(1))
+        assert time.overlaps(arb.pi())
+        assert position.contains(-1)
+        assert slope.contains(-1)
+        assert all(ball.rad() < 1e-20 for ball in (time, position, slope))
+
+
+def test_the_orbit_of_van_der_pol_is_proved_with_its_known_size_and_period(monkeypatch):
+    """Known from series in Python's decimals of 40 digits; half an orbit turned over is the other half."""
+    plane(monkeypatch, lambda x, v: (1 - x * x) * v - x)
+    with ctx.workprec(BITS):
+        size, period = (
+            arb(f"[{known} +/- 1e-29]")
+            for known in ("2.00861986087484313650964018836", "6.66328685932313018969968203048")
+        )
+        centre, radius = size.mid(), arb("1e-15")
+        _, position, _ = half_turn(centre)
+        _, _, slope = half_turn(centre + arb(0, radius))
+        steepness = -slope - 1  # of where the next half turn begins, less where this one did
+        away = (-position - centre) / steepness
+        assert abs(away) < radius  # Newton's interval operator: there is exactly one
+        assert (centre - away).overlaps(size)
+        time, _, _ = half_turn(centre - away)
+        assert (2 * time).overlaps(period)
+        assert time.rad() < 1e-25
+        assert abs(slope) < 1  # and it attracts
+
+
+def enclosures(proof):
+    return [*proof.apex, *(value.real for value in proof.eigenvalues), *proof.quantities.values()]
+
+
+def test_steps_of_other_lengths_enclose_the_same(monkeypatch):
+    proofs = [tdmf_slip.prove(GIVEN, digits=8)]
+    longest = flow_module.longest
+    monkeypatch.setattr(flow_module, "longest", lambda *given: (longest(*given) * arb("0.7")).mid())
+    proofs.append(tdmf_slip.prove(GIVEN, digits=8))
+    assert all(proof.proved for proof in proofs)
+    pairs = list(zip(*map(enclosures, proofs), strict=True))
+    assert all(one.overlaps(other) for one, other in pairs)
+    assert any(one.mid().man_exp() != other.mid().man_exp() for one, other in pairs)
+
+
+def agrees_with_known(proof):
+    told = proof.as_json()
+    with ctx.workprec(200):
+        pairs = [(told[name], KNOWN[name]) for name in ("period", "length", "speed")]
+        pairs += zip(told["apex"], KNOWN["apex"], strict=True)
+        return all(arb(one).overlaps(arb(other)) for one, other in pairs)
+
+
+LAWS = ("axial_force", "servo_torque", "foot_acceleration", "impulse_taken", "grazing_across")
+
+
+def test_laws_as_they_are_agree_with_the_known_gait():
+    assert agrees_with_known(tdmf_slip.prove(GIVEN, digits=12))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_law_that_is_wrong_by_a_part_in_1e12_is_noticed(monkeypatch, law):
+    right = getattr(laws, law)
+    with ctx.workprec(400):
+        factor = 1 + arb(10) ** -12
+    monkeypatch.setattr(laws, law, lambda *given: right(*given) * factor)
+    proof = tdmf_slip.prove(GIVEN, digits=12)
+    assert proof.proved
+    assert not agrees_with_known(proof)
+
+
+@pytest.mark.parametrize("law", ["servo_torque", "foot_acceleration"])
+def test_a_law_of_the_wrong_sign_is_noticed(monkeypatch, law):
+    right = getattr(laws, law)
+    monkeypatch.setattr(laws, law, lambda *given: -right(*given))
+    proof = tdmf_slip.prove(GIVEN, digits=5)
+    assert not (proof.proved and agrees_with_known(proof))
+
+
+def test_a_proof_is_pickled_with_its_balls_as_they_are():
+    proof = tdmf_slip.prove(GIVEN, digits=5)
+    again = pickle.loads(pickle.dumps(proof))
+    assert again.sentence == proof.sentence
+    pairs = list(zip(enclosures(proof), enclosures(again), strict=True))
+    assert len(pairs) > 12
+    for one, other in pairs:
+        assert one.mid().man_exp() == other.mid().man_exp()
+        assert one.rad().man_exp() == other.rad().man_exp()
+
+
+@pytest.mark.parametrize("ball", [arb(0), arb(0, 1e-5), arb(3), -arb.pi(), arb(0, 1)])
+def test_balls_are_pickled_exactly(ball):
+    again = pickle.loads(pickle.dumps(ball))
+    assert again.mid().man_exp() == ball.mid().man_exp()
+    assert again.rad().man_exp() == ball.rad().man_exp()
+
+
+def test_what_is_not_finite_stays_so():
+    assert not pickle.loads(pickle.dumps(arb("inf"))).is_finite()
+    assert not pickle.loads(pickle.dumps(arb("nan"))).is_finite()
+
+
+def test_a_motion_without_bounds_is_undecided(monkeypatch):
+    plane(monkeypatch, lambda x, v: x / (x - x))
+    with ctx.workprec(BITS), pytest.raises(UndecidedError, match="motion"):
+        half_turn(arb(1))
