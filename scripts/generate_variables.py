@@ -119,12 +119,14 @@ def told(variable):
 
 
 def struct(name, variables):
-    """A struct with a member of each variable's path."""
+    """A struct with a member of each variable's path; groups of settings alone come last."""
     groups = {}
     for variable in variables:
         groups.setdefault(variable.group, []).append(variable)
     lines = ["typedef struct {"]
-    for group, members in groups.items():
+    for group, members in sorted(
+        groups.items(), key=lambda group: all(v.variability == "tunable" for v in group[1])
+    ):
         names = [variable.name.partition(".")[2] for variable in members]
         inner = [f"double {n or group}; {told(v)}" for n, v in zip(names, members, strict=True)]
         lines += inner if names == [""] else ["struct {", *inner, f"}} {group};"]

@@ -4,6 +4,8 @@
 #include "friction_laws.h"
 #include "guard_laws.h"
 
+#include <string.h>
+
 static double armed_body_down(const tdmf_evaluation *at) {
     return tdmf_body_down_guard(at) / at->model->scales.length + TDMF_GUARD_MARGIN;
 }
@@ -69,6 +71,15 @@ static double vary_slip_velocity_zero(const tdmf_evaluation *at, const tdmf_eval
     return tdmf_vary_slip_velocity_zero_guard(at, tdmf_sign_of_slip(at->mode), d);
 }
 
+static void vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                           const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                           double d_state[TDMF_STATE_COUNT]) {
+    double d_before[TDMF_STATE_COUNT];
+    memcpy(d_before, d_state, sizeof d_before);
+    tdmf_vary_apex_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), &d->model, &d->inputs,
+                        &d->mode.ground, d_before, d_state);
+}
+
 static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_NEW_GROUND] = {.guard = tdmf_armed_new_ground,
                                .vary_guard = tdmf_vary_armed_new_ground,
@@ -84,7 +95,7 @@ static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
                          .vary_guard = tdmf_vary_apex_guard,
                          .reset = tdmf_take_apex,
                          .reach = TDMF_REACH_WITHIN_DEAD_BAND,
-                         .vary_reset = tdmf_vary_take_apex},
+                         .vary_reset = vary_take_apex},
     [TDMF_GUARD_TOUCHDOWN] = {.guard = armed_touchdown,
                               .vary_guard = tdmf_vary_touchdown_guard,
                               .reset = tdmf_take_touchdown,

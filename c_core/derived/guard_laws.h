@@ -351,4 +351,35 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
             weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
 }
 
+/* The clock of place stands at 0. */
+static inline void tdmf_apex_jump(const tdmf_model *model, const tdmf_inputs *inputs,
+                                  const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT],
+                                  tdmf_leg_direction direction, double written[TDMF_STATE_COUNT]) {
+    (void)model;
+    (void)inputs;
+    (void)line;
+    (void)state;
+    (void)direction;
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
+/* Its change. */
+static inline void tdmf_vary_apex_jump(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT],
+                                       tdmf_leg_direction direction, const tdmf_model *d_model,
+                                       const tdmf_inputs *d_inputs, const tdmf_ground_line *d_line,
+                                       const double d_state[TDMF_STATE_COUNT],
+                                       double written[TDMF_STATE_COUNT]) {
+    (void)model;
+    (void)inputs;
+    (void)line;
+    (void)state;
+    (void)direction;
+    (void)d_model;
+    (void)d_inputs;
+    (void)d_line;
+    (void)d_state;
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
 #endif

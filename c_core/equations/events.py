@@ -90,6 +90,11 @@ def leg_too_short(at):
     return at.leg.length - at.model.parameters.leg.min_length
 
 
+def begin_place(model, inputs, line, state, direction):
+    """The clock of place stands at 0."""
+    return Record(hip_place_time=0)
+
+
 class Event(NamedTuple):
     """A row of the table.
 
@@ -115,7 +120,7 @@ class Event(NamedTuple):
     width: str = ""
     arguments: tuple[tuple[str, str], ...] = ()
     takes: str | None = None
-    jumps: bool = False
+    jump: Callable[..., Any] | str = ""
     is_impact: bool = False
     varied: bool | str = True
     reach: str = "dead"
@@ -140,7 +145,7 @@ EVENTS = [
         "speed",
         {"flight": ("retract", "place"), "graze": ("retract",)},
         band="apex",
-        jumps=True,
+        jump=begin_place,
     ),
     Event(
         "touchdown",
@@ -148,7 +153,7 @@ EVENTS = [
         "length",
         FLIGHT,
         slack="tdmf_rounding_at_foot(at)",
-        jumps=True,
+        jump="by hand",
         is_impact=True,
     ),
     Event("clamp", clamp, "energy", {"flight": ("retract",)}, band="dead"),

@@ -2,6 +2,7 @@
  * runner strides as the native solver does that is set so by hand; and what is noted of each stride. */
 #include "compare.h"
 #include "random.h"
+#include "ranges.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "tdmf_slip/ensemble.h"
@@ -439,23 +440,25 @@ static void noise_is_normal_and_drawn_by_itself(void **unused) {
 static void settings_are_what_may_change_at_events(void **unused) {
     (void)unused;
     static const char *const fixed[] = {"leg.stiffness", "gravity", "foot.y", "hip.torque", ""};
-    static const char *const set[TDMF_SETTING_LIMIT] = {"hip.stance_torque",
-                                                        "hip.touchdown_angle",
-                                                        "hip.kp",
-                                                        "hip.kd",
-                                                        "hip.liftoff_angle_factor",
-                                                        "hip.retraction_rate",
-                                                        "leg.thrust",
-                                                        "ground.friction",
-                                                        "ground.height",
-                                                        "ground.slope",
-                                                        "leg.extension",
-                                                        "hip.external_torque",
-                                                        "body.external_fx",
-                                                        "body.external_fy",
-                                                        "control.thrust",
-                                                        "control.touchdown_angle",
-                                                        "control.stance_torque"};
+    static const char *const some[] = {"hip.stance_torque",      "hip.kp",        "leg.thrust",
+                                       "ground.friction",        "ground.height", "hip.external_torque",
+                                       "control.touchdown_angle"};
+    const char *set[TDMF_SETTING_LIMIT];
+    int count = 0;
+    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+        if (tdmf_parameter_ranges[i].at_events) {
+            assert_true(count < TDMF_SETTING_LIMIT);
+            set[count++] = tdmf_parameter_ranges[i].name;
+        }
+    }
+    for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
+        assert_true(count < TDMF_SETTING_LIMIT);
+        set[count++] = tdmf_input_ranges[i].name;
+    }
+    assert_int_equal(count, TDMF_SETTING_LIMIT);
+    for (size_t i = 0; i < sizeof some / sizeof some[0]; ++i) {
+        assert_true(tdmf_setting_of(some[i]) >= 0);
+    }
     for (int i = 0; i < TDMF_SETTING_LIMIT; ++i) {
         assert_true(tdmf_setting_of(set[i]) >= 0);
         for (int j = 0; j < i; ++j) {

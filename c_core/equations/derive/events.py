@@ -17,6 +17,12 @@ CONTACTS = {
 ORIGIN = "/* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */\n"
 
 
+JUMP_CHANGE = (
+    "const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground, "
+    "const double before[TDMF_STATE_COUNT], const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]"
+)
+
+
 def taken_by(event: Event) -> str:
     """Name the C function of an event's reset."""
     return "NULL" if event.takes == "" else f"tdmf_take_{event.takes or event.name}"
@@ -31,13 +37,7 @@ def declarations() -> str:
     """Declare what is written by hand: resets, changes of states that jump, and some guards."""
     takes = dict.fromkeys(taken_by(event) for event in EVENTS if event.takes != "")
     lines = [f"void {name}(tdmf_run *run);" for name in takes]
-    lines += [
-        f"void tdmf_vary_take_{event.name}(const tdmf_model *model, const tdmf_inputs *inputs,"
-        " const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], const tdmf_direction *d,"
-        " double d_state[TDMF_STATE_COUNT]);"
-        for event in EVENTS
-        if event.jumps
-    ]
+    lines += [f"void {jump_change_of(event)}({JUMP_CHANGE});" for event in EVENTS if event.jump == "by hand"]
     lines += [
         f"double tdmf_armed_{e.name}(const tdmf_evaluation *at);" for e in EVENTS if e.band == "by hand"
     ]
@@ -83,6 +83,21 @@ def change_of(event: Event) -> str:
     return f"vary_{event.name}" if event.arguments else f"tdmf_vary_{event.name}_guard"
 
 
+def jump_change_of(event: Event) -> str:
+    """Name the C function of what an event's jump makes of a change of the state."""
+    return f"{'tdmf_' * (event.jump == 'by hand')}vary_take_{event.name}"
+
+
+def varied_jump(event: Event) -> str:
+    """Write what a jump that is a law makes of a change of the state."""
+    return (
+        f"static void {jump_change_of(event)}({JUMP_CHANGE}) {{\ndouble d_before[TDMF_STATE_COUNT];\n"
+        "memcpy(d_before, d_state, sizeof d_before);\n"
+        f"tdmf_vary_{event.name}_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), "
+        "&d->model, &d->inputs, &d->mode.ground, d_before, d_state);\n}\n"
+    )
+
+
 def row(event: Event) -> str:
     """Write an event's row."""
     by_hand = event.band == "by hand"
@@ -91,7 +106,7 @@ def row(event: Event) -> str:
         *([f".vary_guard = {change_of(event)}"] if event.varied else []),
         *([f".reset = {taken_by(event)}"] if event.takes != "" else []),
         *([f".reach = {REACHES[event.reach]}"] if event.takes != "" else []),
-        *([f".vary_reset = tdmf_vary_take_{event.name}"] if event.jumps else []),
+        *([f".vary_reset = {jump_change_of(event)}"] if event.jump else []),
         *([".is_impact = true"] if event.is_impact else []),
     ]
     return f"[TDMF_GUARD_{event.name.upper()}] = {{{', '.join(members)}}},\n"
@@ -122,10 +137,12 @@ def table() -> str:
     )
     return "\n".join(
         [
-            ORIGIN
-            + '\n#include "event_declarations.h"\n#include "friction_laws.h"\n#include "guard_laws.h"\n',
+            ORIGIN,
+            '#include "event_declarations.h"\n#include "friction_laws.h"\n#include "guard_laws.h"\n',
+            "#include <string.h>\n",
             *(armed(event) for event in by_table),
             *(varied(event) for event in by_table if event.varied is True and event.arguments),
+            *(varied_jump(event) for event in EVENTS if callable(event.jump)),
             "static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {\n" + "".join(map(row, EVENTS)) + "};\n",
             "/* In the order in which they are taken at one instant. */",
             *(watch_list(contact) for contact in CONTACTS),

@@ -143,6 +143,9 @@ for event in (event for event in EVENTS if event.law is not None):
     parameters = ", ".join(["at", *(name for name, _ in event.arguments)])
     only = "" if event.varied else " | only"
     FUNCTIONS += f"    double {event.name}_guard({parameters}) = events.{event.name}({parameters}){only}\n"
+JUMP = "model, inputs, line, state, direction"
+for event in (event for event in EVENTS if callable(event.jump)):
+    FUNCTIONS += f"    void {event.name}_jump({JUMP}, written) = events.{event.jump.__name__}({JUMP})\n"
 STRUCTS = {"constant": "coefficients.h", "guard": "evaluation.h"}
 RECORDS = {"hip": (struct("tdmf_hip_law", hip.law_of),)}
 

@@ -22,6 +22,9 @@ typedef struct {
     } leg;
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
+        double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
+    } ground;
+    struct {
         double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
         double touchdown_angle;      /* Leg angle that the leg is placed at before touchdown, theta0, rad */
         double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
@@ -30,9 +33,6 @@ typedef struct {
         double retraction_rate;      /* Rate at which the leg is retracted before it lands: in place the angle
                                         aimed at falls so fast from theta0 on, rad/s */
     } hip;
-    struct {
-        double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
-    } ground;
 } tdmf_parameters;
 
 /* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
