@@ -8,7 +8,7 @@ import click
 
 from ..errors import InputError, RunError
 from ..library.runner import Runner
-from ..terminal.text import columns
+from ..terminal.text import columns, table
 from ..unit.parameters import read_parameters
 from ..unit.unit import FRICTION, load
 from .options import (
@@ -62,6 +62,11 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     help="With --vary: JSON lines, added to part by part; a proof goes on from a file that is there.",
 )
 @WORKERS_OPTION
+@click.option(
+    "--compare",
+    is_flag=True,
+    help="Beside the proof: how far the stride of each solver may be from the proved gait.",
+)
 @JSON_OPTION
 def prove_command(
     friction: str | None,
@@ -73,6 +78,7 @@ def prove_command(
     vary: str | None,
     output: Path | None,
     workers: int | None,
+    compare: bool,
     as_json_object: bool,
 ) -> None:
     """A periodic gait, proved: there is exactly one in a box, with its word, stability and enclosures.
@@ -91,6 +97,8 @@ def prove_command(
     runner = runner_of(load(), parameters, given)
     told = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
     told |= {name: value for name, (_, value) in given.items()}
+    if compare and (border is not None or vary is not None):
+        raise InputError("--compare: is of one gait; allowed: without --border and --vary")
     if border is not None:
         _prove_borders(runner, told, border, digits, as_json_object)
         return
@@ -104,8 +112,24 @@ def prove_command(
     from ..proof.prove import prove  # FLINT is slow to load
 
     proof = prove(told, box=box, digits=digits)
-    print(json_text(proof.as_json()) if as_json_object else _text(proof))
+    errors = _errors(proof) if compare and proof.proved else {}
+    if as_json_object:
+        print(json_text({**proof.as_json(), **({"solvers": errors} if errors else {})}))
+    else:
+        print(_text(proof) + (f"\n\n{_error_text(errors)}" if errors else ""))
     _end(proof.proved)
+
+
+def _errors(proof: "Proof") -> dict[str, dict[str, float]]:
+    from ..proof.accuracy import solver_errors
+
+    return solver_errors(proof)
+
+
+def _error_text(errors: dict[str, dict[str, float]]) -> str:
+    names = next(iter(errors.values()))
+    rows = [[solver, *(f"{of[name]:.1e}" for name in names)] for solver, of in errors.items()]
+    return f"Errors of the solvers at the most:\n{table(['solver', *names], rows)}"
 
 
 def _prove_borders(
