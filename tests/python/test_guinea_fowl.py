@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from tdmf_slip import RunError
 from tdmf_slip.analysis.patch import AFTER, contact_angle_of, landing_at, meet_patch
-from tdmf_slip.library.quantities import plain_stride
 from tdmf_slip.library.strides import strides_from
+from tdmf_slip.library.varied_stride import plain_stride
 from tdmf_slip.paper import guinea_fowl
 
 
