@@ -1,0 +1,43 @@
+"""What this project says of its own: every claim has a command; those of gaits alone are recomputed."""
+
+import os
+
+import click
+import pytest
+from tdmf_slip.cli.main import commands
+from tdmf_slip.paper.own_claims import CLAIMS, own_claims
+
+LONG = os.environ.get("TDMF_SLIP_LONG") == "1"
+SOLVED = [claim for claim in CLAIMS if "tdmf-slip gait" in claim.command]
+
+
+@pytest.mark.parametrize("claim", SOLVED, ids=lambda claim: claim.what.strip())
+def test_a_claim_of_a_gait_holds(claim):
+    assert claim.low <= claim.compute(1) <= claim.high
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.what.strip())
+def test_its_command_is_one(claim):
+    """It parses: every option is known and has a value."""
+    name, *arguments = claim.command.replace("{seed}", "3").removeprefix("tdmf-slip ").split()
+    command = commands.get_command(click.Context(commands), name)
+    assert command is not None
+    command.make_context(name, arguments)
+
+
+def test_each_claim_that_compares_has_its_control_beside_it():
+    controls = [claim for claim in CLAIMS if claim.what.startswith("  ")]
+    assert len(controls) >= 6 and not CLAIMS[0].what.startswith("  ")
+
+
+def test_what_is_not_computed_is_not_said_to_hold():
+    told = own_claims()
+    assert told.passed and all(claim.holds is None for claim in told.claims)
+    assert "--long computes it" in told.as_text() and "DOES NOT" not in told.as_text()
+
+
+@pytest.mark.skipif(not LONG, reason="takes minutes: TDMF_SLIP_LONG=1")
+@pytest.mark.parametrize("seed", [1, 20])
+def test_all_of_them_hold(seed):
+    told = own_claims(recompute=True, seed=seed)
+    assert [claim.what for claim in told.claims if not claim.holds] == []
