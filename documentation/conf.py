@@ -15,6 +15,11 @@ author = "The TDMF-SLIP authors"
 copyright = "2026, the TDMF-SLIP authors"
 release = version = tdmf_slip.__version__
 
+# ---- where it is published: nowhere yet; these are the lines that a release changes ----
+INSTALL = "pip install ."  # in the folder of the sources
+REPOSITORY = ""  # address of the sources
+SITE = ""  # address of this site
+
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
@@ -22,11 +27,15 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
     "c_reference",
+    "citation",
     "command_reference",
     "content_security_policy",
+    "gallery",
+    "glossary_page",
     "laws",
     "mathml",
     "notebooks",
+    "page_description",
     "python_reference",
     "variable_reference",
 ]
@@ -36,7 +45,13 @@ viewcode_follow_imported_members = False
 default_role = "literal"
 suppress_warnings = ["ref.python"]  # of two attributes with one name
 
-myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "attrs_inline"]
+myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "attrs_inline", "substitution"]
+myst_substitutions = {
+    "install": f"`{INSTALL}`" if REPOSITORY else f"`{INSTALL}` in the folder of the sources",
+    "repository": f"[the repository]({REPOSITORY})"
+    if REPOSITORY
+    else "the repository that this site is built from",
+}
 myst_heading_anchors = 3
 myst_update_mathjax = False
 nb_execution_mode = "force"
@@ -55,6 +70,7 @@ graphviz_output_format = "svg"
 
 html_theme = "furo"
 html_title = "TDMF-SLIP"
+html_baseurl = SITE
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_sidebars = {
@@ -67,12 +83,16 @@ html_sidebars = {
         "sidebar/scroll-end.html",
     ]
 }
-html_logo = "../fmu_src/model.png"
-html_favicon = "../fmu_src/model.png"
+html_logo = html_favicon = "static/logo.svg"
 html_math_renderer = "mathml"
 html_copy_source = False
 html_show_sphinx = False
 html_theme_options = {
+    **(
+        {"source_repository": REPOSITORY, "source_branch": "main", "source_directory": "documentation/"}
+        if REPOSITORY
+        else {}
+    ),
     "light_css_variables": {"color-brand-primary": "#1f5fa8", "color-brand-content": "#1f5fa8"},
     "dark_css_variables": {"color-brand-primary": "#7fb2ea", "color-brand-content": "#7fb2ea"},
 }

@@ -182,6 +182,19 @@ build_distribution() {
     .venv/bin/python scripts/release_files.py dist
 }
 
+# draw_gallery FOLDER: the gallery's figures, with their data. Those that take minutes are kept in documentation.
+draw_gallery() {
+    local name data
+    mkdir -p "$1"
+    for name in figure_ energy feedback guinea_fowl optimal reduced_ retraction rough slope thrust; do
+        .venv/bin/tdmf-slip figures --only "$name" --format png --output "$1" || return 1
+    done
+    for data in documentation/data/figures/*.csv; do
+        name=${data##*/}
+        cp "$data" "documentation/pictures/${name%.csv}.png" "$1"
+    done
+}
+
 # The site, in dist/site, with warnings as errors, and the live page in it.
 build_site() {
     need_debian_packages graphviz
@@ -189,12 +202,21 @@ build_site() {
     say "Building the site into dist/site"
     rm -rf dist/site build/site
     mkdir -p build/site dist
+    local drawing
+    draw_gallery build/site/figures >build/site/gallery.log 2>&1 &
+    drawing=$!
     .venv/bin/python -m sphinx --builder html --fail-on-warning --keep-going --quiet --jobs 2 \
         --doctree-dir build/site/read documentation build/site/html >build/site/log 2>&1 || {
         cat build/site/log >&2
+        kill "$drawing" 2>/dev/null || true
         fail "the site could not be built"
     }
+    wait "$drawing" || {
+        tail -n 20 build/site/gallery.log >&2
+        fail "the gallery's figures could not be drawn"
+    }
     mv build/site/html dist/site
+    mv build/site/figures dist/site
     documentation/live/build dist/site
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Make the live page's tables of modelDescription.xml, of the presets and of the paper's gaits.
+"""Make the live page's tables of modelDescription.xml, presets, glossary and the paper's gaits.
 
     generate.py c     OUTPUT    C: where each value and output is in the core's structs
     generate.py page  OUTPUT    JavaScript: names, units, ranges, defaults and descriptions; presets; words
@@ -163,6 +163,14 @@ def presets(table):
     return [*found, *own_presets(table)]
 
 
+def terms():
+    """Words that the page explains: by name, a sentence."""
+    known = tomllib.loads((HERE.parent / "glossary.toml").read_text(encoding="utf-8"))["live"]
+    return {
+        name: f"{term['title'][0].upper()}{term['title'][1:]}: {term['text']}" for name, term in known.items()
+    }
+
+
 def page_table(table):
     """The page's module of data."""
     data = {
@@ -174,6 +182,7 @@ def page_table(table):
         "hipPhases": items(table, PHASE),
         "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
         "presets": presets(table),
+        "terms": terms(),
     }
     lines = [
         f"export const {name} = {json.dumps(value, ensure_ascii=False)};" for name, value in data.items()

@@ -205,6 +205,7 @@ class Page {
 try {
   const module = await compileCore();
   const pools = { painters: new Pool(module, processors()), searchers: new Pool(module, SEARCHERS) };
+  document.querySelector("main").hidden = false; // a page that was opened as a file gets no further than its first lines
   const page = new Page([await Core.of(module), await Core.of(module)], pools);
   await Promise.all([pools.painters.ready, pools.searchers.ready]);
   /** For scripts and tests: the page as it is. */

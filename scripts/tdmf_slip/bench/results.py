@@ -81,7 +81,7 @@ class Bench(ByContents):
                 rows = [m for m in self.measurements if (m.group, m.accuracy) == (group, accuracy)]
                 parts += [f"{group}, to {accuracy:g}; ratios to {ours}", self._rows_text(rows), ""]
         parts.append(f"{self.threads} threads: each makes {self.scaling:.2f} times the strides of one alone")
-        parts += [f"{name} is not installed: pip install 'tdmf-slip[bench]'" for name in self.missing]
+        parts += [f"{name} is not installed: pip install {name.lower()}" for name in self.missing]
         parts += [f"{name}: {what}" for name, what in self.versions.items()]
         return "\n".join(parts)
 

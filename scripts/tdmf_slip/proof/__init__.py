@@ -9,7 +9,7 @@ try:
     import flint  # noqa: F401 # only whether it is there
 except ImportError:
     raise InputError(
-        "proofs need python-flint, which is missing; install it by: pip install 'tdmf-slip[proof]'"
+        "proofs need python-flint, which is missing; install it by: pip install python-flint"
     ) from None
 
 from . import pickled  # noqa: F401 # it tells pickle of balls

@@ -1,0 +1,208 @@
+"""What one meets first: the README, the home page, install, cite, gallery and glossary."""
+
+import io
+import json
+import os
+import pathlib
+import re
+import shutil
+import sys
+import tomllib
+from contextlib import redirect_stdout
+
+import pytest
+from conftest import succeed
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "documentation"
+SITE = ROOT / "dist" / "site"
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+GLOSSARY = tomllib.loads((SOURCES / "glossary.toml").read_text(encoding="utf-8"))
+built = pytest.mark.skipif(
+    not (SITE / "gallery.html").is_file(), reason="NOT TESTED: the site; ./scripts/site builds it"
+)
+in_browser = pytest.mark.skipif(
+    not (shutil.which("chromium") and shutil.which("chromedriver")), reason="NOT TESTED: Chromium is missing"
+)
+sys.path[:0] = [str(SOURCES / "extensions"), str(SOURCES / "live")]
+
+
+def test_the_readme_is_short_and_begins_with_two_commands():
+    assert len(README.encode()) < 6000
+    first = re.search(r"```sh\n(.*?)```", README, re.DOTALL)[1].splitlines()
+    assert [line.split()[0] for line in first] == ["./scripts/run", "./scripts/site"]
+    assert all((ROOT / line.split()[0]).is_file() for line in first)
+    for early in ("FMI", "saltation"):
+        assert early not in README[: README.index("## Install")]
+    links = re.findall(r"\]\(([^)]+)\)", README)
+    assert len(links) > 20
+    assert [link for link in links if not link.startswith("https:") and not (ROOT / link).is_file()] == []
+
+
+def test_the_five_lines_of_the_readme_print_what_it_says():
+    (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    (told,) = re.findall(r"print\(.*\)  # (.*)", code)
+    said = io.StringIO()
+    with redirect_stdout(said):
+        exec(compile(code, "README.md", "exec"), {})
+    printed = said.getvalue().split()
+    assert len(printed) == 3
+    for one, other in zip(printed, told.split(), strict=True):
+        assert one.startswith(other.removesuffix("...")), said.getvalue()
+
+
+def test_nothing_says_to_install_what_is_not_published():
+    """Until it is; then `INSTALL` of the site's configuration says so."""
+    configuration = (SOURCES / "conf.py").read_text(encoding="utf-8")
+    (install,) = re.findall(r'^INSTALL = "(.+?)"', configuration, re.MULTILINE)
+    if install != "pip install .":
+        return
+    looked_at = [ROOT / "README.md", *SOURCES.rglob("*.md"), *(ROOT / "scripts/tdmf_slip").rglob("*.py")]
+    assert len(looked_at) > 100
+    wrong = re.compile(r"pip install ['\"]?tdmf[-_]slip")
+    assert [path for path in looked_at if wrong.search(path.read_text(encoding="utf-8"))] == []
+
+
+# ---- the gallery ----
+
+
+def test_the_gallery_has_every_figure_and_each_runs_live_by_names_that_there_are(command, unit):
+    text = (SOURCES / "gallery.md").read_text(encoding="utf-8")
+    shown = re.findall(r"^```\{gallery-figure\} (\w+)$", text, re.MULTILINE)
+    status, _, said = command("figures", "--only", "?")
+    assert status == 2 and shown
+    assert sorted(shown) == sorted(said.partition("allowed: ")[2].strip().split(", "))
+    states = re.findall(r"^:live: (\S+)$", text, re.MULTILINE)
+    assert len(states) >= 14
+    for name in (pair.split("=")[0] for state in states for pair in state.split("&")):
+        assert name in unit.variables or name == "race", name
+    guides = set(re.findall(r"^:guide: (\S+)$", text, re.MULTILINE))
+    assert all((SOURCES / "guides" / f"{guide}.md").is_file() for guide in guides)
+
+
+@built
+def test_each_figure_of_the_gallery_has_its_picture_and_its_data():
+    page = (SITE / "gallery.html").read_text(encoding="utf-8")
+    pictures, data = (set(re.findall(rf'"figures/(\w+)\.{suffix}"', page)) for suffix in ("png", "csv"))
+    assert pictures == data and len(pictures) >= 22
+    for name in pictures:
+        assert (SITE / "figures" / f"{name}.png").stat().st_size > 5000, name
+        rows = (SITE / "figures" / f"{name}.csv").read_text(encoding="utf-8").splitlines()
+        assert len(rows) > 2 and len({row.count(",") for row in rows}) == 1, name
+
+
+def test_kept_data_of_a_figure_is_drawn_as_it_is_kept():
+    """Its picture stands beside it."""
+    kept = sorted((SOURCES / "data" / "figures").glob("*.csv"))
+    assert kept
+    for path in kept:
+        assert (SOURCES / "pictures" / f"{path.stem}.png").is_file(), path.name
+
+
+# ---- the glossary ----
+
+
+def test_every_word_that_the_live_page_marks_is_in_the_glossary():
+    page = "".join(path.read_text(encoding="utf-8") for path in (SOURCES / "live/page").iterdir())
+    marked = set(re.findall(r'data-term="(\w+)"', page))
+    assert len(marked) >= 3 and marked <= set(GLOSSARY["live"])
+    titles = [term["title"] for group in GLOSSARY.values() for term in group.values()]
+    assert len(titles) == len(set(titles)) > 30
+    assert all(term["text"].endswith(".") for group in GLOSSARY.values() for term in group.values())
+
+
+# ---- install and cite ----
+
+
+def test_how_to_cite_is_what_the_citation_file_says():
+    citation = pytest.importorskip("citation", reason="NOT TESTED: how to cite, Sphinx is missing")
+    text = citation.bibtex()
+    assert text.count("@") == 2 and "doi = {10.5772/62687}" in text
+    assert "author = {Or, Yizhar and Moravia, Moti}" in text and "author = {{The TDMF-SLIP authors}}" in text
+    (version,) = re.findall(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.M)
+    assert f"version = {{{version}}}" in text
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_is_as_the_install_page_says(shell):
+    told = (SOURCES / "install.md").read_text(encoding="utf-8")
+    variable = f"_TDMF_SLIP_COMPLETE={shell}_source"
+    assert f"{variable} tdmf-slip" in told
+    command = pathlib.Path(sys.executable).with_name("tdmf-slip")
+    if not command.is_file():
+        pytest.skip("NOT TESTED: completion; the command is not beside Python")
+    said = succeed(command, env=os.environ | dict([variable.split("=")]))
+    assert "_tdmf_slip_completion" in said and len(said) > 300
+
+
+# ---- the built pages ----
+
+
+@built
+def test_every_page_describes_itself():
+    pages = [path for path in SITE.rglob("*.html") if path.name != "live.html"]
+    assert len(pages) > 40
+    told = {}
+    for path in pages:
+        text = path.read_text(encoding="utf-8")
+        (description,) = re.findall(r'<meta name="description" content="([^"]*)">', text)
+        assert 30 < len(description) < 260, path
+        assert '<meta property="og:title" content="' in text and 'rel="icon"' in text, path
+        told.setdefault(description, []).append(path)
+    assert len(told) > 20
+
+
+@built
+def test_the_home_page_leads_to_install_cite_and_a_result():
+    page = (SITE / "index.html").read_text(encoding="utf-8")
+    for target in ("install.html", "cite.html", "findings.html", "gallery.html", "live.html"):
+        assert f'href="{target}' in page, target
+    assert "find_orbit" in page or "find_gait" in page
+    assert "pip install" in page and "repository" in page
+
+
+@built
+@in_browser
+@pytest.mark.parametrize(("query", "page"), [("install", "install.html"), ("cite", "cite.html")])
+def test_the_search_finds(query, page):
+    from browser import chromium, served, wait
+
+    with served(SITE) as address, chromium(1280, 900) as driver:
+        driver.get(f"{address}/search.html?q={query}")
+        links = "[...document.querySelectorAll('#search-results li a')].map((link) => link.pathname)"
+        found = wait(driver, f"{links}.length && {links}", "what was found")
+        assert f"/{page}" in found[:5], found
+
+
+@built
+@in_browser
+def test_pictures_are_dark_where_the_page_is():
+    from browser import chromium, served
+
+    with served(SITE) as address:
+        for dark in (False, True):
+            with chromium(1280, 900, dark) as driver:
+                driver.get(f"{address}/gallery.html")
+                shown = driver.execute_script(
+                    "return getComputedStyle(document.querySelector('.gallery-figure img')).filter"
+                )
+                assert ("invert" in shown) == dark, shown
+
+
+@in_browser
+def test_a_live_page_that_was_opened_as_a_file_says_only_what_it_needs(tmp_path):
+    from browser import chromium
+
+    shutil.copytree(SOURCES / "live" / "page", tmp_path / "live")
+    shutil.move(tmp_path / "live" / "live.html", tmp_path)
+    with chromium(1280, 900) as driver:
+        driver.get((tmp_path / "live.html").as_uri())
+        assert "python3 -m http.server" in driver.find_element("id", "loading").text
+        assert not driver.find_element("tag name", "main").is_displayed()
+
+
+@built
+def test_the_data_of_the_live_page_has_the_glossary():
+    data = (SITE / "live" / "data.js").read_text(encoding="utf-8")
+    (terms,) = re.findall(r"^export const terms = (.*);$", data, re.MULTILINE)
+    assert set(json.loads(terms)) == set(GLOSSARY["live"])
