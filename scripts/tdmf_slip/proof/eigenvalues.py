@@ -11,6 +11,8 @@ import numpy as np
 from flint import acb, acb_mat, arb, arb_mat
 from numpy.typing import NDArray
 
+from .matrices import absolute, floats_above, greatest, row_sums
+
 SMALL = 1e6
 """An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
 
@@ -102,17 +104,13 @@ def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
     list of float
         Weights w: the norm of x is the largest ``|(S^-1 x)_i| / w_i``.
     """
-    size = matrix.nrows()
     basis = _basis(matrix)
     turned = basis.solve(acb_mat(matrix) * basis)
-    sizes = np.array([[float(abs(turned[i, j]).upper()) for j in range(size)] for i in range(size)])
-    weights = _weights(sizes, basis)
-    exact = [arb(float(w)) for w in weights]
-    rows = (sum((abs(turned[i, j]) * exact[j] for j in range(size)), arb(0)) / exact[i] for i in range(size))
-    bound = arb(0)
-    for row in rows:
-        bound = bound.max(row) if row.is_finite() else arb("inf")
-    return bound.upper(), basis, [float(w) for w in weights]
+    sizes = absolute(turned)
+    weights = [float(w) for w in _weights(floats_above(sizes), basis)]
+    rows = row_sums(sizes, [arb(w) for w in weights])
+    bound = greatest(rows) if all(row.is_finite() for row in rows) else arb("inf")
+    return bound, basis, weights
 
 
 def _weights(sizes: NDArray[np.float64], basis: acb_mat) -> NDArray[np.float64]:
@@ -158,12 +156,11 @@ def left_times_right(left: acb_mat, right: acb_mat, k: int) -> acb:
 
 def _discs(matrix: acb_mat) -> list[acb]:
     """By rows: around the diagonal, with the sum of the others as radius."""
-    size = matrix.nrows()
-    discs = []
-    for i in range(size):
-        radius = sum((abs(matrix[i, j]) for j in range(size) if j != i), arb(0)).upper()
-        discs.append(matrix[i, i] + acb(arb(0, radius), arb(0, radius)))
-    return discs
+    sizes = absolute(matrix)
+    for k, row in enumerate(sizes):
+        row[k] = arb(0)
+    radii = [arb(0, row.upper()) for row in row_sums(sizes, [arb(1)] * len(sizes))]
+    return [matrix[k, k] + acb(radius, radius) for k, radius in enumerate(radii)]
 
 
 def _real_if_alone(disc: acb, k: int, discs: list[acb]) -> acb:

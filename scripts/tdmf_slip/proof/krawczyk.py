@@ -9,7 +9,8 @@ What is proved rests on balls alone; how m and Y were found does not matter.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -17,13 +18,16 @@ from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
 from .forced import Forced
-from .matrices import identity
+from .matrices import absolute, floats_above, identity
 from .parameters import Parameters
+from .proof import Box
 from .starts import Fineness, Starts
 from .stride import Stride, Traveller
 from .travelling_set import SetTraveller
 from .undecided import UndecidedError
 
+COARSE_BITS = 64
+"""Of the working precision where few digits are asked for."""
 MOST_STEPS = 12
 SHARPENINGS = 12
 ROOM = 1.3
@@ -127,6 +131,51 @@ def proved_stride(
     return SetTraveller(parameters, starts, fineness, coarseness, forced).stride()
 
 
+def unique_box(
+    parameters: Parameters,
+    radii: Sequence[Fraction],
+    box_of: Callable[[Fraction], Box],
+    beyond: int,
+    forced: Forced | None = None,
+) -> Box:
+    """The first of some boxes in which exactly one fixed point is proved to lie.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Whose stride.
+    radii : sequence of Fraction
+        In units of the scales, the larger first, one at least.
+    box_of : callable
+        The box of a radius.
+    beyond : int
+        Bits of the working precision beyond those of the radius.
+    forced : Forced, optional
+        Of a border.
+
+    Returns
+    -------
+    Box
+        One of them.
+
+    Raises
+    ------
+    UndecidedError
+        It is proved of none; the problem is that of the last.
+    """
+    problem = UndecidedError("the inclusion of the fixed point in the box")
+    for radius in radii:
+        fine, box = Fineness(max(COARSE_BITS, beyond + round(-math.log2(radius)))), box_of(radius)
+        with ctx.workprec(fine.bits):
+            starts = box.starts()
+        try:
+            Inclusion(starts, proved_stride(parameters, starts, fine, fine, forced), fine)
+            return box
+        except UndecidedError as undecided:
+            problem = undecided
+    raise problem
+
+
 class NotIncludedError(UndecidedError):
     """The operator does not map a box into itself."""
 
@@ -172,11 +221,11 @@ class Inclusion:
         radii = arb_mat(unknowns, 1, [arb(0, r) for r in starts.radii[:unknowns]])
         image = shift + rest * radii
         balls = zip(image.entries(), starts.radii, strict=False)
-        widths = absolute_floats(rest)
+        widths = floats_above(absolute(rest))
         self.contraction = spectral_radius(widths)
         """About how much of the box is left; 1 and more proves nothing. No proof rests on it."""
         if not all(ball.is_finite() and abs(ball) < radius for ball, radius in balls):
-            raise NotIncludedError(self._better_box(widths, absolute_floats(shift)))
+            raise NotIncludedError(self._better_box(widths, floats_above(absolute(shift))))
         for _ in range(SHARPENINGS):
             image = shift + rest * image
         self.image = [float(abs(ball).upper()) for ball in image.entries()]
@@ -190,11 +239,6 @@ class Inclusion:
             return None
         least = np.linalg.solve(np.eye(len(widths)) - widths, shift.ravel())
         return [ROOM * max(size, TINY) for size in least]
-
-
-def absolute_floats(matrix: arb_mat) -> NDArray[np.float64]:
-    """Upper bounds of the entries' absolute values, about."""
-    return np.array([[float(abs(x).upper()) for x in row] for row in matrix.tolist()])
 
 
 def spectral_radius(matrix: NDArray[np.float64]) -> float:

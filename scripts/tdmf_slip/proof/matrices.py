@@ -1,6 +1,8 @@
 """Matrices of balls."""
 
-from flint import arb, arb_mat
+import numpy as np
+from flint import acb_mat, arb, arb_mat
+from numpy.typing import NDArray
 
 
 def identity(size: int) -> arb_mat:
@@ -14,6 +16,22 @@ def greatest(values: list[arb]) -> arb:
     for value in values:
         found = found.max(value)
     return found.upper()
+
+
+def row_sums(sizes: list[list[arb]], weights: list[arb]) -> list[arb]:
+    """Of the rows of D^-1 A D, with the weights on the diagonal of D and the absolute values of A."""
+    rows = zip(sizes, weights, strict=True)
+    return [sum((x * w for x, w in zip(row, weights, strict=True)), arb(0)) / own for row, own in rows]
+
+
+def absolute(matrix: arb_mat | acb_mat) -> list[list[arb]]:
+    """Of its entries, by rows."""
+    return [[abs(x) for x in row] for row in matrix.tolist()]
+
+
+def floats_above(sizes: list[list[arb]]) -> NDArray[np.float64]:
+    """Upper bounds of a matrix of absolute values, about; for choices, not for proofs."""
+    return np.array([[float(x.upper()) for x in row] for row in sizes])
 
 
 def norm(matrix: arb_mat, weights: list[arb]) -> arb:
@@ -31,8 +49,4 @@ def norm(matrix: arb_mat, weights: list[arb]) -> arb:
     arb
         Without radius.
     """
-    size = matrix.nrows()
-    rows = (
-        sum((abs(matrix[i, j]) * weights[j] for j in range(size)), arb(0)) / weights[i] for i in range(size)
-    )
-    return greatest([row.upper() for row in rows])
+    return greatest([row.upper() for row in row_sums(absolute(matrix), weights)])

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Protocol
 
 import flint
 from flint import acb, arb
@@ -93,6 +94,23 @@ def assumptions() -> list[str]:
     ]
 
 
+class Proved(Protocol):
+    """Whatever says in a sentence what is proved of something, or left open."""
+
+    @property
+    def proved(self) -> bool:
+        """False is undecided."""
+
+    @property
+    def sentence(self) -> str:
+        """For a reader who wants to sign it."""
+
+
+def statement(proof: Proved) -> dict[str, object]:
+    """What every proof has in JSON."""
+    return {"proved": proof.proved, "sentence": proof.sentence, "assumptions": assumptions()}
+
+
 @dataclass(frozen=True)
 class Proof:
     """A gait with enclosures of all that is told of it, or what could not be decided."""
@@ -133,9 +151,7 @@ class Proof:
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
         return {
-            "proved": self.proved,
-            "sentence": self.sentence,
-            "assumptions": assumptions(),
+            **statement(self),
             "parameters": {name: str(value) for name, value in self.values.items()},
             "word": self.word or None,
             "stable": self.stable,

@@ -18,7 +18,7 @@ from ..unit.unit import load
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
 from .given import MOST_DIGITS, Given, Radius, gait_of, radius_of
-from .krawczyk import Inclusion, proved_stride, refined
+from .krawczyk import Inclusion, proved_stride, refined, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
 from .prove_range import prove_range
@@ -32,7 +32,6 @@ BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
 GUARD_BITS = 32
-COARSE_BITS = 64
 
 
 @overload
@@ -231,19 +230,8 @@ class _Prover:
 
     def _unique(self, centre: Sequence[arb], asked: Fraction | None) -> Box:
         """A box in which exactly one gait is."""
-        tried = BOXES if asked is None else [asked]
-        for radius in tried:
-            box = self._box(centre, radius)
-            fine = Fineness(max(COARSE_BITS, round(-math.log2(radius)) + GUARD_BITS))
-            with ctx.workprec(fine.bits):
-                starts = box.starts()
-            try:
-                Inclusion(starts, proved_stride(self.parameters, starts, fine, fine), fine)
-                return box
-            except UndecidedError:
-                if radius == tried[-1]:
-                    raise
-        raise AssertionError("one box is tried at least")
+        tried = BOXES if asked is None else (asked,)
+        return unique_box(self.parameters, tried, lambda radius: self._box(centre, radius), GUARD_BITS)
 
     def _enclosed(self, box: Box, near: Sequence[arb]) -> Proof:
         """All that is told of the gait, from a box that is as small as the digits ask for."""

@@ -16,7 +16,7 @@ from .exact import ball_of
 from .given import Given, gait_of
 from .krawczyk import Inclusion, proved_stride
 from .parameters import Parameters
-from .proof import assumptions, short
+from .proof import short, statement
 from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
@@ -49,9 +49,7 @@ class Attraction:
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
         return {
-            "proved": self.proved,
-            "sentence": self.sentence,
-            "assumptions": assumptions(),
+            **statement(self),
             "radius": self.radius,
             "rate": self.rate,
             "box": short(self.box) if self.proved else None,

@@ -17,18 +17,16 @@ from ..unit.unit import FRICTION, load
 from .exact import Exact, exact_values
 from .forced import Forced
 from .given import MOST_DIGITS, check_laws, gait_near
-from .krawczyk import Inclusion, middle_of, proved_stride, refined, slopes_of
+from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
 from .parameters import Parameters
-from .proof import Box, Proof, assumptions, decimal, exactly, short, text_of, told
-from .prove import BEYOND, COARSE_BITS, DEFAULT_DIGITS, bits_for, prove_exactly
+from .proof import Box, Proof, decimal, exactly, short, statement, text_of, told
+from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
 from .starts import Fineness, Starts
 from .stride import Stride, Traveller
 from .undecided import UndecidedError
 
 BESIDE = 1e-7
 """How far from a border the gaits are that tell its kind, over the parameter."""
-BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
-"""Radii that are tried, in units of the scales."""
 ROUGH = 1e-12
 
 
@@ -67,9 +65,7 @@ class BorderProof:
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
         return {
-            "proved": self.proved,
-            "sentence": self.sentence,
-            "assumptions": assumptions(),
+            **statement(self),
             "vary": self.name,
             "value": None if self.value is None else text_of(self.value, self.digits),
             "kind": self.kind or None,
@@ -183,7 +179,9 @@ class _BorderProver:
         stride = proved_stride(self.parameters, self._starts(start, scales, arb(ROUGH)), rough, rough, forced)
         jacobian = middle_of(slopes_of(stride))
         near = refined(self.parameters, start, jacobian, self.fine, 10.0 ** -(self.narrow + 1), forced)
-        box = self._unique(near, scales, forced)
+        box = unique_box(
+            self.parameters, BOXES, lambda radius: Box.around(near, radius, scales), COARSE_BITS, forced
+        )
         small = self._starts(near, scales, arb(10) ** -self.narrow)
         stride = proved_stride(self.parameters, small, self.fine, self.fine, forced)
         inside = Inclusion(small, stride, self.fine)
@@ -202,21 +200,6 @@ class _BorderProver:
             box=box,
             sides=self._sides(inside.solution[6]) if self.with_sides else (),
         )
-
-    def _unique(self, near: list[arb], scales: list[float], forced: Forced) -> Box:
-        """A box in which exactly one border is."""
-        for radius in BOXES:
-            box = Box.around(near, radius, scales)
-            fine = Fineness(COARSE_BITS + round(-math.log2(radius)))
-            with ctx.workprec(fine.bits):
-                starts = box.starts()
-            try:
-                Inclusion(starts, proved_stride(self.parameters, starts, fine, fine, forced), fine)
-                return box
-            except UndecidedError:
-                if radius == BOXES[-1]:
-                    raise
-        raise AssertionError("one box is tried at least")
 
     def _starts(self, centre: list[arb], scales: list[float], radius: arb) -> Starts:
         with ctx.workprec(self.fine.bits):

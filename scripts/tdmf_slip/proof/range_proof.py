@@ -8,7 +8,7 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from .exact import Exact, ball_of
-from .proof import assumptions, decimal, told
+from .proof import decimal, statement, told
 
 BITS = 56
 """Of the arithmetic in which pieces are proved."""
@@ -145,9 +145,7 @@ class RangeProof:
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
         return {
-            "proved": self.proved,
-            "sentence": self.sentence,
-            "assumptions": assumptions(),
+            **statement(self),
             "vary": self.name,
             "range": [decimal(self.begin), decimal(self.end)],
             "words": list(self.words),

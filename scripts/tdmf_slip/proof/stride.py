@@ -35,6 +35,24 @@ class Event:
     """That it leads to."""
 
 
+@dataclass(frozen=True)
+class Met:
+    """An event as it is met in a step."""
+
+    guard: Guard
+    """That falls through zero."""
+    times: arb
+    """In the step, over all starts."""
+    values: Values
+    """The motion's numbers then."""
+    before: Mode
+    """Which ends."""
+    entered: Entered
+    """What comes next."""
+    forced: Forced | None
+    """Where it is taken as on one side of a border."""
+
+
 @dataclass
 class Stride:
     """What a stride is proved to do."""
@@ -210,20 +228,11 @@ class Traveller:
         before, self.mode, self.zeros = self.mode, entered.mode, entered.zeros
         self.rank = min(self.rank, len(self.names) - self.varied - 1)
         self.names = names_of(self.wide, self.mode)
-        self._land(guard, thin, flow, times, at_event, before, entered, forced)
+        self._land(Met(guard, times, at_event, before, entered, forced), thin, flow)
         return entered.closes
 
-    def _land(
-        self,
-        guard: Guard,
-        thin: Flow,
-        flow: Flow,
-        times: arb,
-        at_event: Values,
-        before: Mode,
-        entered: Entered,
-        forced: Forced | None,
-    ) -> None:
+    def _land(self, met: Met, thin: Flow, flow: Flow) -> None:
+        entered = met.entered
         if entered.margin is not None:
             self.margin = arb(entered.margin)
         self.centre = self.set = {name: arb(entered.values[name]).mid() for name in self.names}

@@ -10,19 +10,19 @@ from collections.abc import Mapping, Sequence
 
 from flint import arb, arb_mat, ctx
 
-from .dual import slope_of, value_of
+from .dual import Number, slope_of, value_of
 from .flow import Flow, Values, speeds
 from .forced import Forced
 from .guards import FUNCTIONS
 from .ledger import Ledger
 from .matrices import identity
-from .modes import PARAMETER, Mode
+from .modes import PARAMETER
 from .parameters import Parameters
 from .roots import Guard
 from .section import COORDINATES, apex_of, motion_at, seeds
 from .spread import Drift, Spread, narrower
 from .starts import Fineness, Starts
-from .stride import Stride, Traveller, gradient_of_guard
+from .stride import Met, Stride, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 from .undecided import UndecidedError
 from .varied_flow import VariedFlow
@@ -124,60 +124,53 @@ class SetTraveller(Traveller):
 
     # ---- events ----------------------------------------------------------------------------------------
 
-    def _land(
-        self,
-        guard: Guard,
-        thin: Flow,
-        flow: Flow,
-        times: arb,
-        at_event: Values,
-        before: Mode,
-        entered: Entered,
-        forced: Forced | None,
-    ) -> None:
+    def _land(self, met: Met, thin: Flow, flow: Flow) -> None:
         assert isinstance(flow, VariedFlow)
         flow.vary(self.dual)
-        names, derivative = flow.names, flow.matrix(times)
-        self._saltate(guard, before, derivative, at_event, names)
-        numbers = dict(zip(names, seeds([at_event[name] for name in names], names), strict=True))
-        reset = Transition(self.dual, before, numbers, forced).take(guard.name)
-        landed = self._centre_after(guard, thin, times, before, forced)
+        names, derivative = flow.names, flow.matrix(met.times)
+        self._saltate(met, derivative, names)
+        numbers = dict(zip(names, seeds([met.values[name] for name in names], names), strict=True))
+        reset = Transition(self.dual, met.before, numbers, met.forced).take(met.guard.name)
+        landed = self._centre_after(met, thin)
         if reset.margin is not None:
-            assert landed.margin is not None
-            slopes = self._slopes({"": reset.margin}, ("",), names) * derivative
-            drift = slopes * arb_mat(len(names), 1, self.drift.balls())
-            self.margin = arb(landed.margin) + drift[0, 0]
-            self.margin_slopes = list((slopes * self.spread.product).entries())
+            self._note_margin(reset.margin, landed, derivative, names)
         derivative = self._slopes(reset.values, self.names, names) * derivative
         self._begin_at({name: arb(value_of(landed.values[name])) for name in self.names}, derivative)
         self.spread.follow(derivative)
-        self.set = self._around({name: arb(value_of(entered.values[name])) for name in self.names})
+        self.set = self._around({name: arb(value_of(met.entered.values[name])) for name in self.names})
 
-    def _saltate(
-        self, guard: Guard, mode: Mode, derivative: arb_mat, values: Values, names: Sequence[str]
+    def _note_margin(
+        self, margin: Number, landed: Entered, derivative: arb_mat, names: Sequence[str]
     ) -> None:
+        """Of an event that is forced: at the centre, and by the start."""
+        assert landed.margin is not None
+        slopes = self._slopes({"": margin}, ("",), names) * derivative
+        drift = slopes * arb_mat(len(names), 1, self.drift.balls())
+        self.margin = arb(landed.margin) + drift[0, 0]
+        self.margin_slopes = list((slopes * self.spread.product).entries())
+
+    def _saltate(self, met: Met, derivative: arb_mat, names: Sequence[str]) -> None:
         """The event's time moves with the start: each column goes along the flow by as much."""
-        rates = speeds(self.wide, mode, values)
-        values = {name: values[name] for name in names}
-        steepness = gradient_of_guard(self.dual, mode, guard.name, values)
+        rates = speeds(self.wide, met.before, met.values)
+        values = {name: met.values[name] for name in names}
+        steepness = gradient_of_guard(self.dual, met.before, met.guard.name, values)
         fall = sum((s * rates[name] for s, name in zip(steepness, names, strict=True)), arb(0))
         if not fall < 0:
-            raise UndecidedError(guard.name)
+            raise UndecidedError(met.guard.name)
         for j in range(len(names)):
             delay = -sum((s * derivative[i, j] for i, s in enumerate(steepness)), arb(0)) / fall
             for i, name in enumerate(names):
                 derivative[i, j] = derivative[i, j] + rates[name] * delay
 
-    def _centre_after(
-        self, guard: Guard, thin: Flow, times: arb, mode: Mode, forced: Forced | None
-    ) -> Entered:
+    def _centre_after(self, met: Met, thin: Flow) -> Entered:
         """The centre just after its own event."""
+        name, mode, times = met.guard.name, met.before, met.times
         with ctx.workprec(self.fine.bits):
-            own = Guard(guard.name, FUNCTIONS[guard.name](self.thin, mode, thin.record()), guard.order)
+            own = Guard(name, FUNCTIONS[name](self.thin, mode, thin.record()), met.guard.order)
             low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
             when = own.zero_after(low, high) if low < high else None
             at = thin.at(times if when is None else when)
-            return Transition(self.thin, mode, at, forced).take(guard.name)
+            return Transition(self.thin, mode, at, met.forced).take(name)
 
     def _close(self) -> Stride:
         with ctx.workprec(self.fine.bits):
