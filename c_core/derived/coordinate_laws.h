@@ -288,8 +288,9 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
                                                const tdmf_standing *d_standing,
                                                double written[TDMF_STATE_COUNT]) {
     (void)turns;
-    const double d_length = (2.0 * standing->x * d_standing->x + 2.0 * standing->y * d_standing->y) /
-                            (2.0 * state[TDMF_LEG_LENGTH]);
+    const double d_length = 0.5 *
+                            (2.0 * (standing->x * d_standing->x) + 2.0 * (standing->y * d_standing->y)) /
+                            state[TDMF_LEG_LENGTH];
     written[TDMF_FOOT_X] = -line->sine * d_line->slope * standing->foot_x + line->cosine * d_standing->foot_x;
     written[TDMF_FOOT_Y] =
         d_line->height + (line->cosine * d_line->slope * standing->foot_x + line->sine * d_standing->foot_x);
@@ -306,11 +307,12 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
                                      (d_standing->y * standing->vy + standing->y * d_standing->vy) -
                                      state[TDMF_LEG_LENGTH_RATE] * d_length) /
                                     state[TDMF_LEG_LENGTH];
-    written[TDMF_LEG_ANGLE_RATE] = (d_standing->x * standing->vy + standing->x * d_standing->vy -
-                                    (d_standing->y * (standing->vx - standing->foot_vx) +
-                                     standing->y * (d_standing->vx - d_standing->foot_vx)) -
-                                    state[TDMF_LEG_ANGLE_RATE] * (2.0 * state[TDMF_LEG_LENGTH] * d_length)) /
-                                   (state[TDMF_LEG_LENGTH] * state[TDMF_LEG_LENGTH]);
+    written[TDMF_LEG_ANGLE_RATE] =
+        (d_standing->x * standing->vy + standing->x * d_standing->vy -
+         (d_standing->y * (standing->vx - standing->foot_vx) +
+          standing->y * (d_standing->vx - d_standing->foot_vx)) -
+         state[TDMF_LEG_ANGLE_RATE] * (2.0 * (state[TDMF_LEG_LENGTH] * d_length))) /
+        (state[TDMF_LEG_LENGTH] * state[TDMF_LEG_LENGTH]);
 }
 
 /* theta = atan2(-x, y) + sigma, of a body there as seen from the foot, in axes turned by a slope. */
@@ -326,7 +328,7 @@ static inline double tdmf_angle_rate_of(double momentum, double length) {
 /* Its change. */
 static inline double tdmf_vary_angle_rate_of(double momentum, double length, double d_momentum,
                                              double d_length) {
-    return (d_momentum - momentum / (length * length) * (2.0 * length * d_length)) / (length * length);
+    return (d_momentum - momentum / (length * length) * (2.0 * (length * d_length))) / (length * length);
 }
 
 #endif

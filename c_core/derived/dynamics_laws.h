@@ -147,8 +147,8 @@ static inline double tdmf_vary_external_power(const tdmf_inputs *inputs, tdmf_po
 
 /* The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
  *
- * The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg
- * does no work. */
+ * The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg does
+ * no work. */
 static inline void tdmf_rates_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                    const tdmf_leg *leg, double torque, tdmf_ground_force force,
                                    tdmf_vector foot, tdmf_leg_rates acceleration, double slip_velocity,

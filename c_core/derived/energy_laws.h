@@ -52,12 +52,12 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
                         state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
-    const double d_body_square = 2.0 * (state[TDMF_FOOT_VX] + vx) * (d_state[TDMF_FOOT_VX] + d_vx) +
-                                 2.0 * (state[TDMF_FOOT_VY] + vy) * (d_state[TDMF_FOOT_VY] + d_vy);
+    const double d_body_square = 2.0 * ((state[TDMF_FOOT_VX] + vx) * (d_state[TDMF_FOOT_VX] + d_vx)) +
+                                 2.0 * ((state[TDMF_FOOT_VY] + vy) * (d_state[TDMF_FOOT_VY] + d_vy));
     const double foot_square =
         state[TDMF_FOOT_VX] * state[TDMF_FOOT_VX] + state[TDMF_FOOT_VY] * state[TDMF_FOOT_VY];
-    const double d_foot_square =
-        2.0 * state[TDMF_FOOT_VX] * d_state[TDMF_FOOT_VX] + 2.0 * state[TDMF_FOOT_VY] * d_state[TDMF_FOOT_VY];
+    const double d_foot_square = 2.0 * (state[TDMF_FOOT_VX] * d_state[TDMF_FOOT_VX]) +
+                                 2.0 * (state[TDMF_FOOT_VY] * d_state[TDMF_FOOT_VY]);
     const double d_kinetic =
         0.5 * (d_model->parameters.body.mass * body_square + model->parameters.body.mass * d_body_square +
                (d_model->parameters.foot.mass * foot_square + model->parameters.foot.mass * d_foot_square));

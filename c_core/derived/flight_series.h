@@ -1,4 +1,4 @@
-/* Derived from c_core/equations/flight.py by equations/derive: edit that. */
+/* Derived from c_core/equations/flight.py by equations/derive: edit that, not this. */
 #ifndef TDMF_DERIVED_FLIGHT_SERIES_H
 #define TDMF_DERIVED_FLIGHT_SERIES_H
 
@@ -28,10 +28,10 @@ typedef struct {
     real angle_rate[SERIES_TERMS];
     real rate_square[SERIES_TERMS];
     real speed_square[SERIES_TERMS];
-    real length[SERIES_TERMS];
-    real angle[SERIES_TERMS];
     real length_rate[SERIES_TERMS];
+    real length[SERIES_TERMS];
     real momentum[SERIES_TERMS];
+    real angle[SERIES_TERMS];
     real push_moment[SERIES_TERMS];
     real cosine[SERIES_TERMS];
     real sine[SERIES_TERMS];
@@ -42,10 +42,10 @@ typedef struct {
 typedef struct {
     real torque[SERIES_TERMS];
     real power[SERIES_TERMS];
-    real length[SERIES_TERMS];
-    real angle[SERIES_TERMS];
     real length_rate[SERIES_TERMS];
+    real length[SERIES_TERMS];
     real momentum[SERIES_TERMS];
+    real angle[SERIES_TERMS];
     real square[SERIES_TERMS];
     real angle_rate[SERIES_TERMS];
     real rate_square[SERIES_TERMS];
@@ -77,16 +77,16 @@ static inline void begin_flight_variation(const flight_start *start, const fligh
     t->angle[0] = d->angle;
     t->length_rate[0] = d->length_rate;
     t->momentum[0] =
-        2.0 * start->length * d->length * start->angle_rate + start->length * start->length * d->angle_rate;
+        2.0 * (start->length * d->length) * start->angle_rate + start->length * start->length * d->angle_rate;
 }
 
 /* Factors that all coefficients have, and what is divided by. */
 typedef struct {
     real inverse_square;
-    real mobility_stiffness;
-    real mobility_damping;
-    real mobility_gain;
-    real mobility_rate_gain;
+    real mobility_times_stiffness;
+    real mobility_times_damping;
+    real mobility_times_gain;
+    real mobility_times_rate_gain;
 } flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -102,27 +102,28 @@ typedef struct {
 KERNEL void add_flight_sums(const flight_series *s, int i, int j, flight_sums *sum) {
     sum->square += s->length[i] * s->length[j];
     sum->angle_rate += s->angle_rate[i] * s->square[j];
-    sum->angle_rate += s->angle_rate[j] * s->square[i];
+    sum->angle_rate += s->square[i] * s->angle_rate[j];
     sum->rate_square += s->angle_rate[i] * s->angle_rate[j];
     sum->length_times_rate_square += s->length[i] * s->rate_square[j];
-    sum->length_times_rate_square += s->length[j] * s->rate_square[i];
+    sum->length_times_rate_square += s->rate_square[i] * s->length[j];
     sum->speed_square += s->length_rate[i] * s->length_rate[j];
 }
 
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_flight_sums(const flight_series *s, int i, flight_sums *sum) {
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_flight_sums(const flight_series *s, int i, flight_sums *sum, flight_sums *next) {
     sum->square = 0.5 * (s->length[i] * s->length[i]);
     sum->angle_rate = s->angle_rate[i] * s->square[i];
     sum->rate_square = 0.5 * (s->angle_rate[i] * s->angle_rate[i]);
     sum->length_times_rate_square = s->length[i] * s->rate_square[i];
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
+    (void)next;
 }
+
 /* vdot = r w^2 + M F_s, Ldot = M tau, w = L/r^2, and what the push on the body adds. From coefficient k of
  * the states to the next. */
 KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors *by, int k,
                              const flight_sums *sum, flight_series *s) {
-    const double divide = series_reciprocal[k + 1];
-    s->length[k + 1] = s->length_rate[k] * divide;
+    integrate(s->length, k, s->length_rate[k]);
     /* square = length * length */
     s->square[k] = square_of(k, sum->square, s->length);
     /* angle_rate = momentum / square */
@@ -135,52 +136,51 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
         product_of(k, sum->length_times_rate_square, s->length, s->rate_square);
     /* speed_square = length_rate * length_rate */
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
-    s->angle[k + 1] = s->angle_rate[k] * divide;
-    s->length_rate[k + 1] =
-        with_constant(k,
-                      length_times_rate_square +
-                          (-by->mobility_stiffness * s->length[k] - by->mobility_damping * s->length_rate[k]),
-                      c->mobility * c->stiffness * c->rest_length) *
-        divide;
-    s->momentum[k + 1] =
-        with_drift(k, -by->mobility_gain * s->angle[k] - by->mobility_rate_gain * s->angle_rate[k],
-                   c->mobility * c->gain * c->target + c->mobility * c->torque,
-                   c->mobility * c->torque_rate) *
-        divide;
+    integrate(s->length_rate, k,
+              with_constant(k,
+                            length_times_rate_square - by->mobility_times_stiffness * s->length[k] -
+                                by->mobility_times_damping * s->length_rate[k],
+                            c->mobility * (c->stiffness * c->rest_length)));
+    integrate(s->angle, k, s->angle_rate[k]);
+    integrate(s->momentum, k,
+              with_drift(
+                  k, -by->mobility_times_gain * s->angle[k] - by->mobility_times_rate_gain * s->angle_rate[k],
+                  c->mobility * (c->gain * c->target + c->torque), c->mobility * c->torque_rate));
 }
 
 /* From coefficient k, even, two further. */
 KERNEL void expand_flight_by_two(const flight_coefficients *c, const flight_factors *by, int k,
                                  flight_series *s) {
     const int middle = k / 2;
-    static const flight_sums no_sum = {0};
-    flight_sums sum = no_sum, next_sum = no_sum;
-    begin_flight_sums(s, middle, &sum);
+    static const flight_sums none = {0};
+    flight_sums sum = none, next = none;
+    begin_flight_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_flight_sums(s, i, j, &next_sum);
+        add_flight_sums(s, i, j, &next);
         add_flight_sums(s, i - 1, j, &sum);
     }
     expand_flight_on(c, by, k, &sum, s);
-    add_flight_sums(s, 1, k, &next_sum);
-    expand_flight_on(c, by, k + 1, &next_sum, s);
+    add_flight_sums(s, 1, k, &next);
+    expand_flight_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
-    static const flight_sums no_sum = {0};
-    flight_sums sum = no_sum;
+    static const flight_sums none = {0};
+    flight_sums sum = none, next = none;
     s->square[0] = s->length[0] * s->length[0];
     const flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .mobility_stiffness = c->mobility * c->stiffness,
-        .mobility_damping = c->mobility * c->damping,
-        .mobility_gain = c->mobility * c->gain,
-        .mobility_rate_gain = c->mobility * c->rate_gain,
+        .mobility_times_stiffness = c->mobility * c->stiffness,
+        .mobility_times_damping = c->mobility * c->damping,
+        .mobility_times_gain = c->mobility * c->gain,
+        .mobility_times_rate_gain = c->mobility * c->rate_gain,
     };
     const flight_factors *by = &factors;
     expand_flight_on(c, by, 0, &sum, s);
-    expand_flight_on(c, by, 1, &sum, s);
+    begin_flight_sums(s, 0, &sum, &next);
+    expand_flight_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
         expand_flight_by_two(c, by, k, s);
     }
@@ -189,10 +189,10 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
 /* Factors that all coefficients have, and what is divided by. */
 typedef struct {
     real inverse_square;
-    real mobility_stiffness;
-    real mobility_damping;
-    real mobility_gain;
-    real mobility_rate_gain;
+    real mobility_times_stiffness;
+    real mobility_times_damping;
+    real mobility_times_gain;
+    real mobility_times_rate_gain;
 } pushed_flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -209,30 +209,32 @@ typedef struct {
 KERNEL void add_pushed_flight_sums(const flight_series *s, int i, int j, pushed_flight_sums *sum) {
     sum->square += s->length[i] * s->length[j];
     sum->angle_rate += s->angle_rate[i] * s->square[j];
-    sum->angle_rate += s->angle_rate[j] * s->square[i];
+    sum->angle_rate += s->square[i] * s->angle_rate[j];
     sum->rate_square += s->angle_rate[i] * s->angle_rate[j];
     sum->length_times_rate_square += s->length[i] * s->rate_square[j];
-    sum->length_times_rate_square += s->length[j] * s->rate_square[i];
+    sum->length_times_rate_square += s->rate_square[i] * s->length[j];
     sum->push_moment += s->length[i] * s->push_across[j];
-    sum->push_moment += s->length[j] * s->push_across[i];
+    sum->push_moment += s->push_across[i] * s->length[j];
     sum->speed_square += s->length_rate[i] * s->length_rate[j];
 }
 
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_pushed_flight_sums(const flight_series *s, int i, pushed_flight_sums *sum) {
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_pushed_flight_sums(const flight_series *s, int i, pushed_flight_sums *sum,
+                                     pushed_flight_sums *next) {
     sum->square = 0.5 * (s->length[i] * s->length[i]);
     sum->angle_rate = s->angle_rate[i] * s->square[i];
     sum->rate_square = 0.5 * (s->angle_rate[i] * s->angle_rate[i]);
     sum->length_times_rate_square = s->length[i] * s->rate_square[i];
     sum->push_moment = s->length[i] * s->push_across[i];
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
+    (void)next;
 }
+
 /* vdot = r w^2 + M F_s, Ldot = M tau, w = L/r^2, and what the push on the body adds. From coefficient k of
  * the states to the next. */
 KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_flight_factors *by, int k,
                                     const pushed_flight_sums *sum, flight_series *s) {
-    const double divide = series_reciprocal[k + 1];
-    s->length[k + 1] = s->length_rate[k] * divide;
+    integrate(s->length, k, s->length_rate[k]);
     /* square = length * length */
     s->square[k] = square_of(k, sum->square, s->length);
     /* angle_rate = momentum / square */
@@ -257,60 +259,58 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     /* push_y_times_sine = push_y * sine */
     const real push_y_times_sine = ramp_times(k, c->push_y, c->push_y_rate, s->sine);
     /* push_across = -(push_x_times_cosine + push_y_times_sine) */
-    s->push_across[k] = -(push_x_times_cosine + push_y_times_sine);
+    s->push_across[k] = -push_x_times_cosine - push_y_times_sine;
     /* push_moment = length * push_across */
     s->push_moment[k] = product_of(k, sum->push_moment, s->length, s->push_across);
     /* speed_square = length_rate * length_rate */
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
-    s->angle[k + 1] = s->angle_rate[k] * divide;
-    s->length_rate[k + 1] =
-        with_ramp(k,
-                  length_times_rate_square +
-                      (-by->mobility_stiffness * s->length[k] - by->mobility_damping * s->length_rate[k]) +
-                      push_along,
-                  c->mobility * c->stiffness * c->rest_length,
-                  c->mobility * c->stiffness * c->rest_length_rate) *
-        divide;
-    s->momentum[k + 1] = with_drift(k,
-                                    -by->mobility_gain * s->angle[k] -
-                                        by->mobility_rate_gain * s->angle_rate[k] + s->push_moment[k],
-                                    c->mobility * c->gain * c->target + c->mobility * c->torque,
-                                    c->mobility * c->torque_rate) *
-                         divide;
+    integrate(s->length_rate, k,
+              with_ramp(k,
+                        length_times_rate_square - by->mobility_times_stiffness * s->length[k] -
+                            by->mobility_times_damping * s->length_rate[k] + push_along,
+                        c->mobility * (c->stiffness * c->rest_length),
+                        c->mobility * (c->stiffness * c->rest_length_rate)));
+    integrate(s->angle, k, s->angle_rate[k]);
+    integrate(s->momentum, k,
+              with_drift(k,
+                         -by->mobility_times_gain * s->angle[k] -
+                             by->mobility_times_rate_gain * s->angle_rate[k] + s->push_moment[k],
+                         c->mobility * (c->gain * c->target + c->torque), c->mobility * c->torque_rate));
 }
 
 /* From coefficient k, even, two further. */
 KERNEL void expand_pushed_flight_by_two(const flight_coefficients *c, const pushed_flight_factors *by, int k,
                                         flight_series *s) {
     const int middle = k / 2;
-    static const pushed_flight_sums no_sum = {0};
-    pushed_flight_sums sum = no_sum, next_sum = no_sum;
-    begin_pushed_flight_sums(s, middle, &sum);
+    static const pushed_flight_sums none = {0};
+    pushed_flight_sums sum = none, next = none;
+    begin_pushed_flight_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_pushed_flight_sums(s, i, j, &next_sum);
+        add_pushed_flight_sums(s, i, j, &next);
         add_pushed_flight_sums(s, i - 1, j, &sum);
     }
     expand_pushed_flight_on(c, by, k, &sum, s);
-    add_pushed_flight_sums(s, 1, k, &next_sum);
-    expand_pushed_flight_on(c, by, k + 1, &next_sum, s);
+    add_pushed_flight_sums(s, 1, k, &next);
+    expand_pushed_flight_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
-    static const pushed_flight_sums no_sum = {0};
-    pushed_flight_sums sum = no_sum;
+    static const pushed_flight_sums none = {0};
+    pushed_flight_sums sum = none, next = none;
     s->square[0] = s->length[0] * s->length[0];
     const pushed_flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .mobility_stiffness = c->mobility * c->stiffness,
-        .mobility_damping = c->mobility * c->damping,
-        .mobility_gain = c->mobility * c->gain,
-        .mobility_rate_gain = c->mobility * c->rate_gain,
+        .mobility_times_stiffness = c->mobility * c->stiffness,
+        .mobility_times_damping = c->mobility * c->damping,
+        .mobility_times_gain = c->mobility * c->gain,
+        .mobility_times_rate_gain = c->mobility * c->rate_gain,
     };
     const pushed_flight_factors *by = &factors;
     expand_pushed_flight_on(c, by, 0, &sum, s);
-    expand_pushed_flight_on(c, by, 1, &sum, s);
+    begin_pushed_flight_sums(s, 0, &sum, &next);
+    expand_pushed_flight_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
         expand_pushed_flight_by_two(c, by, k, s);
     }
@@ -320,49 +320,33 @@ KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, fl
 static inline void vary_flight(const flight_coefficients *c, const flight_series *s,
                                const flight_coefficients *d, int order, flight_variation *t) {
     real torque[SERIES_TERMS];
-    const real d_mobility_stiffness = d->mobility * c->stiffness + c->mobility * d->stiffness;
-    const real mobility_stiffness = c->mobility * c->stiffness;
-    const real d_mobility_damping = d->mobility * c->damping + c->mobility * d->damping;
-    const real mobility_damping = c->mobility * c->damping;
-    const real d_mobility_gain = d->mobility * c->gain + c->mobility * d->gain;
-    const real mobility_gain = c->mobility * c->gain;
-    const real d_mobility_rate_gain = d->mobility * c->rate_gain + c->mobility * d->rate_gain;
-    const real mobility_rate_gain = c->mobility * c->rate_gain;
     for (int k = 0; k < order; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        t->length[k + 1] = t->length_rate[k] * divide;
+        integrate(t->length, k, t->length_rate[k]);
         t->square[k] = 2.0 * product(s->length, t->length, k);
-        t->angle_rate[k] =
-            vary_quotient(s->angle_rate, t->angle_rate, s->square, t->square, t->momentum[k], k);
+        t->angle_rate[k] = (t->momentum[k] - product(s->angle_rate, t->square, k) -
+                            product_so_far(t->angle_rate, s->square, k)) /
+                           s->square[0];
         t->rate_square[k] = 2.0 * product(s->angle_rate, t->angle_rate, k);
         const real d_length_times_rate_square =
-            vary_product(s->length, t->length, s->rate_square, t->rate_square, k);
+            product(t->length, s->rate_square, k) + product(s->length, t->rate_square, k);
+        const real axial_force = with_constant(
+            k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * c->rest_length);
+        const real d_axial_force =
+            with_constant(k,
+                          -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                              d->damping * s->length_rate[k] - c->damping * t->length_rate[k],
+                          d->stiffness * c->rest_length + c->stiffness * d->rest_length);
         torque[k] = with_drift(k, -c->gain * s->angle[k] - c->rate_gain * s->angle_rate[k],
                                c->gain * c->target + c->torque, c->torque_rate);
         t->torque[k] = with_drift(k,
-                                  -(d->gain * s->angle[k] + c->gain * t->angle[k]) -
-                                      (d->rate_gain * s->angle_rate[k] + c->rate_gain * t->angle_rate[k]),
+                                  -d->gain * s->angle[k] - c->gain * t->angle[k] -
+                                      d->rate_gain * s->angle_rate[k] - c->rate_gain * t->angle_rate[k],
                                   d->gain * c->target + c->gain * d->target + d->torque, d->torque_rate);
-        t->power[k] = vary_product(torque, t->torque, s->angle_rate, t->angle_rate, k);
-        t->angle[k + 1] = t->angle_rate[k] * divide;
-        t->length_rate[k + 1] =
-            with_constant(
-                k,
-                d_length_times_rate_square +
-                    (-(d_mobility_stiffness * s->length[k] + mobility_stiffness * t->length[k]) -
-                     (d_mobility_damping * s->length_rate[k] + mobility_damping * t->length_rate[k])),
-                (d->mobility * c->stiffness + c->mobility * d->stiffness) * c->rest_length +
-                    c->mobility * c->stiffness * d->rest_length) *
-            divide;
-        t->momentum[k + 1] =
-            with_drift(k,
-                       -(d_mobility_gain * s->angle[k] + mobility_gain * t->angle[k]) -
-                           (d_mobility_rate_gain * s->angle_rate[k] + mobility_rate_gain * t->angle_rate[k]),
-                       (d->mobility * c->gain + c->mobility * d->gain) * c->target +
-                           c->mobility * c->gain * d->target +
-                           (d->mobility * c->torque + c->mobility * d->torque),
-                       d->mobility * c->torque_rate + c->mobility * d->torque_rate) *
-            divide;
+        t->power[k] = product(t->torque, s->angle_rate, k) + product(torque, t->angle_rate, k);
+        integrate(t->length_rate, k,
+                  d_length_times_rate_square + d->mobility * axial_force + c->mobility * d_axial_force);
+        integrate(t->angle, k, t->angle_rate[k]);
+        integrate(t->momentum, k, d->mobility * torque[k] + c->mobility * t->torque[k]);
     }
 }
 
@@ -370,65 +354,49 @@ static inline void vary_flight(const flight_coefficients *c, const flight_series
 static inline void vary_pushed_flight(const flight_coefficients *c, const flight_series *s,
                                       const flight_coefficients *d, int order, flight_variation *t) {
     real torque[SERIES_TERMS];
-    const real d_mobility_stiffness = d->mobility * c->stiffness + c->mobility * d->stiffness;
-    const real mobility_stiffness = c->mobility * c->stiffness;
-    const real d_mobility_damping = d->mobility * c->damping + c->mobility * d->damping;
-    const real mobility_damping = c->mobility * c->damping;
-    const real d_mobility_gain = d->mobility * c->gain + c->mobility * d->gain;
-    const real mobility_gain = c->mobility * c->gain;
-    const real d_mobility_rate_gain = d->mobility * c->rate_gain + c->mobility * d->rate_gain;
-    const real mobility_rate_gain = c->mobility * c->rate_gain;
     for (int k = 0; k < order; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        t->length[k + 1] = t->length_rate[k] * divide;
+        integrate(t->length, k, t->length_rate[k]);
         t->square[k] = 2.0 * product(s->length, t->length, k);
-        t->angle_rate[k] =
-            vary_quotient(s->angle_rate, t->angle_rate, s->square, t->square, t->momentum[k], k);
+        t->angle_rate[k] = (t->momentum[k] - product(s->angle_rate, t->square, k) -
+                            product_so_far(t->angle_rate, s->square, k)) /
+                           s->square[0];
         t->rate_square[k] = 2.0 * product(s->angle_rate, t->angle_rate, k);
         const real d_length_times_rate_square =
-            vary_product(s->length, t->length, s->rate_square, t->rate_square, k);
+            product(t->length, s->rate_square, k) + product(s->length, t->rate_square, k);
+        const real axial_force = with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                                           c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate);
+        const real d_axial_force =
+            with_ramp(k,
+                      -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                          d->damping * s->length_rate[k] - c->damping * t->length_rate[k],
+                      d->stiffness * c->rest_length + c->stiffness * d->rest_length,
+                      d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate);
         t->cosine[k] = -product(s->sine, t->angle, k);
-        const real d_push_y_times_cosine =
-            vary_ramp_times(k, c->push_y, c->push_y_rate, d->push_y, d->push_y_rate, s->cosine, t->cosine);
+        const real d_push_y_times_cosine = ramp_times(k, d->push_y, d->push_y_rate, s->cosine) +
+                                           ramp_times(k, c->push_y, c->push_y_rate, t->cosine);
         t->sine[k] = product(s->cosine, t->angle, k);
-        const real d_push_x_times_sine =
-            vary_ramp_times(k, c->push_x, c->push_x_rate, d->push_x, d->push_x_rate, s->sine, t->sine);
+        const real d_push_x_times_sine = ramp_times(k, d->push_x, d->push_x_rate, s->sine) +
+                                         ramp_times(k, c->push_x, c->push_x_rate, t->sine);
         const real d_push_along = d_push_y_times_cosine - d_push_x_times_sine;
-        const real d_push_x_times_cosine =
-            vary_ramp_times(k, c->push_x, c->push_x_rate, d->push_x, d->push_x_rate, s->cosine, t->cosine);
-        const real d_push_y_times_sine =
-            vary_ramp_times(k, c->push_y, c->push_y_rate, d->push_y, d->push_y_rate, s->sine, t->sine);
-        t->push_across[k] = -(d_push_x_times_cosine + d_push_y_times_sine);
-        const real d_push_moment = vary_product(s->length, t->length, s->push_across, t->push_across, k);
         torque[k] = with_drift(k, -c->gain * s->angle[k] - c->rate_gain * s->angle_rate[k],
                                c->gain * c->target + c->torque, c->torque_rate);
         t->torque[k] = with_drift(k,
-                                  -(d->gain * s->angle[k] + c->gain * t->angle[k]) -
-                                      (d->rate_gain * s->angle_rate[k] + c->rate_gain * t->angle_rate[k]),
+                                  -d->gain * s->angle[k] - c->gain * t->angle[k] -
+                                      d->rate_gain * s->angle_rate[k] - c->rate_gain * t->angle_rate[k],
                                   d->gain * c->target + c->gain * d->target + d->torque, d->torque_rate);
-        t->power[k] = vary_product(torque, t->torque, s->angle_rate, t->angle_rate, k);
-        t->angle[k + 1] = t->angle_rate[k] * divide;
-        t->length_rate[k + 1] =
-            with_ramp(k,
-                      d_length_times_rate_square +
-                          (-(d_mobility_stiffness * s->length[k] + mobility_stiffness * t->length[k]) -
-                           (d_mobility_damping * s->length_rate[k] + mobility_damping * t->length_rate[k])) +
-                          d_push_along,
-                      (d->mobility * c->stiffness + c->mobility * d->stiffness) * c->rest_length +
-                          c->mobility * c->stiffness * d->rest_length,
-                      (d->mobility * c->stiffness + c->mobility * d->stiffness) * c->rest_length_rate +
-                          c->mobility * c->stiffness * d->rest_length_rate) *
-            divide;
-        t->momentum[k + 1] =
-            with_drift(k,
-                       -(d_mobility_gain * s->angle[k] + mobility_gain * t->angle[k]) -
-                           (d_mobility_rate_gain * s->angle_rate[k] + mobility_rate_gain * t->angle_rate[k]) +
-                           d_push_moment,
-                       (d->mobility * c->gain + c->mobility * d->gain) * c->target +
-                           c->mobility * c->gain * d->target +
-                           (d->mobility * c->torque + c->mobility * d->torque),
-                       d->mobility * c->torque_rate + c->mobility * d->torque_rate) *
-            divide;
+        const real d_push_x_times_cosine = ramp_times(k, d->push_x, d->push_x_rate, s->cosine) +
+                                           ramp_times(k, c->push_x, c->push_x_rate, t->cosine);
+        const real d_push_y_times_sine = ramp_times(k, d->push_y, d->push_y_rate, s->sine) +
+                                         ramp_times(k, c->push_y, c->push_y_rate, t->sine);
+        t->push_across[k] = -d_push_x_times_cosine - d_push_y_times_sine;
+        const real d_push_moment =
+            product(t->length, s->push_across, k) + product(s->length, t->push_across, k);
+        t->power[k] = product(t->torque, s->angle_rate, k) + product(torque, t->angle_rate, k);
+        integrate(t->length_rate, k,
+                  d_length_times_rate_square + d->mobility * axial_force + c->mobility * d_axial_force +
+                      d_push_along);
+        integrate(t->angle, k, t->angle_rate[k]);
+        integrate(t->momentum, k, d->mobility * torque[k] + c->mobility * t->torque[k] + d_push_moment);
     }
 }
 

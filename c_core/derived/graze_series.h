@@ -1,4 +1,4 @@
-/* Derived from c_core/equations/ground.py by equations/derive: edit that. */
+/* Derived from c_core/equations/ground.py by equations/derive: edit that, not this. */
 #ifndef TDMF_DERIVED_GRAZE_SERIES_H
 #define TDMF_DERIVED_GRAZE_SERIES_H
 
@@ -16,24 +16,6 @@ typedef struct {
     real x_times_x;
     real y_times_y;
     real length;
-} graze_position_sums;
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_graze_position_sums(const ground_series *s, int i, int j, graze_position_sums *sum) {
-    sum->x_times_x += s->x[i] * s->x[j];
-    sum->y_times_y += s->y[i] * s->y[j];
-    sum->length += s->length[i] * s->length[j];
-}
-
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_graze_position_sums(const ground_series *s, int i, graze_position_sums *sum) {
-    sum->x_times_x = 0.5 * (s->x[i] * s->x[i]);
-    sum->y_times_y = 0.5 * (s->y[i] * s->y[i]);
-    sum->length = 0.5 * (s->length[i] * s->length[i]);
-}
-
-/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
-typedef struct {
     real axial;
     real axial_times_x;
     real axial_y;
@@ -46,31 +28,45 @@ typedef struct {
     real angle_rate;
 } graze_sums;
 
+/* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
+ * ahead. */
+KERNEL void add_graze_sums_ahead(const ground_series *s, int i, int j, graze_sums *sum) {
+    sum->x_times_x += s->x[i] * s->x[j + 1];
+    sum->y_times_y += s->y[i] * s->y[j + 1];
+    sum->length += s->length[i] * s->length[j + 1];
+}
+
 /* Adds the terms with coefficient i of one factor and j of the other. */
 KERNEL void add_graze_sums(const ground_series *s, int i, int j, graze_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
-    sum->axial += s->axial[j] * s->length[i];
+    sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
-    sum->axial_times_x += s->axial[j] * s->x[i];
+    sum->axial_times_x += s->x[i] * s->axial[j];
     sum->axial_y += s->axial[i] * s->y[j];
-    sum->axial_y += s->axial[j] * s->y[i];
+    sum->axial_y += s->y[i] * s->axial[j];
     sum->turning += s->turning[i] * s->x[j];
-    sum->turning += s->turning[j] * s->x[i];
+    sum->turning += s->x[i] * s->turning[j];
     sum->turning_times_y += s->turning[i] * s->y[j];
-    sum->turning_times_y += s->turning[j] * s->y[i];
+    sum->turning_times_y += s->y[i] * s->turning[j];
     sum->torque += s->turning[i] * s->square[j];
-    sum->torque += s->turning[j] * s->square[i];
+    sum->torque += s->square[i] * s->turning[j];
     sum->y_times_foot_acceleration += s->y[i] * s->foot_acceleration[j];
-    sum->y_times_foot_acceleration += s->y[j] * s->foot_acceleration[i];
+    sum->y_times_foot_acceleration += s->foot_acceleration[i] * s->y[j];
     sum->power += s->turning[i] * s->moment[j];
-    sum->power += s->turning[j] * s->moment[i];
+    sum->power += s->moment[i] * s->turning[j];
     sum->speed_square += s->length_rate[i] * s->length_rate[j];
     sum->angle_rate += s->angle_rate[i] * s->square[j];
-    sum->angle_rate += s->angle_rate[j] * s->square[i];
+    sum->angle_rate += s->square[i] * s->angle_rate[j];
 }
 
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_graze_sums(const ground_series *s, int i, graze_sums *sum) {
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_graze_sums(const ground_series *s, int i, graze_sums *sum, graze_sums *next) {
+    sum->x_times_x = s->x[i] * s->x[i + 1];
+    next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
+    sum->y_times_y = s->y[i] * s->y[i + 1];
+    next->y_times_y = 0.5 * (s->y[i + 1] * s->y[i + 1]);
+    sum->length = s->length[i] * s->length[i + 1];
+    next->length = 0.5 * (s->length[i + 1] * s->length[i + 1]);
     sum->axial = s->axial[i] * s->length[i];
     sum->axial_times_x = s->axial[i] * s->x[i];
     sum->axial_y = s->axial[i] * s->y[i];
@@ -82,22 +78,24 @@ KERNEL void begin_graze_sums(const ground_series *s, int i, graze_sums *sum) {
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
     sum->angle_rate = s->angle_rate[i] * s->square[i];
 }
-/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot. `turns` is
- * whether a torque turns the leg, as it does in graze. From coefficient k of the states to the next. */
+
+/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
+ *
+ * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
+ * next. */
 KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *by, int k,
-                            const graze_position_sums *position, const graze_sums *sum, ground_series *s) {
-    const double divide = series_reciprocal[k + 1];
-    s->x[k + 1] = s->vx[k] * divide;
-    s->y[k + 1] = s->vy[k] * divide;
+                            const graze_sums *sum, ground_series *s) {
+    integrate(s->x, k, s->vx[k]);
+    integrate(s->y, k, s->vy[k]);
     /* x_times_x = x * x */
-    const real x_times_x = square_of(k + 1, position->x_times_x, s->x);
+    const real x_times_x = square_of(k + 1, sum->x_times_x, s->x);
     /* y_times_y = y * y */
-    const real y_times_y = square_of(k + 1, position->y_times_y, s->y);
+    const real y_times_y = square_of(k + 1, sum->y_times_y, s->y);
     /* square = x_times_x + y_times_y */
     s->square[k + 1] = x_times_x + y_times_y;
     /* length = sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, position->length, s->square[k + 1], s->length, by->inverse_length);
-    /* length_rate = rate of length */
+    s->length[k + 1] = root_of(k + 1, sum->length, s->square[k + 1], s->length, by->inverse_length);
+    /* length_rate = rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
@@ -138,49 +136,43 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
     s->angle_rate[k] =
         quotient_of(k, sum->angle_rate, s->moment[k], s->angle_rate, s->square, by->inverse_square);
     s->normal_force[k] = real_of(0.0);
-    s->vx[k + 1] = with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
-                             -c->gravity_x_rate) *
-                   divide;
-    s->vy[k + 1] =
-        ramp_of(k, -c->foot_weight_y * c->inverse_body_mass - c->gravity_y, -c->gravity_y_rate) * divide;
-    s->foot_vx[k + 1] = s->foot_acceleration[k] * divide;
-    s->moment[k + 1] = (c->inverse_body_mass * s->torque[k] - gravity_y_times_x + gravity_x_times_y +
-                        y_times_foot_acceleration) *
-                       divide;
+    integrate(s->vx, k,
+              with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
+                        -c->gravity_x_rate));
+    integrate(s->vy, k,
+              ramp_of(k, -c->foot_weight_y * c->inverse_body_mass - c->gravity_y, -c->gravity_y_rate));
+    integrate(s->foot_vx, k, s->foot_acceleration[k]);
+    integrate(s->moment, k,
+              c->inverse_body_mass * s->torque[k] - gravity_y_times_x + gravity_x_times_y +
+                  y_times_foot_acceleration);
 }
 
 /* From coefficient k, even, two further. */
 KERNEL void expand_graze_by_two(const ground_coefficients *c, const graze_factors *by, int k,
                                 ground_series *s) {
     const int middle = k / 2;
-    static const graze_position_sums no_position = {0};
-    graze_position_sums position = no_position, next_position = no_position;
-    static const graze_sums no_sum = {0};
-    graze_sums sum = no_sum, next_sum = no_sum;
-    begin_graze_position_sums(s, middle + 1, &next_position);
-    add_graze_position_sums(s, middle, middle + 1, &position);
-    for (int i = middle, j = middle + 2; i > 1; --i, ++j) {
-        add_graze_position_sums(s, i, j, &next_position);
-        add_graze_position_sums(s, i - 1, j, &position);
-    }
-    begin_graze_sums(s, middle, &sum);
+    static const graze_sums none = {0};
+    graze_sums sum = none, next = none;
+    begin_graze_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_graze_sums(s, i, j, &next_sum);
+        add_graze_sums_ahead(s, i, j, &next);
+        add_graze_sums_ahead(s, i - 1, j, &sum);
+    }
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_graze_sums(s, i, j, &next);
         add_graze_sums(s, i - 1, j, &sum);
     }
-    expand_graze_on(c, by, k, &position, &sum, s);
-    add_graze_position_sums(s, 1, k + 1, &next_position);
-    add_graze_sums(s, 1, k, &next_sum);
-    expand_graze_on(c, by, k + 1, &next_position, &next_sum, s);
+    expand_graze_on(c, by, k, &sum, s);
+    add_graze_sums_ahead(s, 1, k, &next);
+    add_graze_sums(s, 1, k, &next);
+    expand_graze_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_graze(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const graze_position_sums no_position = {0};
-    static const graze_sums no_sum = {0};
-    graze_position_sums position = no_position;
-    graze_sums sum = no_sum;
+    static const graze_sums none = {0};
+    graze_sums sum = none, next = none;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
     s->length[0] = real_sqrt(s->square[0]);
     const graze_factors factors = {
@@ -189,9 +181,9 @@ KERNEL void expand_graze(const ground_coefficients *given, int order, ground_ser
         .inverse_square = 1.0 / s->square[0],
     };
     const graze_factors *by = &factors;
-    expand_graze_on(c, by, 0, &position, &sum, s);
-    begin_graze_position_sums(s, 1, &position);
-    expand_graze_on(c, by, 1, &position, &sum, s);
+    expand_graze_on(c, by, 0, &sum, s);
+    begin_graze_sums(s, 0, &sum, &next);
+    expand_graze_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
         expand_graze_by_two(c, by, k, s);
     }
@@ -203,56 +195,58 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
     const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
     const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
     t->square[0] = d_x_times_x + d_y_times_y;
-    t->length[0] = vary_root(s->length, t->length, t->square[0], 0);
+    t->length[0] = (0.5 * t->square[0] - product_so_far(t->length, s->length, 0)) / s->length[0];
     for (int k = 0; k < order; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        t->x[k + 1] = t->vx[k] * divide;
-        t->y[k + 1] = t->vy[k] * divide;
+        integrate(t->x, k, t->vx[k]);
+        integrate(t->y, k, t->vy[k]);
         const real d_x_times_x = 2.0 * product(s->x, t->x, k + 1);
         const real d_y_times_y = 2.0 * product(s->y, t->y, k + 1);
         t->square[k + 1] = d_x_times_x + d_y_times_y;
-        t->length[k + 1] = vary_root(s->length, t->length, t->square[k + 1], k + 1);
+        t->length[k + 1] =
+            (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
         const real d_length_rate = (double)(k + 1) * t->length[k + 1];
-        t->axial[k] =
-            vary_quotient(s->axial, t->axial, s->length, t->length,
-                          with_ramp(k,
-                                    -(d->stiffness * s->length[k] + c->stiffness * t->length[k]) -
-                                        (d->damping * s->length_rate[k] + c->damping * d_length_rate),
-                                    d->stiffness * c->rest_length + c->stiffness * d->rest_length,
-                                    d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate),
-                          k);
-        const real d_axial_times_x = vary_product(s->axial, t->axial, s->x, t->x, k);
-        const real d_axial_y = vary_product(s->axial, t->axial, s->y, t->y, k);
-        t->turning[k] = vary_quotient(s->turning, t->turning, s->x, t->x,
-                                      with_constant(k, -d_axial_y, -d->foot_weight_y), k);
-        const real d_turning_times_y = vary_product(s->turning, t->turning, s->y, t->y, k);
+        t->axial[k] = (with_ramp(k,
+                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                     d->damping * s->length_rate[k] - c->damping * d_length_rate -
+                                     product(s->axial, t->length, k),
+                                 d->stiffness * c->rest_length + c->stiffness * d->rest_length,
+                                 d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate) -
+                       product_so_far(t->axial, s->length, k)) /
+                      s->length[0];
+        const real d_axial_times_x = product(t->axial, s->x, k) + product(s->axial, t->x, k);
+        const real d_axial_y = product(t->axial, s->y, k) + product(s->axial, t->y, k);
+        t->turning[k] = (with_constant(k, -d_axial_y - product(s->turning, t->x, k), -d->foot_weight_y) -
+                         product_so_far(t->turning, s->x, k)) /
+                        s->x[0];
+        const real d_turning_times_y = product(t->turning, s->y, k) + product(s->turning, t->y, k);
         const real d_along = d_axial_times_x - d_turning_times_y;
         const real d_tangential = with_constant(k, d_along, d->foot_weight_x);
         const real d_tangential_push = -d_tangential;
         t->foot_acceleration[k] =
             d->inverse_foot_mass * s->tangential_push[k] + c->inverse_foot_mass * d_tangential_push;
-        const real d_torque = vary_product(s->turning, t->turning, s->square, t->square, k);
-        const real d_gravity_y_times_x =
-            vary_ramp_times(k, c->gravity_y, c->gravity_y_rate, d->gravity_y, d->gravity_y_rate, s->x, t->x);
-        const real d_gravity_x_times_y =
-            vary_ramp_times(k, c->gravity_x, c->gravity_x_rate, d->gravity_x, d->gravity_x_rate, s->y, t->y);
+        const real d_torque = product(t->turning, s->square, k) + product(s->turning, t->square, k);
+        const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
+                                         ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
+        const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
+                                         ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
         const real d_y_times_foot_acceleration =
-            vary_product(s->y, t->y, s->foot_acceleration, t->foot_acceleration, k);
-        t->power[k] = vary_product(s->turning, t->turning, s->moment, t->moment, k);
-        t->vx[k + 1] = with_ramp(k,
-                                 d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
-                                     t->foot_acceleration[k],
-                                 -d->gravity_x, -d->gravity_x_rate) *
-                       divide;
-        t->vy[k + 1] = ramp_of(k,
-                               -d->foot_weight_y * c->inverse_body_mass +
-                                   -c->foot_weight_y * d->inverse_body_mass - d->gravity_y,
-                               -d->gravity_y_rate) *
-                       divide;
-        t->foot_vx[k + 1] = t->foot_acceleration[k] * divide;
-        t->moment[k + 1] = (d->inverse_body_mass * s->torque[k] + c->inverse_body_mass * d_torque -
-                            d_gravity_y_times_x + d_gravity_x_times_y + d_y_times_foot_acceleration) *
-                           divide;
+            product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
+        t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        integrate(t->vx, k,
+                  with_ramp(k,
+                            d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
+                                t->foot_acceleration[k],
+                            -d->gravity_x, -d->gravity_x_rate));
+        integrate(
+            t->vy, k,
+            ramp_of(k,
+                    -(d->foot_weight_y * c->inverse_body_mass + c->foot_weight_y * d->inverse_body_mass) -
+                        d->gravity_y,
+                    -d->gravity_y_rate));
+        integrate(t->foot_vx, k, t->foot_acceleration[k]);
+        integrate(t->moment, k,
+                  d->inverse_body_mass * s->torque[k] + c->inverse_body_mass * d_torque -
+                      d_gravity_y_times_x + d_gravity_x_times_y + d_y_times_foot_acceleration);
     }
 }
 

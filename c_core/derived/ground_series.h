@@ -1,4 +1,4 @@
-/* Derived from c_core/equations/ground.py by equations/derive: edit that. */
+/* Derived from c_core/equations/ground.py by equations/derive: edit that, not this. */
 #ifndef TDMF_DERIVED_GROUND_SERIES_H
 #define TDMF_DERIVED_GROUND_SERIES_H
 
@@ -37,16 +37,16 @@ typedef struct {
     real turning[SERIES_TERMS];
     real along[SERIES_TERMS];
     real off[SERIES_TERMS];
-    real x[SERIES_TERMS];
-    real y[SERIES_TERMS];
     real vx[SERIES_TERMS];
     real vy[SERIES_TERMS];
+    real x[SERIES_TERMS];
+    real y[SERIES_TERMS];
     real foot_vx[SERIES_TERMS];
     real moment[SERIES_TERMS];
     real axial[SERIES_TERMS];
     real friction_power[SERIES_TERMS];
-    real friction_force[SERIES_TERMS];
     real foot_acceleration[SERIES_TERMS];
+    real friction_force[SERIES_TERMS];
     real angle_rate[SERIES_TERMS];
     real axial_y[SERIES_TERMS];
 } ground_series;
@@ -54,10 +54,10 @@ typedef struct {
 /* The first variations of some. */
 typedef struct {
     real power[SERIES_TERMS];
-    real x[SERIES_TERMS];
-    real y[SERIES_TERMS];
     real vx[SERIES_TERMS];
     real vy[SERIES_TERMS];
+    real x[SERIES_TERMS];
+    real y[SERIES_TERMS];
     real foot_vx[SERIES_TERMS];
     real moment[SERIES_TERMS];
     real length[SERIES_TERMS];

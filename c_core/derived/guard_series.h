@@ -1,4 +1,4 @@
-/* Derived from c_core/equations/ground.py, flight.py and hip.py by equations/derive: edit that. */
+/* Derived from c_core/equations/ground.py, flight.py and hip.py by equations/derive: edit that, not this. */
 #ifndef TDMF_DERIVED_GUARD_SERIES_H
 #define TDMF_DERIVED_GUARD_SERIES_H
 
@@ -26,31 +26,30 @@ static inline void expand_ahead(const real *x, const real *y, real slope_sine, r
 static inline void expand_room(const real *normal_force, const real *tangential_push, real cone_normal,
                                real cone_normal_rate, real cone_tangential, real side, int order,
                                real room[SERIES_TERMS]) {
+    const real side_times_cone_tangential = side * cone_tangential;
     int k = 0;
     do {
-        const real cone_normal_times_normal_force =
-            drift_times(k, cone_normal, cone_normal_rate, normal_force);
-        room[k] = cone_normal_times_normal_force - side * (cone_tangential * tangential_push[k]);
+        room[k] = drift_times(k, cone_normal, cone_normal_rate, normal_force) -
+                  side_times_cone_tangential * tangential_push[k];
     } while (++k <= order);
 }
 
 /* The rate at which the centre of mass rises, with the body's share of the mass. */
 static inline void expand_rise(const real *vx, const real *vy, const real *foot_vx, real slope_sine,
                                real slope_cosine, real share, int order, real rise[SERIES_TERMS]) {
-    const real share_slope_cosine = share * slope_cosine;
-    const real share_slope_sine = share * slope_sine;
+    const real share_times_slope_cosine = share * slope_cosine;
+    const real share_times_slope_sine = share * slope_sine;
     int k = 0;
     do {
-        rise[k] = share_slope_cosine * vy[k] + share_slope_sine * vx[k] + slope_sine * foot_vx[k];
+        rise[k] = share_times_slope_cosine * vy[k] + share_times_slope_sine * vx[k] + slope_sine * foot_vx[k];
     } while (++k <= order);
 }
 
 /* X/r^2: what a torque loads the foot with. */
 static inline void expand_lever(const real *x, const real *square, int order, real lever[SERIES_TERMS]) {
-    const real inverse_square = 1.0 / square[0];
     int k = 0;
     do {
-        lever[k] = (x[k] - product_so_far(lever, square, k)) * inverse_square;
+        lever[k] = (x[k] - product_so_far(lever, square, k)) / square[0];
     } while (++k <= order);
 }
 
@@ -59,8 +58,7 @@ static inline void expand_load(const real *axial_y, const real *torque, const re
                                int order, real load[SERIES_TERMS]) {
     int k = 0;
     do {
-        const real torque_times_lever = product(torque, lever, k);
-        load[k] = with_constant(k, axial_y[k] + torque_times_lever, weight_y);
+        load[k] = with_constant(k, axial_y[k] + product(torque, lever, k), weight_y);
     } while (++k <= order);
 }
 
@@ -78,8 +76,8 @@ static inline void expand_torque(const real *angle, const real *angle_rate, cons
 static inline void expand_drop(const real *length, const real *angle, real slope, const real *angle_rate,
                                int order, real drop[SERIES_TERMS]) {
     real seen[SERIES_TERMS];
-    real sin_of_seen[SERIES_TERMS];
     real cos_of_seen[SERIES_TERMS];
+    real sin_of_seen[SERIES_TERMS];
     int k = 0;
     do {
         seen[k] = with_constant(k, angle[k], -slope);

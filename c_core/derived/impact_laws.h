@@ -92,7 +92,7 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                      state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_LENGTH]) /
                     state[TDMF_LEG_LENGTH],
             .loss = 0.5 * (d_model->parameters.foot.mass * (along * along + off * off) +
-                           model->parameters.foot.mass * (2.0 * along * d_along + 2.0 * off * d_off)),
+                           model->parameters.foot.mass * (2.0 * (along * d_along) + 2.0 * (off * d_off))),
         };
         return result;
     }
@@ -139,7 +139,7 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                 (d_model->parameters.foot.mass * ((along - along_after) * (along + along_after) + off * off) +
                  model->parameters.foot.mass *
                      ((d_along - d_along_after) * (along + along_after) +
-                      (along - along_after) * (d_along + d_along_after) + 2.0 * off * d_off)),
+                      (along - along_after) * (d_along + d_along_after) + 2.0 * (off * d_off))),
     };
     return result;
 }

@@ -1,4 +1,4 @@
-/* Derived from c_core/equations/ground.py by equations/derive: edit that. */
+/* Derived from c_core/equations/ground.py by equations/derive: edit that, not this. */
 #ifndef TDMF_DERIVED_SLIP_SERIES_H
 #define TDMF_DERIVED_SLIP_SERIES_H
 
@@ -14,24 +14,6 @@ typedef struct {
     real x_times_x;
     real y_times_y;
     real length;
-} slip_position_sums;
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_slip_position_sums(const ground_series *s, int i, int j, slip_position_sums *sum) {
-    sum->x_times_x += s->x[i] * s->x[j];
-    sum->y_times_y += s->y[i] * s->y[j];
-    sum->length += s->length[i] * s->length[j];
-}
-
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_slip_position_sums(const ground_series *s, int i, slip_position_sums *sum) {
-    sum->x_times_x = 0.5 * (s->x[i] * s->x[i]);
-    sum->y_times_y = 0.5 * (s->y[i] * s->y[i]);
-    sum->length = 0.5 * (s->length[i] * s->length[i]);
-}
-
-/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
-typedef struct {
     real axial;
     real along;
     real off;
@@ -40,23 +22,37 @@ typedef struct {
     real friction_power;
 } slip_sums;
 
+/* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
+ * ahead. */
+KERNEL void add_slip_sums_ahead(const ground_series *s, int i, int j, slip_sums *sum) {
+    sum->x_times_x += s->x[i] * s->x[j + 1];
+    sum->y_times_y += s->y[i] * s->y[j + 1];
+    sum->length += s->length[i] * s->length[j + 1];
+}
+
 /* Adds the terms with coefficient i of one factor and j of the other. */
 KERNEL void add_slip_sums(const ground_series *s, int i, int j, slip_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
-    sum->axial += s->axial[j] * s->length[i];
+    sum->axial += s->length[i] * s->axial[j];
     sum->along += s->axial[i] * s->x[j];
-    sum->along += s->axial[j] * s->x[i];
+    sum->along += s->x[i] * s->axial[j];
     sum->off += s->axial[i] * s->y[j];
-    sum->off += s->axial[j] * s->y[i];
+    sum->off += s->y[i] * s->axial[j];
     sum->y_times_foot_acceleration += s->y[i] * s->foot_acceleration[j];
-    sum->y_times_foot_acceleration += s->y[j] * s->foot_acceleration[i];
+    sum->y_times_foot_acceleration += s->foot_acceleration[i] * s->y[j];
     sum->speed_square += s->length_rate[i] * s->length_rate[j];
     sum->friction_power += s->friction_force[i] * s->foot_vx[j];
-    sum->friction_power += s->friction_force[j] * s->foot_vx[i];
+    sum->friction_power += s->foot_vx[i] * s->friction_force[j];
 }
 
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_slip_sums(const ground_series *s, int i, slip_sums *sum) {
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_slip_sums(const ground_series *s, int i, slip_sums *sum, slip_sums *next) {
+    sum->x_times_x = s->x[i] * s->x[i + 1];
+    next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
+    sum->y_times_y = s->y[i] * s->y[i + 1];
+    next->y_times_y = 0.5 * (s->y[i + 1] * s->y[i + 1]);
+    sum->length = s->length[i] * s->length[i + 1];
+    next->length = 0.5 * (s->length[i + 1] * s->length[i + 1]);
     sum->axial = s->axial[i] * s->length[i];
     sum->along = s->axial[i] * s->x[i];
     sum->off = s->axial[i] * s->y[i];
@@ -64,22 +60,24 @@ KERNEL void begin_slip_sums(const ground_series *s, int i, slip_sums *sum) {
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
     sum->friction_power = s->friction_force[i] * s->foot_vx[i];
 }
-/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot. `turns` is
- * whether a torque turns the leg, as it does in graze. From coefficient k of the states to the next. */
-KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by, int k,
-                           const slip_position_sums *position, const slip_sums *sum, ground_series *s) {
-    const double divide = series_reciprocal[k + 1];
-    s->x[k + 1] = s->vx[k] * divide;
-    s->y[k + 1] = s->vy[k] * divide;
+
+/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
+ *
+ * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
+ * next. */
+KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by, int k, const slip_sums *sum,
+                           ground_series *s) {
+    integrate(s->x, k, s->vx[k]);
+    integrate(s->y, k, s->vy[k]);
     /* x_times_x = x * x */
-    const real x_times_x = square_of(k + 1, position->x_times_x, s->x);
+    const real x_times_x = square_of(k + 1, sum->x_times_x, s->x);
     /* y_times_y = y * y */
-    const real y_times_y = square_of(k + 1, position->y_times_y, s->y);
+    const real y_times_y = square_of(k + 1, sum->y_times_y, s->y);
     /* square = x_times_x + y_times_y */
     s->square[k + 1] = x_times_x + y_times_y;
     /* length = sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, position->length, s->square[k + 1], s->length, by->inverse_length);
-    /* length_rate = rate of length */
+    s->length[k + 1] = root_of(k + 1, sum->length, s->square[k + 1], s->length, by->inverse_length);
+    /* length_rate = rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
@@ -99,7 +97,8 @@ KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by,
     /* friction_force = friction * normal_force */
     s->friction_force[k] = ramp_times(k, c->friction, c->friction_rate, s->normal_force);
     /* foot_acceleration = inverse_foot_mass * (tangential_push - friction_force) */
-    s->foot_acceleration[k] = c->inverse_foot_mass * (s->tangential_push[k] - s->friction_force[k]);
+    s->foot_acceleration[k] =
+        c->inverse_foot_mass * s->tangential_push[k] - c->inverse_foot_mass * s->friction_force[k];
     /* gravity_x_times_y = gravity_x * y */
     const real gravity_x_times_y = ramp_times(k, c->gravity_x, c->gravity_x_rate, s->y);
     /* gravity_y_times_x = gravity_y * x */
@@ -114,55 +113,49 @@ KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by,
     s->torque[k] = real_of(0.0);
     s->power[k] = real_of(0.0);
     s->turning[k] = real_of(0.0);
-    s->vx[k + 1] = with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
-                             -c->gravity_x_rate) *
-                   divide;
-    s->vy[k + 1] = with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate) * divide;
-    s->foot_vx[k + 1] = s->foot_acceleration[k] * divide;
-    s->moment[k + 1] = (gravity_x_times_y - gravity_y_times_x + y_times_foot_acceleration) * divide;
+    integrate(s->vx, k,
+              with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
+                        -c->gravity_x_rate));
+    integrate(s->vy, k, with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate));
+    integrate(s->foot_vx, k, s->foot_acceleration[k]);
+    integrate(s->moment, k, gravity_x_times_y - gravity_y_times_x + y_times_foot_acceleration);
 }
 
 /* From coefficient k, even, two further. */
 KERNEL void expand_slip_by_two(const ground_coefficients *c, const slip_factors *by, int k,
                                ground_series *s) {
     const int middle = k / 2;
-    static const slip_position_sums no_position = {0};
-    slip_position_sums position = no_position, next_position = no_position;
-    static const slip_sums no_sum = {0};
-    slip_sums sum = no_sum, next_sum = no_sum;
-    begin_slip_position_sums(s, middle + 1, &next_position);
-    add_slip_position_sums(s, middle, middle + 1, &position);
-    for (int i = middle, j = middle + 2; i > 1; --i, ++j) {
-        add_slip_position_sums(s, i, j, &next_position);
-        add_slip_position_sums(s, i - 1, j, &position);
-    }
-    begin_slip_sums(s, middle, &sum);
+    static const slip_sums none = {0};
+    slip_sums sum = none, next = none;
+    begin_slip_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_slip_sums(s, i, j, &next_sum);
+        add_slip_sums_ahead(s, i, j, &next);
+        add_slip_sums_ahead(s, i - 1, j, &sum);
+    }
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_slip_sums(s, i, j, &next);
         add_slip_sums(s, i - 1, j, &sum);
     }
-    expand_slip_on(c, by, k, &position, &sum, s);
-    add_slip_position_sums(s, 1, k + 1, &next_position);
-    add_slip_sums(s, 1, k, &next_sum);
-    expand_slip_on(c, by, k + 1, &next_position, &next_sum, s);
+    expand_slip_on(c, by, k, &sum, s);
+    add_slip_sums_ahead(s, 1, k, &next);
+    add_slip_sums(s, 1, k, &next);
+    expand_slip_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_slip(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const slip_position_sums no_position = {0};
-    static const slip_sums no_sum = {0};
-    slip_position_sums position = no_position;
-    slip_sums sum = no_sum;
+    static const slip_sums none = {0};
+    slip_sums sum = none, next = none;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
     s->length[0] = real_sqrt(s->square[0]);
     const slip_factors factors = {
         .inverse_length = 1.0 / s->length[0],
     };
     const slip_factors *by = &factors;
-    expand_slip_on(c, by, 0, &position, &sum, s);
-    begin_slip_position_sums(s, 1, &position);
-    expand_slip_on(c, by, 1, &position, &sum, s);
+    expand_slip_on(c, by, 0, &sum, s);
+    begin_slip_sums(s, 0, &sum, &next);
+    expand_slip_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
         expand_slip_by_two(c, by, k, s);
     }
@@ -179,25 +172,6 @@ typedef struct {
     real x_times_x;
     real y_times_y;
     real length;
-} slip_turning_position_sums;
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_slip_turning_position_sums(const ground_series *s, int i, int j,
-                                           slip_turning_position_sums *sum) {
-    sum->x_times_x += s->x[i] * s->x[j];
-    sum->y_times_y += s->y[i] * s->y[j];
-    sum->length += s->length[i] * s->length[j];
-}
-
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_slip_turning_position_sums(const ground_series *s, int i, slip_turning_position_sums *sum) {
-    sum->x_times_x = 0.5 * (s->x[i] * s->x[i]);
-    sum->y_times_y = 0.5 * (s->y[i] * s->y[i]);
-    sum->length = 0.5 * (s->length[i] * s->length[i]);
-}
-
-/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
-typedef struct {
     real axial;
     real axial_times_x;
     real turning;
@@ -210,31 +184,46 @@ typedef struct {
     real friction_power;
 } slip_turning_sums;
 
+/* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
+ * ahead. */
+KERNEL void add_slip_turning_sums_ahead(const ground_series *s, int i, int j, slip_turning_sums *sum) {
+    sum->x_times_x += s->x[i] * s->x[j + 1];
+    sum->y_times_y += s->y[i] * s->y[j + 1];
+    sum->length += s->length[i] * s->length[j + 1];
+}
+
 /* Adds the terms with coefficient i of one factor and j of the other. */
 KERNEL void add_slip_turning_sums(const ground_series *s, int i, int j, slip_turning_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
-    sum->axial += s->axial[j] * s->length[i];
+    sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
-    sum->axial_times_x += s->axial[j] * s->x[i];
+    sum->axial_times_x += s->x[i] * s->axial[j];
     sum->turning += s->turning[i] * s->square[j];
-    sum->turning += s->turning[j] * s->square[i];
+    sum->turning += s->square[i] * s->turning[j];
     sum->turning_times_y += s->turning[i] * s->y[j];
-    sum->turning_times_y += s->turning[j] * s->y[i];
+    sum->turning_times_y += s->y[i] * s->turning[j];
     sum->axial_y += s->axial[i] * s->y[j];
-    sum->axial_y += s->axial[j] * s->y[i];
+    sum->axial_y += s->y[i] * s->axial[j];
     sum->turning_times_x += s->turning[i] * s->x[j];
-    sum->turning_times_x += s->turning[j] * s->x[i];
+    sum->turning_times_x += s->x[i] * s->turning[j];
     sum->y_times_foot_acceleration += s->y[i] * s->foot_acceleration[j];
-    sum->y_times_foot_acceleration += s->y[j] * s->foot_acceleration[i];
+    sum->y_times_foot_acceleration += s->foot_acceleration[i] * s->y[j];
     sum->power += s->turning[i] * s->moment[j];
-    sum->power += s->turning[j] * s->moment[i];
+    sum->power += s->moment[i] * s->turning[j];
     sum->speed_square += s->length_rate[i] * s->length_rate[j];
     sum->friction_power += s->friction_force[i] * s->foot_vx[j];
-    sum->friction_power += s->friction_force[j] * s->foot_vx[i];
+    sum->friction_power += s->foot_vx[i] * s->friction_force[j];
 }
 
-/* Sets them to the terms with coefficient i of both factors. */
-KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_sums *sum) {
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_sums *sum,
+                                    slip_turning_sums *next) {
+    sum->x_times_x = s->x[i] * s->x[i + 1];
+    next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
+    sum->y_times_y = s->y[i] * s->y[i + 1];
+    next->y_times_y = 0.5 * (s->y[i + 1] * s->y[i + 1]);
+    sum->length = s->length[i] * s->length[i + 1];
+    next->length = 0.5 * (s->length[i + 1] * s->length[i + 1]);
     sum->axial = s->axial[i] * s->length[i];
     sum->axial_times_x = s->axial[i] * s->x[i];
     sum->turning = s->turning[i] * s->square[i];
@@ -246,23 +235,24 @@ KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
     sum->friction_power = s->friction_force[i] * s->foot_vx[i];
 }
-/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot. `turns` is
- * whether a torque turns the leg, as it does in graze. From coefficient k of the states to the next. */
+
+/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
+ *
+ * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
+ * next. */
 KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turning_factors *by, int k,
-                                   const slip_turning_position_sums *position, const slip_turning_sums *sum,
-                                   ground_series *s) {
-    const double divide = series_reciprocal[k + 1];
-    s->x[k + 1] = s->vx[k] * divide;
-    s->y[k + 1] = s->vy[k] * divide;
+                                   const slip_turning_sums *sum, ground_series *s) {
+    integrate(s->x, k, s->vx[k]);
+    integrate(s->y, k, s->vy[k]);
     /* x_times_x = x * x */
-    const real x_times_x = square_of(k + 1, position->x_times_x, s->x);
+    const real x_times_x = square_of(k + 1, sum->x_times_x, s->x);
     /* y_times_y = y * y */
-    const real y_times_y = square_of(k + 1, position->y_times_y, s->y);
+    const real y_times_y = square_of(k + 1, sum->y_times_y, s->y);
     /* square = x_times_x + y_times_y */
     s->square[k + 1] = x_times_x + y_times_y;
     /* length = sqrt(square) */
-    s->length[k + 1] = root_of(k + 1, position->length, s->square[k + 1], s->length, by->inverse_length);
-    /* length_rate = rate of length */
+    s->length[k + 1] = root_of(k + 1, sum->length, s->square[k + 1], s->length, by->inverse_length);
+    /* length_rate = rate(length) */
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
@@ -293,7 +283,8 @@ KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turn
     /* friction_force = friction * normal_force */
     s->friction_force[k] = ramp_times(k, c->friction, c->friction_rate, s->normal_force);
     /* foot_acceleration = inverse_foot_mass * (tangential_push - friction_force) */
-    s->foot_acceleration[k] = c->inverse_foot_mass * (s->tangential_push[k] - s->friction_force[k]);
+    s->foot_acceleration[k] =
+        c->inverse_foot_mass * s->tangential_push[k] - c->inverse_foot_mass * s->friction_force[k];
     /* gravity_y_times_x = gravity_y * x */
     const real gravity_y_times_x = ramp_times(k, c->gravity_y, c->gravity_y_rate, s->x);
     /* gravity_x_times_y = gravity_x * y */
@@ -308,48 +299,42 @@ KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turn
     /* friction_power = friction_force * foot_vx */
     s->friction_power[k] = product_of(k, sum->friction_power, s->friction_force, s->foot_vx);
     s->torque[k] = ramp_of(k, c->torque, c->torque_rate);
-    s->vx[k + 1] = with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
-                             -c->gravity_x_rate) *
-                   divide;
-    s->vy[k + 1] = with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate) * divide;
-    s->foot_vx[k + 1] = s->foot_acceleration[k] * divide;
-    s->moment[k + 1] = with_ramp(k, gravity_x_times_y - gravity_y_times_x + y_times_foot_acceleration,
-                                 c->inverse_body_mass * c->torque, c->inverse_body_mass * c->torque_rate) *
-                       divide;
+    integrate(s->vx, k,
+              with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
+                        -c->gravity_x_rate));
+    integrate(s->vy, k, with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate));
+    integrate(s->foot_vx, k, s->foot_acceleration[k]);
+    integrate(s->moment, k,
+              with_ramp(k, gravity_x_times_y - gravity_y_times_x + y_times_foot_acceleration,
+                        c->inverse_body_mass * c->torque, c->inverse_body_mass * c->torque_rate));
 }
 
 /* From coefficient k, even, two further. */
 KERNEL void expand_slip_turning_by_two(const ground_coefficients *c, const slip_turning_factors *by, int k,
                                        ground_series *s) {
     const int middle = k / 2;
-    static const slip_turning_position_sums no_position = {0};
-    slip_turning_position_sums position = no_position, next_position = no_position;
-    static const slip_turning_sums no_sum = {0};
-    slip_turning_sums sum = no_sum, next_sum = no_sum;
-    begin_slip_turning_position_sums(s, middle + 1, &next_position);
-    add_slip_turning_position_sums(s, middle, middle + 1, &position);
-    for (int i = middle, j = middle + 2; i > 1; --i, ++j) {
-        add_slip_turning_position_sums(s, i, j, &next_position);
-        add_slip_turning_position_sums(s, i - 1, j, &position);
-    }
-    begin_slip_turning_sums(s, middle, &sum);
+    static const slip_turning_sums none = {0};
+    slip_turning_sums sum = none, next = none;
+    begin_slip_turning_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_slip_turning_sums(s, i, j, &next_sum);
+        add_slip_turning_sums_ahead(s, i, j, &next);
+        add_slip_turning_sums_ahead(s, i - 1, j, &sum);
+    }
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_slip_turning_sums(s, i, j, &next);
         add_slip_turning_sums(s, i - 1, j, &sum);
     }
-    expand_slip_turning_on(c, by, k, &position, &sum, s);
-    add_slip_turning_position_sums(s, 1, k + 1, &next_position);
-    add_slip_turning_sums(s, 1, k, &next_sum);
-    expand_slip_turning_on(c, by, k + 1, &next_position, &next_sum, s);
+    expand_slip_turning_on(c, by, k, &sum, s);
+    add_slip_turning_sums_ahead(s, 1, k, &next);
+    add_slip_turning_sums(s, 1, k, &next);
+    expand_slip_turning_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_slip_turning(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const slip_turning_position_sums no_position = {0};
-    static const slip_turning_sums no_sum = {0};
-    slip_turning_position_sums position = no_position;
-    slip_turning_sums sum = no_sum;
+    static const slip_turning_sums none = {0};
+    slip_turning_sums sum = none, next = none;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
     s->length[0] = real_sqrt(s->square[0]);
     const slip_turning_factors factors = {
@@ -357,9 +342,9 @@ KERNEL void expand_slip_turning(const ground_coefficients *given, int order, gro
         .inverse_square = 1.0 / s->square[0],
     };
     const slip_turning_factors *by = &factors;
-    expand_slip_turning_on(c, by, 0, &position, &sum, s);
-    begin_slip_turning_position_sums(s, 1, &position);
-    expand_slip_turning_on(c, by, 1, &position, &sum, s);
+    expand_slip_turning_on(c, by, 0, &sum, s);
+    begin_slip_turning_sums(s, 0, &sum, &next);
+    expand_slip_turning_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
         expand_slip_turning_by_two(c, by, k, s);
     }
@@ -371,60 +356,61 @@ static inline void vary_slip_turning(const ground_coefficients *c, const ground_
     const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
     const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
     t->square[0] = d_x_times_x + d_y_times_y;
-    t->length[0] = vary_root(s->length, t->length, t->square[0], 0);
+    t->length[0] = (0.5 * t->square[0] - product_so_far(t->length, s->length, 0)) / s->length[0];
     for (int k = 0; k < order; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        t->x[k + 1] = t->vx[k] * divide;
-        t->y[k + 1] = t->vy[k] * divide;
+        integrate(t->x, k, t->vx[k]);
+        integrate(t->y, k, t->vy[k]);
         const real d_x_times_x = 2.0 * product(s->x, t->x, k + 1);
         const real d_y_times_y = 2.0 * product(s->y, t->y, k + 1);
         t->square[k + 1] = d_x_times_x + d_y_times_y;
-        t->length[k + 1] = vary_root(s->length, t->length, t->square[k + 1], k + 1);
+        t->length[k + 1] =
+            (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
         const real d_length_rate = (double)(k + 1) * t->length[k + 1];
-        t->axial[k] =
-            vary_quotient(s->axial, t->axial, s->length, t->length,
-                          with_ramp(k,
-                                    -(d->stiffness * s->length[k] + c->stiffness * t->length[k]) -
-                                        (d->damping * s->length_rate[k] + c->damping * d_length_rate),
-                                    d->stiffness * c->rest_length + c->stiffness * d->rest_length,
-                                    d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate),
-                          k);
-        const real d_axial_times_x = vary_product(s->axial, t->axial, s->x, t->x, k);
-        t->turning[k] = vary_quotient(s->turning, t->turning, s->square, t->square,
-                                      ramp_of(k, d->torque, d->torque_rate), k);
-        const real d_turning_times_y = vary_product(s->turning, t->turning, s->y, t->y, k);
+        t->axial[k] = (with_ramp(k,
+                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                     d->damping * s->length_rate[k] - c->damping * d_length_rate -
+                                     product(s->axial, t->length, k),
+                                 d->stiffness * c->rest_length + c->stiffness * d->rest_length,
+                                 d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate) -
+                       product_so_far(t->axial, s->length, k)) /
+                      s->length[0];
+        const real d_axial_times_x = product(t->axial, s->x, k) + product(s->axial, t->x, k);
+        t->turning[k] = (with_ramp(k, -product(s->turning, t->square, k), d->torque, d->torque_rate) -
+                         product_so_far(t->turning, s->square, k)) /
+                        s->square[0];
+        const real d_turning_times_y = product(t->turning, s->y, k) + product(s->turning, t->y, k);
         const real d_along = d_axial_times_x - d_turning_times_y;
         const real d_tangential = with_constant(k, d_along, d->foot_weight_x);
         const real d_tangential_push = -d_tangential;
-        const real d_axial_y = vary_product(s->axial, t->axial, s->y, t->y, k);
-        const real d_turning_times_x = vary_product(s->turning, t->turning, s->x, t->x, k);
+        const real d_axial_y = product(t->axial, s->y, k) + product(s->axial, t->y, k);
+        const real d_turning_times_x = product(t->turning, s->x, k) + product(s->turning, t->x, k);
         const real d_off = d_axial_y + d_turning_times_x;
         t->normal_force[k] = with_constant(k, d_off, d->foot_weight_y);
-        const real d_friction_force = vary_ramp_times(k, c->friction, c->friction_rate, d->friction,
-                                                      d->friction_rate, s->normal_force, t->normal_force);
-        t->foot_acceleration[k] = d->inverse_foot_mass * (s->tangential_push[k] - s->friction_force[k]) +
-                                  c->inverse_foot_mass * (d_tangential_push - d_friction_force);
-        const real d_gravity_y_times_x =
-            vary_ramp_times(k, c->gravity_y, c->gravity_y_rate, d->gravity_y, d->gravity_y_rate, s->x, t->x);
-        const real d_gravity_x_times_y =
-            vary_ramp_times(k, c->gravity_x, c->gravity_x_rate, d->gravity_x, d->gravity_x_rate, s->y, t->y);
+        const real d_friction_force = ramp_times(k, d->friction, d->friction_rate, s->normal_force) +
+                                      ramp_times(k, c->friction, c->friction_rate, t->normal_force);
+        t->foot_acceleration[k] =
+            d->inverse_foot_mass * s->tangential_push[k] - d->inverse_foot_mass * s->friction_force[k] +
+            c->inverse_foot_mass * d_tangential_push - c->inverse_foot_mass * d_friction_force;
+        const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
+                                         ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
+        const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
+                                         ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
         const real d_y_times_foot_acceleration =
-            vary_product(s->y, t->y, s->foot_acceleration, t->foot_acceleration, k);
-        t->power[k] = vary_product(s->turning, t->turning, s->moment, t->moment, k);
-        t->vx[k + 1] = with_ramp(k,
-                                 d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
-                                     t->foot_acceleration[k],
-                                 -d->gravity_x, -d->gravity_x_rate) *
-                       divide;
-        t->vy[k + 1] = with_ramp(k, d->inverse_body_mass * s->off[k] + c->inverse_body_mass * d_off,
-                                 -d->gravity_y, -d->gravity_y_rate) *
-                       divide;
-        t->foot_vx[k + 1] = t->foot_acceleration[k] * divide;
-        t->moment[k + 1] =
-            with_ramp(k, d_gravity_x_times_y - d_gravity_y_times_x + d_y_times_foot_acceleration,
-                      d->inverse_body_mass * c->torque + c->inverse_body_mass * d->torque,
-                      d->inverse_body_mass * c->torque_rate + c->inverse_body_mass * d->torque_rate) *
-            divide;
+            product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
+        t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        integrate(t->vx, k,
+                  with_ramp(k,
+                            d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
+                                t->foot_acceleration[k],
+                            -d->gravity_x, -d->gravity_x_rate));
+        integrate(t->vy, k,
+                  with_ramp(k, d->inverse_body_mass * s->off[k] + c->inverse_body_mass * d_off, -d->gravity_y,
+                            -d->gravity_y_rate));
+        integrate(t->foot_vx, k, t->foot_acceleration[k]);
+        integrate(t->moment, k,
+                  with_ramp(k, d_gravity_x_times_y - d_gravity_y_times_x + d_y_times_foot_acceleration,
+                            d->inverse_body_mass * c->torque + c->inverse_body_mass * d->torque,
+                            d->inverse_body_mass * c->torque_rate + c->inverse_body_mass * d->torque_rate));
     }
 }
 

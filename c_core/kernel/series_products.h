@@ -1,5 +1,4 @@
-/* Coefficients of products, quotients and functions of series, and of their variations: d_ stands for the
- * variation of what follows. `real` has been defined. */
+/* Coefficients of products, quotients and functions of series. `real` has been defined. */
 #ifndef TDMF_KERNEL_SERIES_PRODUCTS_H
 #define TDMF_KERNEL_SERIES_PRODUCTS_H
 
@@ -42,18 +41,6 @@ KERNEL real ramp_times(int k, real value, real rate, const real *a) {
     return INPUTS_RAMP ? drift_times(k, value, rate, a) : value * a[k];
 }
 
-KERNEL real vary_drift_times(int k, real value, real rate, real d_value, real d_rate, const real *a,
-                             const real *d_a) {
-    const real now = value * d_a[k] + d_value * a[k];
-    return k > 0 ? now + rate * d_a[k - 1] + d_rate * a[k - 1] : now;
-}
-
-KERNEL real vary_ramp_times(int k, real value, real rate, real d_value, real d_rate, const real *a,
-                            const real *d_a) {
-    return INPUTS_RAMP ? vary_drift_times(k, value, rate, d_value, d_rate, a, d_a)
-                       : value * d_a[k] + d_value * a[k];
-}
-
 /* ---- coefficient k from its inner terms: those without coefficient 0 of a factor, of squares half ------ */
 
 KERNEL real product_of(int k, real inner, const real *a, const real *b) {
@@ -85,27 +72,7 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
     return sum;
 }
 
-/* Of sin(a), by cos(a) up to k - 1. */
-static inline real sin_of(int k, const real *a, const real *cosine) {
-    real sine, unused;
-    if (k == 0) {
-        sine_and_cosine(a[0], &sine, &unused);
-        return sine;
-    }
-    return product_with_rate(a, cosine, k) * series_reciprocal[k];
-}
-
-/* Of cos(a), by sin(a) up to k - 1. */
-static inline real cos_of(int k, const real *a, const real *sine) {
-    real unused, cosine;
-    if (k == 0) {
-        sine_and_cosine(a[0], &unused, &cosine);
-        return cosine;
-    }
-    return -product_with_rate(a, sine, k) * series_reciprocal[k];
-}
-
-/* Of both, by themselves up to k - 1, where the rate of a is a series. */
+/* Of sin(a) and cos(a), by themselves up to k - 1 and the rate of a. */
 static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
     real rise = real_of(0.0), fall = real_of(0.0);
     if (k == 0) {
@@ -123,6 +90,11 @@ static inline void turn_by(int k, const real *a, const real *rate, real *sine, r
 /* Of exp(a), by itself up to k - 1. */
 static inline real exp_of(int k, const real *a, const real *exponential) {
     return k == 0 ? real_exp(a[0]) : product_with_rate(a, exponential, k) * series_reciprocal[k];
+}
+
+/* Coefficient k + 1 of what has a rate with that coefficient k. */
+KERNEL void integrate(real *series, int k, real rate) {
+    series[k + 1] = rate * series_reciprocal[k + 1];
 }
 
 /* ---- whole sums --------------------------------------------------------------------------------------- */
@@ -143,21 +115,6 @@ static inline real product_so_far(const real *a, const real *b, int k) {
         sum += a[i] * b[k - i];
     }
     return sum;
-}
-
-static inline real vary_product(const real *a, const real *d_a, const real *b, const real *d_b, int k) {
-    return product(d_a, b, k) + product(a, d_b, k);
-}
-
-/* Of q, where q b = p: from d_p, and d_q up to k - 1. */
-static inline real vary_quotient(const real *q, const real *d_q, const real *b, const real *d_b, real d_p,
-                                 int k) {
-    return (d_p - product(q, d_b, k) - product_so_far(d_q, b, k)) / b[0];
-}
-
-/* Of q, where q q = p. */
-static inline real vary_root(const real *q, const real *d_q, real d_p, int k) {
-    return (0.5 * d_p - product_so_far(d_q, q, k)) / q[0];
 }
 
 #endif

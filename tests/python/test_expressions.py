@@ -15,6 +15,7 @@ def expressions():
     sys.path.insert(0, str(CORE))
     try:
         module = importlib.import_module("equations.derive.expressions")
+        module.c_text = importlib.import_module("equations.derive.c").c_text
     finally:
         sys.path.remove(str(CORE))
     return module

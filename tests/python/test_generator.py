@@ -22,7 +22,7 @@ def derive():
     sys.path.insert(0, str(CORE))
     try:
         return Record(
-            series=importlib.import_module("equations.derive.series"),
+            motion=importlib.import_module("equations.derive.motion"),
             functions=importlib.import_module("equations.functions"),
         )
     finally:
@@ -101,18 +101,18 @@ def change_of_closed_form(t, name):
 
 def program(derive, lanes):
     """Expand the motion and each of its variations, and print all coefficients of the first lane."""
-    family = derive.series.Family(
+    family = derive.motion.Family(
         "oscillator",
         page(derive.functions),
         constants=["stiffness", "damping"],
-        ramps={"pull": True},
+        ramps={"pull": "drift"},
         rates={"distance_rate": "distance"},
         noted=" ".join(QUANTITIES[2:]),
         varied=" ".join(QUANTITIES[2:]),
         cases={"swinging": {}},
     )
     motion = family.motion("swinging")
-    code = [*family.structs(), *motion.source(), *motion.variation()]
+    code = [family.structs(), motion.source(), motion.variation()]
     lane = "[0]" if lanes else ""
     show = [
         f'for (int k = 0; k <= {ORDER}; ++k) printf("%.17g ", (double)%s.{q}[k]{lane});' for q in QUANTITIES
@@ -192,14 +192,14 @@ def test_variations_are_those_of_the_closed_form(coefficients):
 
 def test_what_is_not_known_ahead_has_no_rate(derive):
     """A rate is taken of what is made of states that are the integrals of others, else of nothing."""
-    family = derive.series.Family(
+    family = derive.motion.Family(
         "oscillator",
         Record(
             __name__="oscillator",
             start=page(derive.functions).start,
             motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), power=s.x * s.v, power_rate=s.v),
         ),
-        constants="stiffness",
+        constants=["stiffness"],
         ramps={},
         rates={"power_rate": "power"},
         noted="power_rate",

@@ -100,18 +100,14 @@ def change(function, name):
 
 @pytest.mark.parametrize("name", GIVEN)
 def test_saltation_of_an_oscillator_is_that_of_its_closed_form(values, tmp_path, name):
-    model, state = "const oscillator *model", "const double state[TDMF_STATE_COUNT]"
-    written = "double written[TDMF_STATE_COUNT]"
-    laws = values.header(
-        "oscillator",
-        [
-            values.Function(f"void tdmf_rates({model}, {state}, {written})", rates),
-            values.Function(f"double tdmf_guard({model}, {state})", guard),
-            values.Function(
-                f"void tdmf_reset({model}, {state}, bool sticks, {written})", reset, result="after"
-            ),
-        ],
-    )
+    handed = {"model": "const oscillator *", "state": "const double[TDMF_STATE_COUNT]"}
+    written = {"written": "double[TDMF_STATE_COUNT]"}
+    functions = [
+        values.Function("void", "rates", {**handed, **written}, rates),
+        values.Function("double", "guard", handed, guard),
+        values.Function("void", "reset", {**handed, "sticks": "bool", **written}, reset, value="after"),
+    ]
+    laws = '#include "quantities.h"\n' + "\n".join(function.c() for function in functions)
     time = meeting(**GIVEN)
     k = GIVEN["stiffness"]
     met = flow(k, GIVEN["x"], GIVEN["v"], time)

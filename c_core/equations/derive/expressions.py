@@ -1,131 +1,79 @@
 """Expressions, recorded while a page's functions run: equal ones are one, named as the page names them."""
 
+import operator
 import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, ClassVar
 
-UNARY = ("negative", "sqrt", "sin", "cos", "exp", "log", "expm1", "log1p")
+ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
+FUNCTIONS = ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2", "larger")
 LEAVES = ("number", "symbol")
 DERIVE = Path(__file__).parent
 
+Changes = dict["Expression", Any]
+
+
+def both_ways(operation: str) -> tuple[Callable[..., Any], Callable[..., Any]]:
+    """Give an operator of Python, and the same with a number on its left."""
+    return (
+        lambda a, b: made(operation, a, lift(b)),
+        lambda b, a: made(operation, lift(a), b),
+    )
+
 
 class Expression:
-    """A number (`value`), a symbol (`text`, which is its C), or an operation on operands."""
+    """A number, a symbol or an operation on operands."""
 
-    table: ClassVar[dict[Any, "Expression"]] = {}
+    all: ClassVar[dict[Any, "Expression"]] = {}
     names: ClassVar[set[str]] = set()
-
-    def __new__(
-        cls, operation: str, *operands: "Expression", value: Any = None, **marks: Any
-    ) -> "Expression":
-        """Give the expression that there is already, else a new one."""
-        key = (operation, value, *(id(operand) for operand in operands))
-        if key not in cls.table:
-            made = super().__new__(cls)
-            made.operation, made.operands, made.value, made.marks = operation, operands, value, marks
-            made.name = None
-            given = operation != "symbol" or bool(marks.get("constant"))
-            made.is_constant = given and all(operand.is_constant for operand in operands)
-            cls.table[key] = made
-        return cls.table[key]
 
     operation: str
     operands: tuple["Expression", ...]
-    value: Any  # of a number a Fraction or float, of a symbol its C text
+    value: Any  # of a number a Fraction, of a symbol its C text
     marks: dict[str, Any]  # of a symbol, for whoever made it
     name: str | None
     is_constant: bool  # it holds no symbol but those marked so
 
-    def named(self, name: str) -> "Expression":
-        """Give it a name, unless it has one or another has that."""
-        if self.name is None and name not in Expression.names and self.operation not in LEAVES:
-            self.name = name
-            Expression.names.add(name)
-        return self
+    def __new__(cls, operation: str, *operands: "Expression", value: Any = None, **marks: Any) -> Any:
+        """Give the expression that there is already, else a new one."""
+        key = (operation, value, *map(id, operands))
+        if key not in cls.all:
+            new = cls.all[key] = super().__new__(cls)
+            new.operation, new.operands, new.value, new.marks = operation, operands, value, marks
+            new.name = None
+            given = operation != "symbol" or bool(marks.get("constant"))
+            new.is_constant = given and all(operand.is_constant for operand in operands)
+        return cls.all[key]
 
-    def is_number(self, value: float | None = None) -> bool:
-        """Whether it is a number, or this one."""
-        return self.operation == "number" and (value is None or self.value == value)
+    __add__, __radd__ = both_ways("+")
+    __sub__, __rsub__ = both_ways("-")
+    __mul__, __rmul__ = both_ways("*")
+    __truediv__, __rtruediv__ = both_ways("/")
 
     def __neg__(self) -> "Expression":
-        if self.is_number():
-            return number(-self.value)
-        if self.operation == "negative":
-            return self.operands[0]
-        return Expression("negative", self)
-
-    def __add__(self, other: Any) -> "Expression":
-        other = lift(other)
-        if self.is_number() and other.is_number():
-            return number(self.value + other.value)
-        if self.is_number(0) or other.is_number(0):
-            return other if self.is_number(0) else self
-        if other.operation == "negative":
-            return self - other.operands[0]
-        return other - self.operands[0] if self.operation == "negative" else Expression("+", self, other)
-
-    def __sub__(self, other: Any) -> "Expression":
-        other = lift(other)
-        if self is other:
-            return number(0)
-        if self.is_number() and other.is_number():
-            return number(self.value - other.value)
-        if self.is_number(0) or other.is_number(0):
-            return -other if self.is_number(0) else self
-        return self + other.operands[0] if other.operation == "negative" else Expression("-", self, other)
-
-    def __mul__(self, other: Any) -> "Expression":
-        other = lift(other)
-        if self.is_number() and other.is_number():
-            return number(self.value * other.value)
-        for a, b in ((self, other), (other, self)):
-            if a.is_number(0) or a.is_number(1):
-                return b if a.is_number(1) else a
-            if a.is_number(-1):
-                return -b
-        swaps = other.is_number() or (other.is_constant and not self.is_constant)
-        return Expression("*", other, self) if swaps else Expression("*", self, other)
-
-    def __truediv__(self, other: Any) -> "Expression":
-        other = lift(other)
-        if other.is_number(0):
-            raise ZeroDivisionError("a page divides by zero")
-        if self.is_number(0) or other.is_number(1):
-            return self
-        if other.is_number():
-            return self * number(1 / Fraction(other.value))
-        return Expression("/", self, other)
-
-    def __radd__(self, other: Any) -> "Expression":
-        return lift(other) + self
-
-    def __rsub__(self, other: Any) -> "Expression":
-        return lift(other) - self
-
-    def __rmul__(self, other: Any) -> "Expression":
-        return lift(other) * self
-
-    def __rtruediv__(self, other: Any) -> "Expression":
-        return lift(other) / self
+        return made("negative", self)
 
     def __bool__(self) -> bool:
         raise TypeError("a page branches on a value")
 
-    def atan2(self, other: Any) -> "Expression":
-        """Give the angle of the point (other, self)."""
-        return Expression("atan2", self, lift(other))
-
-    def larger(self, other: Any) -> "Expression":
-        """Give the larger of two."""
-        return Expression("larger", self, lift(other))
-
     def __getattr__(self, name: str) -> Any:
-        """Give the functions of one number: sqrt, sin, cos, exp, log, expm1, log1p."""
-        if name not in UNARY:
+        """Give a function of this number, and of another where it is one of two."""
+        if name not in FUNCTIONS:
             raise AttributeError(name)
-        return lambda: Expression(name, self)
+        return lambda *others: Expression(name, self, *map(lift, others))
+
+    def named(self, name: str) -> "Expression":
+        """Give it a name, unless it has one or another has that."""
+        if self.name is None and name not in Expression.names and self.operands:
+            self.name = name
+            Expression.names.add(name)
+        return self
+
+    def is_number(self, value: float) -> bool:
+        """Whether it is this number."""
+        return self.operation == "number" and bool(self.value == value)
 
 
 def number(value: Any) -> Expression:
@@ -147,8 +95,109 @@ def lift(value: Any) -> Expression:
 
 def forget() -> None:
     """Begin anew, so that one file does not depend on what was written before it."""
-    Expression.table.clear()
+    Expression.all.clear()
     Expression.names.clear()
+
+
+# ---- operations -------------------------------------------------------------------------------------------
+
+
+def made(operation: str, *operands: Expression) -> Expression:
+    """Give an operation on operands: done where these are numbers, left out where it changes nothing."""
+    a, b = operands[0], operands[-1]
+    if operation in ARITHMETIC and all(operand.operation == "number" for operand in operands):
+        return number(ARITHMETIC[operation](*(operand.value for operand in operands)))
+    if operation == "negative":
+        return a.operands[0] if a.operation == "negative" else Expression("negative", a)
+    simpler = {"+": of_sum, "-": of_difference, "*": of_product, "/": of_quotient}.get(operation)
+    return simpler(a, b) if simpler else Expression(operation, *operands)
+
+
+def of_sum(a: Expression, b: Expression) -> Expression:
+    """Give a + b."""
+    if a.is_number(0) or b.is_number(0):
+        return b if a.is_number(0) else a
+    if b.operation == "negative":
+        return a - b.operands[0]
+    return b - a.operands[0] if a.operation == "negative" else Expression("+", a, b)
+
+
+def of_difference(a: Expression, b: Expression) -> Expression:
+    """Give a - b."""
+    if a is b:
+        return number(0)
+    if a.is_number(0) or b.is_number(0):
+        return -b if a.is_number(0) else a
+    return a + b.operands[0] if b.operation == "negative" else Expression("-", a, b)
+
+
+def of_product(a: Expression, b: Expression) -> Expression:
+    """Give a b: a number first, then what is constant, then what is but for a ramp; their signs in front."""
+    if steadiness(b) > steadiness(a):
+        a, b = b, a
+    if a.is_number(0) or a.is_number(1):
+        return b if a.is_number(1) else a
+    if is_minus(a) or is_minus(b):
+        return -(-a * b) if is_minus(a) else -(a * -b)
+    return Expression("*", a, b)
+
+
+def is_minus(a: Expression) -> bool:
+    """Whether it is a constant with a sign in front."""
+    return a.is_number(-1) or (a.operation == "negative" and a.is_constant)
+
+
+def steadiness(a: Expression) -> int:
+    """Rank factors."""
+    return 3 if a.operation == "number" else 2 if a.is_constant else 1 if "ramp" in a.marks else 0
+
+
+def of_quotient(a: Expression, b: Expression) -> Expression:
+    """Give a / b."""
+    if b.operation == "number":
+        return a * number(1 / b.value)
+    return a if a.is_number(0) else Expression("/", a, b)
+
+
+# The first variation of y = f(a), or f(a, b).
+VARIATIONS: dict[str, Callable[..., Expression]] = {
+    "negative": lambda y, a, d_a: -d_a,
+    "+": lambda y, a, b, d_a, d_b: d_a + d_b,
+    "-": lambda y, a, b, d_a, d_b: d_a - d_b,
+    "*": lambda y, a, b, d_a, d_b: 2 * (a * d_a) if a is b else d_a * b + a * d_b,
+    "/": lambda y, a, b, d_a, d_b: -(y * y * d_b) if a.is_number(1) else (d_a - y * d_b) / b,
+    "sqrt": lambda y, a, d_a: d_a / 2 / y,
+    "sin": lambda y, a, d_a: a.cos() * d_a,
+    "cos": lambda y, a, d_a: -(a.sin() * d_a),
+    "exp": lambda y, a, d_a: y * d_a,
+    "log": lambda y, a, d_a: d_a / a,
+    "expm1": lambda y, a, d_a: (y + 1) * d_a,
+    "log1p": lambda y, a, d_a: d_a / (a + 1),
+    "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
+    "larger": lambda y, a, b, d_a, d_b: Expression("choose", a, b, d_a, d_b),
+    "rate": lambda y, a, d_a: Expression("rate", d_a),
+}
+
+
+def derivative(expression: Expression, changes: Changes, prefix: str = "") -> Expression:
+    """Give the first variation, where `changes` has that of each leaf, or other part, that varies.
+
+    With a prefix, the variation of what has a name is called so, with that in front.
+    """
+    found = {leaf: lift(change) for leaf, change in changes.items()}
+    for node in ordered([expression], changes):
+        if node not in found:
+            of_operands = [found[operand] for operand in node.operands]
+            varies = any(not change.is_number(0) for change in of_operands)
+            found[node] = number(0)
+            if varies:
+                found[node] = VARIATIONS[node.operation](node, *node.operands, *of_operands)
+            if prefix and node.name:
+                found[node].named(prefix + node.name)
+    return found[expression]
+
+
+# ---- graphs of them ---------------------------------------------------------------------------------------
 
 
 def ordered(roots: Iterable[Expression], known: Iterable[Expression] = ()) -> list[Expression]:
@@ -167,6 +216,20 @@ def ordered(roots: Iterable[Expression], known: Iterable[Expression] = ()) -> li
     return list(found)
 
 
+def leaves(roots: Iterable[Expression]) -> list[Expression]:
+    """Give the symbols that expressions are made of."""
+    return [node for node in ordered(roots) if node.operation == "symbol"]
+
+
+def replaced(expression: Expression, new: Changes) -> Expression:
+    """Give an expression with some of its parts replaced; names stay."""
+    for node in ordered([expression], new):
+        if node not in new:
+            new[node] = made(node.operation, *(new[o] for o in node.operands)) if node.operands else node
+            new[node].name = new[node].name or node.name
+    return new[expression]
+
+
 def trace(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
     """Run a page's function: what it assigns to a local variable, or to a record's member, gets that name."""
 
@@ -175,12 +238,10 @@ def trace(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         if event != "return" or DERIVE in Path(code.co_filename).parents:
             return
         given = code.co_argcount + code.co_kwonlyargcount
-        for name in code.co_varnames[given:]:
-            value = frame.f_locals.get(name)
+        variables = {name: frame.f_locals.get(name) for name in code.co_varnames[given:]}
+        for name, value in [*variables.items(), *getattr(result, "__dict__", {}).items()]:
             if isinstance(value, Expression):
                 value.named(name)
-        if code.co_name != "__init__":
-            name_members(result)
 
     before = sys.getprofile()
     sys.setprofile(read_names)
@@ -188,102 +249,3 @@ def trace(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         return function(*arguments, **named)
     finally:
         sys.setprofile(before)
-
-
-def name_members(record: Any) -> None:
-    """Name what a record holds as its members, where it has no name yet."""
-    for name, value in getattr(record, "__dict__", {}).items() if not isinstance(record, type) else ():
-        if isinstance(value, Expression):
-            value.named(name)
-
-
-def derivative(expression: Expression, changes: dict[Expression, Any]) -> Expression:
-    """Give the first variation, where `changes` has that of each leaf, or other part, that varies."""
-    found = {leaf: lift(change) for leaf, change in changes.items()}
-    for node in ordered([expression], found):
-        if node not in found:
-            found[node] = change_of(node, [found[operand] for operand in node.operands])
-            if node.name and node.operation not in LEAVES:
-                found[node].named("d_" + node.name)
-    return found[expression]
-
-
-def change_of(node: Expression, changes: list[Expression]) -> Expression:
-    """Give the first variation of an operation, by those of its operands."""
-    if not node.operands:
-        return number(0)
-    a, d_a, operation = node.operands[0], changes[0], node.operation
-    if operation in ("+", "-"):
-        return d_a + changes[1] if operation == "+" else d_a - changes[1]
-    if operation == "*" and a is node.operands[1]:
-        return 2 * a * d_a
-    if operation == "*":
-        return d_a * node.operands[1] + a * changes[1]
-    if operation == "larger":
-        return Expression("choose", a, node.operands[1], d_a, changes[1])
-    if operation == "atan2":
-        b = node.operands[1]
-        return (b * d_a - a * changes[1]) / (a * a + b * b)
-    if operation == "/" and a.is_number(1):
-        return -(node * node * changes[1])
-    if operation == "/":
-        return (d_a - node * changes[1]) / node.operands[1]
-    if operation == "sqrt":
-        return d_a / (2 * node)
-    rates: dict[str, Callable[[], Expression]] = {
-        "negative": lambda: number(-1),
-        "sin": lambda: a.cos(),
-        "cos": lambda: -a.sin(),
-        "exp": lambda: node,
-        "log": lambda: number(1) / a,
-        "expm1": lambda: node + 1,
-        "log1p": lambda: 1 / (a + 1),
-    }
-    return rates[operation]() * d_a
-
-
-def c_number(value: Any) -> str:
-    """Write a number; a fraction that is not a double's value as a quotient."""
-    if Fraction(float(value)) == value:
-        return repr(float(value))
-    return f"{float(value.numerator)!r} / {float(value.denominator)!r}"
-
-
-def c_text(
-    expression: Expression,
-    text_of: Callable[[Expression], str | None] = lambda node: None,
-    functions: str = "",
-) -> str:
-    """Write an expression in C with the fewest parentheses.
-
-    `text_of` gives the text of what has a name of its own, else None; `functions` begins those of C.
-    """
-
-    def write(node: Expression, least: int) -> str:
-        text = text_of(node)
-        if text is not None:
-            return text
-        if node.operation == "symbol":
-            return str(node.value)
-        if node.operation == "number":
-            strength, text = (
-                (3 if "/" not in c_number(node.value) and node.value >= 0 else 1),
-                c_number(node.value),
-            )
-        elif node.operation == "negative":
-            strength = 1 if node.operands[0].operation in "*/" else 2
-            text = f"-{write(node.operands[0], strength)}"
-        elif node.operation in UNARY:
-            strength, text = 3, f"{functions}{node.operation}({write(node.operands[0], 0)})"
-        elif node.operation == "atan2":
-            strength, text = 3, f"{functions}atan2({', '.join(write(o, 0) for o in node.operands)})"
-        elif node.operation in ("larger", "choose"):
-            a, b, *chosen = (write(o, 1) for o in (*node.operands, *node.operands)[:4])
-            strength, text = -1, f"{a} >= {b} ? {chosen[0]} : {chosen[1]}"
-        else:
-            strength = 0 if node.operation in "+-" else 1
-            left, right = (write(o, strength + i) for i, o in enumerate(node.operands))
-            text = f"{left} {node.operation} {right}"
-        return text if strength >= least else f"({text})"
-
-    return write(expression, 0)

@@ -5,7 +5,9 @@ from functools import partial
 from typing import Any
 
 from .. import constants, flight, ground, hip
-from .series import Expansion, Family, header, struct, summary
+from .c import comment, header, struct
+from .law_series import law_series
+from .motion import Family
 from .values import symbol
 
 
@@ -19,7 +21,13 @@ GROUND = Family(
     "ground",
     ground,
     constants=members(constants.on_ground),
-    ramps={"rest_length": False, "gravity_x": False, "gravity_y": False, "friction": False, "torque": False},
+    ramps={
+        "rest_length": "ramp",
+        "gravity_x": "ramp",
+        "gravity_y": "ramp",
+        "friction": "ramp",
+        "torque": "ramp",
+    },
     rates={"length_rate": "length"},
     noted="length length_rate normal_force tangential_push torque power speed_square",
     varied="power",
@@ -37,7 +45,7 @@ FLIGHT = Family(
     "flight",
     flight,
     constants=members(constants.of_flight),
-    ramps={"torque": True, "rest_length": False, "push_x": False, "push_y": False},
+    ramps={"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
     rates={},
     noted="square angle_rate rate_square speed_square",
     varied="torque power",
@@ -50,11 +58,12 @@ FLIGHT = Family(
 
 def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> str:
     """Write a header of some cases; without a torque variations are those of a leg that turns."""
-    lines = [line for case in cases for line in family.motion(case).source()]
-    lines += [line for case in varied for line in family.motion(case).variation()]
+    parts = [family.motion(case).source() for case in cases]
+    parts += [family.motion(case).variation() for case in varied]
     if mode == family.name:
-        return header(f"{mode}_series", mode, "series_products.h", [*family.structs(), *lines])
-    return header(f"{mode}_series", family.name, f"{family.name}_series.h", lines)
+        parts = [family.structs(), *parts]
+    include = "series_products.h" if mode == family.name else f"{family.name}_series.h"
+    return header(f"{mode}_series", f"{family.name}.py", f'#include "{include}"\n', *parts)
 
 
 SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
@@ -84,15 +93,15 @@ def guard_series() -> str:
             {"length": None, "angle": None, "slope": "slope", "rates": {"angle": "angle_rate"}},
         ),
     ]
-    lines = [f"/* {summary(hip.signed)} */", *struct("hip_law", LAW)]
-    for name, law, given in made:
-        lines += Expansion(name, law, **{"rates": {}, **given}).source()
-    return header("guard_series", "ground.py, flight.py and hip", "series_products.h", lines)
+    servos = comment(hip.signed.__doc__) + struct("hip_law", LAW, "real")
+    expanded = [law_series(name, law, **{"rates": {}, **given}) for name, law, given in made]
+    sources = "ground.py, flight.py and hip.py"
+    return header("guard_series", sources, '#include "series_products.h"\n', servos, *expanded)
 
 
 FILES = {
     "guard_series.h": guard_series,
-    "ground_series.h": lambda: header("ground_series", "ground", "series_products.h", GROUND.structs()),
+    "ground_series.h": partial(of_cases, "ground", GROUND, [], []),
     "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_turning"], ["stick_turning"]),
     "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_turning"], ["slip_turning"]),
     "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),

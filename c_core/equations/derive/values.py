@@ -7,28 +7,24 @@ variation.
 """
 
 import re
-import textwrap
-from collections.abc import Callable
-from pathlib import Path
-from types import SimpleNamespace
+from collections.abc import Callable, Iterable
+from types import SimpleNamespace as Record
 from typing import Any
 
-from .expressions import LEAVES, UNARY, Expression, c_text, derivative, forget, lift, trace
+from .c import TextOf, c_text, comment
+from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, trace
 
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
 FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "upright", "rises")
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
-FUNCTIONS = (*UNARY, "larger", "atan2")
-WIDTH = 104
+
+decided: dict[str, bool] = {}
+known: dict[Expression, str] = {}  # what C has under a name already
 
 
 class UndecidedError(Exception):
     """A law asks about a case that is not decided in this run of it."""
-
-
-decided: dict[str, bool] = {}
-known: dict[Expression, str] = {}  # what C has under a name already
 
 
 class Member(Expression):
@@ -45,18 +41,12 @@ class Member(Expression):
             return Expression.__getattr__(self, name)
         if self.own_name == "state":
             return symbol(f"{self.value}[TDMF_{name.upper()}]")
-        arrow = (
-            "->"
-            if self.marks.get("pointer")
-            or (("." in self.value or ">" in self.value) and self.own_name in POINTERS)
-            else "."
-        )
-        text = f"{self.value}{arrow}{name}"
+        is_inside = self.own_name != self.value
+        arrow = "->" if self.marks.get("pointer") or (is_inside and self.own_name in POINTERS) else "."
         if self.own_name in LINES and name in ("sine", "cosine"):
-            before = text.removesuffix(name)
-            sine, cosine = note(before + "sine", self.slope.sin()), note(before + "cosine", self.slope.cos())
-            return sine if name == "sine" else cosine
-        return symbol(text)
+            of_slope = {"sine": self.slope.sin(), "cosine": self.slope.cos()}
+            return vars(given(self.value, Record(**of_slope), arrow))[name]
+        return symbol(f"{self.value}{arrow}{name}")
 
     def __eq__(self, other: object) -> bool:
         """Whether a mode's word is this one."""
@@ -78,16 +68,9 @@ def symbol(text: str, **marks: Any) -> Member:
     return Member("symbol", value=text, **marks)  # type: ignore[return-value]
 
 
-def note(text: str, expression: Expression) -> Expression:
-    """Note that C has an expression's value already."""
-    known[expression] = text
-    return expression
-
-
-def given(name: str, record: SimpleNamespace) -> SimpleNamespace:
+def given(name: str, record: Record, arrow: str = ".") -> Record:
     """Note that C has a record's values already, as members of a struct."""
-    for of_record, value in vars(record).items():
-        note(f"{name}.{of_record}", value)
+    known.update({value: f"{name}{arrow}{member}" for member, value in vars(record).items()})
     return record
 
 
@@ -118,208 +101,121 @@ def of_all_cases(write: Callable[[], str]) -> str:
     return f"if ({condition}) {{\n{texts[0]}{end}}}\n{texts[1]}"
 
 
-class Parameter:
-    """A parameter of a C function, from its declaration."""
-
-    def __init__(self, declaration: str) -> None:
-        self.declaration = declaration
-        matched = re.fullmatch(r"(.*?)(\w+)(\[\w+\])?", declaration)
-        assert matched, declaration
-        self.type, self.name, self.array = matched[1].strip(), matched[2], matched[3] or ""
-        self.is_result = bool(self.array) and not self.type.startswith("const ")
-        self.is_constant = self.type in ("bool", "tdmf_contact_mode", "tdmf_hip_phase")
-
-    def symbol(self) -> Member:
-        """Give it as what a law is handed."""
-        return symbol(self.name, pointer=self.type.endswith("*"))
-
-    def changed(self) -> str:
-        """Declare its change."""
-        space = "" if self.type.endswith("*") else " "
-        return f"{self.type}{space}d_{self.name}{self.array}"
-
-
 class Function:
-    """A C function of a law: its declaration, and what of its parameters is handed to the law.
+    """A C function of a law.
 
-    `arguments` makes of the parameters the law's arguments; without it they are these. `fixed` are
-    parameters that do not change in a variation. `result` is the name under which a variation is given
-    the value.
+    `types` are those of its parameters, by their names; "written" is what the function writes to. `arguments`
+    makes of what is handed in what the law is handed; without it that is the same. `fixed` are parameters
+    that do not change in a variation. `value` is the name under which a variation is given the value.
     """
 
     def __init__(
         self,
-        signature: str,
+        result: str,
+        name: str,
+        types: dict[str, str],
         law: Callable[..., Any],
-        arguments: Callable[..., Any] | None = None,
+        arguments: Callable[..., Any] = lambda *handed: handed,
         fixed: tuple[str, ...] = (),
-        result: str = "",
+        value: str = "",
         varied: bool = True,
     ) -> None:
-        matched = re.fullmatch(r"(\w+) tdmf_(\w+)\((.*)\)", " ".join(signature.split()))
-        assert matched, signature
-        self.type, self.name = matched[1], matched[2]
-        self.parameters = [Parameter(p) for p in matched[3].split(", ")]
-        self.law, self.arguments, self.fixed, self.result, self.varied = law, arguments, fixed, result, varied
+        self.result, self.name, self.law, self.arguments, self.varied = result, name, law, arguments, varied
+        self.written = [declared(types[name], name) for name in types if name == "written"]
+        self.types = {name: type_ for name, type_ in types.items() if name != "written"}
+        self.fixed = {name for name, type_ in self.types.items() if is_constant(type_)} | set(fixed)
+        self.value = value
 
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
         known.clear()
-        handed = [p.symbol() for p in self.parameters if not p.is_result]
-        results = trace(self.law, *(self.arguments(*handed) if self.arguments else handed))
-        if isinstance(results, SimpleNamespace):
-            return {name: lift(value) for name, value in vars(results).items()}
-        return {"": lift(results)}
+        handed = [symbol(name, pointer=type_.endswith("*")) for name, type_ in self.types.items()]
+        results = trace(self.law, *self.arguments(*handed))
+        members = vars(results) if isinstance(results, Record) else {"": results}
+        return {name: lift(result) for name, result in members.items()}
 
     def vary(self) -> dict[str, Expression]:
         """Give the changes of the results."""
         results = self.run()
-        if self.result:
-            known.update(
-                {v: self.member_of_value(name) for name, v in results.items() if v.operation not in LEAVES}
-            )
-        constant = {p.name for p in self.parameters if p.is_constant} | set(self.fixed)
-        changes = {
-            leaf: symbol(f"d_{leaf.value}")
-            for leaf in leaves(results.values())
-            if re.split(r"\W", leaf.value)[0] not in constant
-        }
-        return {name: derivative(value, changes) for name, value in results.items()}
+        if self.value:
+            known.update({v: self.member_of_value(name) for name, v in results.items() if v.operands})
+        changing = [
+            leaf for leaf in leaves(results.values()) if re.split(r"\W", leaf.value)[0] not in self.fixed
+        ]
+        changes = {leaf: symbol(f"d_{leaf.value}") for leaf in changing}
+        return {name: derivative(value, changes, "d_") for name, value in results.items()}
 
     def c(self) -> str:
         """Write the function, and its variation."""
-        text = comment(self.law.__doc__) + self.function(
-            self.name, [p.declaration for p in self.parameters], self.run
-        )
+        given = [declared(type_, name) for name, type_ in self.types.items()]
+        text = comment(self.law.__doc__) + self.function(self.name, [*given, *self.written], self.run)
         if not self.varied:
             return text
-        given = [p for p in self.parameters if not p.is_result]
-        changing = [p for p in given if not p.is_constant and p.name not in self.fixed]
-        value = [self.value_parameter()] if self.result else []
-        results = [p.declaration for p in self.parameters if p.is_result]
-        parameters = [p.declaration for p in given] + value + [p.changed() for p in changing] + results
+        value = [self.value_declared()] if self.value else []
+        changes = [declared(t, f"d_{name}") for name, t in self.types.items() if name not in self.fixed]
+        parameters = [*given, *value, *changes, *self.written]
         return text + "\n/* Its change. */\n" + self.function(f"vary_{self.name}", parameters, self.vary)
 
-    def value_parameter(self) -> str:
+    def value_declared(self) -> str:
         """Declare what a variation is given the value by."""
-        if self.type == "void":
-            return f"const double {self.result}[TDMF_STATE_COUNT]"
-        return f"double {self.result}" if self.type == "double" else f"const {self.type} *{self.result}"
+        if self.result == "void":
+            return f"const double {self.value}[TDMF_STATE_COUNT]"
+        return f"double {self.value}" if self.result == "double" else f"const {self.result} *{self.value}"
 
     def member_of_value(self, name: str) -> str:
         """Write what has a result in it."""
-        if self.type == "void":
-            return f"{self.result}[TDMF_{name.upper()}]"
-        return self.result if self.type == "double" else f"{self.result}->{name}"
+        if self.result == "void":
+            return f"{self.value}[TDMF_{name.upper()}]"
+        return self.value if self.result == "double" else f"{self.value}->{name}"
 
     def function(self, name: str, parameters: list[str], results: Callable[[], dict[str, Expression]]) -> str:
         """Write one C function."""
         forget()
-        names = [Parameter(p).name for p in parameters]
+        names = [re.findall(r"\w+", parameter.partition("[")[0])[-1] for parameter in parameters]
         body = of_all_cases(lambda: self.statements(results(), names))
         unused = [n for n in names if not re.search(rf"(?<![.>])\b{n}\b", body)]
         voids = "".join(f"(void){n};\n" for n in unused)
-        return f"static inline {self.type} tdmf_{name}({', '.join(parameters)}) {{\n{voids}{body}}}\n"
+        return f"static inline {self.result} tdmf_{name}({', '.join(parameters)}) {{\n{voids}{body}}}\n"
 
     def statements(self, results: dict[str, Expression], taken: list[str]) -> str:
         """Write what makes the results, and gives them."""
-        lines, text_of = local_variables(results.values(), taken)
+        lines, text_of = local_variables(list(results.values()), taken)
         texts = {name: c_text(value, text_of) for name, value in results.items()}
-        if self.type == "double":
+        if self.result == "double":
             lines.append(f"return {texts['']};")
-        elif self.type == "void":
-            written = next(p.name for p in self.parameters if p.is_result)
-            lines += [f"{written}[TDMF_{name.upper()}] = {text};" for name, text in texts.items()]
+        elif self.result == "void":
+            lines += [f"written[TDMF_{name.upper()}] = {text};" for name, text in texts.items()]
         else:
             told = {name: text for name, text in texts.items() if text != "0.0"} or texts
             members = "".join(f".{name} = {text},\n" for name, text in told.items())
-            lines += [f"const {self.type} result = {{\n{members}}};", "return result;"]
+            lines += [f"const {self.result} result = {{\n{members}}};", "return result;"]
         return "\n".join(lines) + "\n"
 
 
-def leaves(roots: Any) -> list[Expression]:
-    """Give the symbols that expressions are made of."""
-    found: dict[Expression, None] = {}
-    seen: set[Expression] = set()
-
-    def visit(node: Expression) -> None:
-        if node not in seen:
-            seen.add(node)
-            if node.operation == "symbol":
-                found[node] = None
-            for operand in node.operands:
-                visit(operand)
-
-    for root in roots:
-        visit(root)
-    return list(found)
+def declared(type_: str, name: str) -> str:
+    """Declare a parameter."""
+    before, bracket, after = type_.partition("[")
+    return f"{before}{'' if before.endswith('*') else ' '}{name}{bracket}{after}"
 
 
-def local_variables(roots: Any, taken: list[str]) -> tuple[list[str], Callable[[Expression], str | None]]:
+def is_constant(type_: str) -> bool:
+    """Whether a parameter has no change."""
+    return type_ in ("bool", "tdmf_contact_mode", "tdmf_hip_phase")
+
+
+def local_variables(roots: list[Expression], taken: Iterable[str]) -> tuple[list[str], TextOf]:
     """Write what a law has given a name as C variables; what has none stands where it is used."""
-    roots = list(roots)
-    uses: dict[Expression, int] = {}
-    order: dict[Expression, None] = {}
-
-    def visit(node: Expression) -> None:
-        uses[node] = uses.get(node, 0) + 1
-        if node in known or node in order:
-            return
-        for operand in node.operands:
-            visit(operand)
-        order[node] = None
-
-    for root in roots:
-        visit(root)
+    nodes = ordered(roots, known)
+    used = [operand for node in nodes if node not in known for operand in node.operands]
     written: dict[Expression, str] = {}
     lines = []
 
     def text_of(node: Expression) -> str | None:
         return known.get(node) or written.get(node)
 
-    for node in order:
-        if (
-            node.operation in LEAVES
-            or not node.name
-            or node.name in taken
-            or (node in roots and uses[node] == 1)
-        ):
-            continue
-        lines.append(f"const double {node.name} = {c_text(node, text_of)};")
-        written[node] = node.name
+    for node in nodes:
+        is_result = node in roots and node not in used and roots.count(node) == 1
+        if node.operands and node.name and node not in known and node.name not in taken and not is_result:
+            lines.append(f"const double {node.name} = {c_text(node, text_of)};")
+            written[node] = node.name
     return lines, text_of
-
-
-def comment(docstring: str | None) -> str:
-    """Write a law's docstring as a comment of C."""
-    assert docstring, "a law says what it is"
-    paragraphs = [
-        " ".join(p.split()) if not p.startswith("    ") else p
-        for p in textwrap.dedent("    " + docstring).strip().split("\n\n")
-    ]
-    text = "\n\n".join(textwrap.fill(p, WIDTH) for p in paragraphs)
-    return "/* " + text.replace("\n", "\n * ").replace(" * \n", " *\n") + " */\n"
-
-
-def struct(name: str, record: Callable[..., Any]) -> str:
-    """Write the C struct of a record that a page makes, with all its members at their defaults."""
-    members = "".join(f"double {member};\n" for member in vars(record()))
-    return f"{comment(record.__doc__)}typedef struct {{\n{members}}} {name};\n"
-
-
-def header(
-    topic: str, functions: list[Function], structs: str = "quantities.h", records: tuple[str, ...] = ()
-) -> str:
-    """Write a header of C functions, and of structs that their pages make."""
-    title = f"{topic}_laws"
-    guard = f"TDMF_DERIVED_{title.upper()}_H"
-    source = Path(functions[0].law.__code__.co_filename).name
-    parts = [
-        f"/* Derived from c_core/equations/{source} by equations/derive: edit that, not this. */",
-        f"#ifndef {guard}\n#define {guard}\n",
-        f'#include "{structs}"\n\n#include <math.h>\n',
-        *records,
-        "\n".join(function.c() for function in functions),
-        "#endif\n",
-    ]
-    return "\n".join(parts)

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
-from ...equations.derive.expressions import c_text, forget, lift, symbol, trace
+from ...equations.derive.c import c_text
+from ...equations.derive.expressions import forget, lift, symbol, trace
 from ...library.section import Apex
 from . import equations as eq
 from . import sequence

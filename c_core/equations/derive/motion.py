@@ -1,0 +1,296 @@
+"""C of a motion: its structs, its series for `real` of any width, and the variation of these.
+
+Products of series are convolutions. Those of one coefficient are summed in one loop, two coefficients at a
+time, from the middle outwards: of the terms of both most share a factor that is loaded once, and the newest
+coefficients, which have just been found, are needed last.
+"""
+
+from types import SimpleNamespace as Record
+from typing import Any
+
+from .c import c_text, comment, struct
+from .expressions import (
+    Changes,
+    Expression,
+    derivative,
+    forget,
+    leaves,
+    lift,
+    ordered,
+    replaced,
+    symbol,
+    trace,
+)
+from .series import RECURSIONS, Expansion, kind_of
+
+STRUCTS = """\
+/* What the motions depend on, and its rates where it changes in time. */
+{coefficients}
+/* Series of the states and of what is made of them, up to the order or one less. */
+{series}
+/* The first variations of some. */
+{variation}
+/* What a motion starts with. */
+{start}
+{what}static inline void begin_{family}(const {family}_start *start, {family}_series *s) {{
+{values}}}
+
+/* Their variation, where what it starts with varies by d. */
+static inline void begin_{family}_variation(const {family}_start *start, const {family}_start *d,
+                                            {family}_variation *t) {{
+{changes}}}
+"""
+SERIES = """\
+/* Factors that all coefficients have, and what is divided by. */
+{factors}
+/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
+{sums}
+{adds}/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_{case}_sums(const {family}_series *s, int i, {case}_sums *sum, {case}_sums *next) {{
+{middle}}}
+
+{what}KERNEL void expand_{case}_on(const {family}_coefficients *c, const {case}_factors *by, int k,
+                           const {case}_sums *sum, {family}_series *s) {{
+{step}}}
+
+/* From coefficient k, even, two further. */
+KERNEL void expand_{case}_by_two(const {family}_coefficients *c, const {case}_factors *by, int k,
+                                 {family}_series *s) {{
+    const int middle = k / 2;
+    static const {case}_sums none = {{0}};
+    {case}_sums sum = none, next = none;
+    begin_{case}_sums(s, middle, &sum, &next);
+    {loops}expand_{case}_on(c, by, k, &sum, s);
+    {last}    expand_{case}_on(c, by, k + 1, &next, s);
+}}
+
+/* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
+KERNEL void expand_{case}(const {family}_coefficients *given, int order, {family}_series *s) {{
+    const {family}_coefficients copy = *given, *c = &copy;
+    static const {case}_sums none = {{0}};
+    {case}_sums sum = none, next = none;
+{first}
+    const {case}_factors factors = {{
+{products}    }};
+    const {case}_factors *by = &factors;
+    expand_{case}_on(c, by, 0, &sum, s);
+    begin_{case}_sums(s, 0, &sum, &next);
+    expand_{case}_on(c, by, 1, &next, s);
+    for (int k = 2; k < order; k += 2) {{
+        expand_{case}_by_two(c, by, k, s);
+    }}
+}}
+"""
+ADD = """\
+/* Adds the terms with coefficient i of one factor and j of the other{ahead}. */
+KERNEL void add_{group}(const {family}_series *s, int i, int j, {case}_sums *sum) {{
+{pairs}}}
+
+"""
+LOOP = """\
+for (int i = middle, j = middle + 1; i > 1; --i, ++j) {{
+    add_{group}(s, i, j, &next);
+    add_{group}(s, i - 1, j, &sum);
+}}
+"""
+VARIATION = """\
+/* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
+static inline void vary_{case}(const {family}_coefficients *c, const {family}_series *s,
+                               const {family}_coefficients *d, int order, {family}_variation *t) {{
+{local}{factors}{begin}for (int k = 0; k < order; ++k) {{
+{step}}}
+}}
+"""
+
+
+class Family:
+    """Motions that share the structs of their series; `cases` has what the page is told of each.
+
+    `constants` are all that is given, `ramps` of them what changes in time, with the word "drift" in any
+    width, with "ramp" where inputs ramp; `rates` are quantities that are rates of others; of `varied` the
+    variation is asked for, besides that of the states.
+    """
+
+    def __init__(self, name: str, page: Any, **given: Any) -> None:
+        self.name, self.page = name, page
+        self.noted, self.varied = given["noted"].split(), given["varied"].split()
+        self.ramps, self.rates, self.cases = given["ramps"], given["rates"], given["cases"]
+        self.constants = [c for c in given["constants"] if c.removesuffix("_rate") not in self.ramps]
+
+    def motion(self, case: str) -> "Motion":
+        """Trace one case, alone."""
+        forget()
+        return Motion(self, case, **self.cases[case])
+
+    def begin(self) -> tuple[dict[str, Expression], dict[str, Expression], list[str]]:
+        """Give the states by what a motion starts with, their variations, and the names of that."""
+        forget()
+        code = self.page.start.__code__
+        names = code.co_varnames[: code.co_argcount]
+        changes = {symbol("start->" + name): symbol("d->" + name) for name in names}
+        states = vars(trace(self.page.start, *changes))
+        return states, {state: derivative(value, changes) for state, value in states.items()}, list(names)
+
+    def structs(self) -> str:
+        """Write the structs, and the states by what a motion starts with."""
+        motions = [self.motion(case) for case in self.cases]
+        states, changes, names = self.begin()
+        given = [*self.constants, *self.ramps, *(ramp + "_rate" for ramp in self.ramps)]
+        stored = {
+            "series": [member for motion in motions for member in motion.members("s->")],
+            "variation": [member for motion in motions for member in motion.members("t->")],
+        }
+        lines = [f"t->{state}[0] = {c_text(value)};\n" for state, value in changes.items()]
+        return STRUCTS.format(
+            family=self.name,
+            what=comment(self.page.start.__doc__),
+            coefficients=struct(f"{self.name}_coefficients", given, "real"),
+            start=struct(f"{self.name}_start", names, "real"),
+            values="".join(f"s->{state}[0] = {c_text(value)};\n" for state, value in states.items()),
+            changes="".join(
+                lines if any("start->" in line for line in lines) else ["(void)start;\n", *lines]
+            ),
+            **{
+                name: struct(f"{self.name}_{name}", members, "real", "[SERIES_TERMS]")
+                for name, members in stored.items()
+            },
+        )
+
+
+class Motion:
+    """One case of a family, traced: its expansion, and that of its variation."""
+
+    def __init__(self, family: Family, case: str, noted: str = "", ramp: bool = True, **told: Any) -> None:
+        self.family, self.case, start = family, case, family.page.start
+        held = {name: symbol(f"c->{name}", constant=True) for name in family.constants}
+        for name, word in family.ramps.items():
+            rate = symbol(f"c->{name}_rate", constant=True)
+            changes = ramp or word == "drift"
+            held[name] = symbol(
+                f"c->{name}", **{"ramp": rate, "word": word} if changes else {"constant": True}
+            )
+        states = {name: symbol(f"s->{name}") for name in vars(start(*[1.0] * start.__code__.co_argcount))}
+        traced = vars(trace(family.page.motion, Record(**held), Record(**states), **told))
+        rates = {states[name]: lift(rate) for name, rate in vars(traced.pop("rates")).items()}
+        names = [*family.noted, *noted.split()]
+        found, rates = self.with_rates({name: lift(value) for name, value in traced.items()}, rates, names)
+        self.value = Expansion({f"s->{n}": found[n] for n in names}, rates, "s->{}".format, by_pairs=True)
+        self.vary({name: found[name] for name in family.varied}, rates)
+
+    def with_rates(
+        self, found: dict[str, Expression], rates: Changes, noted: list[str]
+    ) -> tuple[dict[str, Expression], Changes]:
+        """Name what a page gives, and put rates of quantities for what the page makes these of."""
+        for name in [*found, *noted]:
+            found[name].name = name if found[name].operands else found[name].name
+        new: Changes = {}
+        for name, of in self.family.rates.items():
+            new[found[name]] = Expression("rate", replaced(found[of], new))
+            new[found[name]].name = name
+        return (
+            {name: replaced(value, new) for name, value in found.items()},
+            {state: replaced(rate, new) for state, rate in rates.items()},
+        )
+
+    def vary(self, varied: dict[str, Expression], rates: Changes) -> None:
+        """Differentiate: the variation is an expansion, of which the motion's series are known."""
+        changes = {leaf: change_of(leaf) for leaf in leaves([*rates, *rates.values(), *varied.values()])}
+        stored = {node: self.value.arrays.get(node, f"s->{node.name}") for node in self.value.nodes}
+        known = {node: array for node, array in stored.items() if self.value.stands(node)}
+        self.varied = Expansion(
+            {f"t->{name}": derivative(value, changes, "d_") for name, value in varied.items()},
+            {changes[state]: derivative(rate, changes, "d_") for state, rate in rates.items()},
+            lambda name: f"t->{name.removeprefix('d_')}" if name.startswith("d_") else name,
+            known,
+        )
+        self.value.arrays |= {node: known[node] for node in self.varied.reads()}
+
+    def members(self, of: str) -> list[str]:
+        """Name the series that are stored in a struct."""
+        expansion = self.value if of == "s->" else self.varied
+        arrays = [*expansion.wanted, *expansion.arrays.values()]
+        return [array.removeprefix(of) for array in arrays if array.startswith(of)]
+
+    def source(self) -> str:
+        """Write the functions of the case, the last of which expands the series."""
+        value, step = self.value, self.value.step()
+        summed = [node for node in value.made if "{inner}" in "".join(RECURSIONS.get(kind_of(node), ""))]
+        dividing = [node for node in summed if kind_of(node) in ("quotient", "sqrt")]
+        divisors = {value.inverse(node): value.divisor(node) for node in dividing}
+        made = {name: f"1.0 / {value.arrays[node]}[0]" for name, node in divisors.items()}
+        made |= {name: c_text(node) for node, name in value.factors.items()}
+        first = [node for node in ordered(divisors.values()) if node in value.arrays and node.operands]
+        ahead, sums = [node for node in summed if node in value.ahead], f"{self.case}_sums"
+        groups = {f"{sums}_ahead": ahead} if ahead else {}
+        groups[sums] = [node for node in summed if node not in ahead]
+        return SERIES.format(
+            family=self.family.name,
+            case=self.case,
+            what=comment(self.family.page.motion.__doc__, " From coefficient k of the states to the next."),
+            factors=struct(f"{self.case}_factors", made, "real"),
+            sums=struct(f"{self.case}_sums", [str(node.name) for node in summed], "real"),
+            adds="".join(self.adding(group, nodes) for group, nodes in groups.items()),
+            loops="".join(LOOP.format(group=group) for group in groups),
+            last="".join(f"add_{group}(s, 1, k, &next);\n" for group in groups),
+            middle="".join(self.middle(node) for node in summed) + ("" if value.ahead else "(void)next;\n"),
+            step="\n".join(step),
+            first="\n".join(f"{value.arrays[node]}[0] = {self.first(node)};" for node in first),
+            products="".join(f".{name} = {text},\n" for name, text in made.items()),
+        )
+
+    def adding(self, group: str, nodes: list[Expression]) -> str:
+        """Write the function that adds terms to some of the sums."""
+        names = {"family": self.family.name, "case": self.case, "group": group}
+        ahead = " + 1, for what is known a coefficient ahead" if nodes[0] in self.value.ahead else ""
+        return ADD.format(ahead=ahead, pairs="".join(map(self.pairs, nodes)), **names)
+
+    def pairs(self, node: Expression) -> str:
+        """Add the terms of a sum with coefficients i and j of its factors."""
+        a, b = (self.value.arrays[series] for series in self.value.series_in(node))
+        j = "j + 1" if node in self.value.ahead else "j"
+        terms = dict.fromkeys([f"{a}[i] * {b}[{j}]", f"{b}[i] * {a}[{j}]"])
+        return "".join(f"sum->{node.name} += {term};\n" for term in terms)
+
+    def middle(self, node: Expression) -> str:
+        """Begin a sum with its terms in the middle."""
+        a, b = (self.value.arrays[series] for series in self.value.series_in(node))
+
+        def squares(i: str) -> str:
+            return f"0.5 * ({a}[{i}] * {b}[{i}])" if a == b else f"{a}[{i}] * {b}[{i}]"
+
+        if node not in self.value.ahead:
+            return f"sum->{node.name} = {squares('i')};\n"
+        both = " + ".join(dict.fromkeys([f"{a}[i] * {b}[i + 1]", f"{b}[i] * {a}[i + 1]"]))
+        return f"sum->{node.name} = {both};\nnext->{node.name} = {squares('i + 1')};\n"
+
+    def first(self, node: Expression) -> str:
+        """Write coefficient 0 of what is divided by, or part of it."""
+        arrays = self.value.arrays
+        return c_text(
+            node, lambda part: f"{arrays[part]}[0]" if part in arrays and part is not node else None, "real_"
+        )
+
+    def variation(self) -> str:
+        """Write the first variation of the series."""
+        begin, step = self.varied.begin(), self.varied.step()
+        local = [array for array in self.varied.arrays.values() if "->" not in array]
+        return VARIATION.format(
+            family=self.family.name,
+            case=self.case,
+            local="".join(f"real {array}[SERIES_TERMS];\n" for array in local),
+            factors="".join(
+                f"const real {name} = {c_text(node)};\n" for node, name in self.varied.factors.items()
+            ),
+            begin="".join(f"{line}\n" for line in begin),
+            step="\n".join(step),
+        )
+
+
+def change_of(leaf: Expression) -> Expression:
+    """Give the variation of a state, or of what is given."""
+    if leaf.value.startswith("s->"):
+        return symbol("t" + leaf.value[1:], f"d_{leaf.name}")
+    marks = dict(leaf.marks)
+    if "ramp" in marks:
+        marks["ramp"] = change_of(marks["ramp"])
+    return symbol("d" + leaf.value[1:], f"d_{leaf.name}", **marks)
