@@ -1,8 +1,8 @@
 """Which laws are C functions of the model: a header a topic, a line a function.
 
-A line tells the C type and name, and the law. Where C's parameters are not those of the law, they are told, and
-the call. Behind a bar: `value x`, the parameter by which a variation is given the value, or `only` for no
-variation.
+A line tells the C type and name, and the law. Where C's parameters are not those of the law, they are told,
+and the call. Behind a bar: `value x`, the parameter by which a variation is given the value, or `only` for
+no variation.
 """
 
 import importlib

@@ -11,8 +11,8 @@ from typing import Any
 
 from .. import flight, ground
 from ..events import EVENTS, Event
-from .expressions import Expression, c_text, derivative, forget, lift, number, ordered, symbol, trace
-from .series import summary
+from .c import c_text, comment
+from .expressions import Expression, derivative, forget, lift, number, ordered, symbol, trace
 
 ORIGIN = "/* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */"
 MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
@@ -104,19 +104,19 @@ def watched(event: Event, motion: str) -> tuple[list[str], str]:
     if event.law is None or factor is None or not factor.is_constant:
         raise ValueError(f"{event.name}: give it a function by hand, it is more than a series in {motion}")
     start = c_text(value, lambda node: f"{node.value}[0]" if node is series[0] else None)
-    weight = f"real_of({c_text(factor)})" if factor.is_number() else c_text(factor)
+    weight = f"real_of({c_text(factor)})" if factor.operation == "number" else c_text(factor)
     order = "search->order - 1" if series[0].name in SHORTER else "search->order"
     band = (
         "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor" if event.band == "dead" else "search->beyond_margin"
     )
     floor = f"{band} * c->mode.{event.scale}_scale" if event.scale else band
     flag = FLAGS.get(event.only_while, "")
-    by_length = series[0].name == "length" and factor.is_number() and abs(factor.value) == 1
+    by_length = series[0].name == "length" and factor.operation == "number" and abs(factor.value) == 1
     near = "not(g.start > length_change)" if by_length else ""
     name = f"watch_{event.name}_{'in' if motion == 'flight' else 'on'}_{motion}"
     more = ", length_change" if by_length else ""
     lines = [
-        f"/* {summary(event.law)} */",
+        comment(event.law.__doc__).strip(),
         f"static inline void {name}(event_search *search, const {motion}_constants *c, "
         f"const {motion}_series *s{more.replace(' ', ' real ')}) {{",
         f"const guard_series g = {{s->{series[0].name}, {weight}, {start}, {order}}};",
