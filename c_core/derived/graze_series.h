@@ -224,7 +224,7 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
         const real d_tangential_push = -d_tangential;
         t->foot_acceleration[k] =
             d->inverse_foot_mass * s->tangential_push[k] + c->inverse_foot_mass * d_tangential_push;
-        const real d_torque = product(t->turning, s->square, k) + product(s->turning, t->square, k);
+        t->torque[k] = product(t->turning, s->square, k) + product(s->turning, t->square, k);
         const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
                                          ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
         const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
@@ -232,6 +232,7 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
         const real d_y_times_foot_acceleration =
             product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
         t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        t->friction_power[k] = real_of(0.0);
         integrate(t->vx, k,
                   with_ramp(k,
                             d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
@@ -245,7 +246,7 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
                     -d->gravity_y_rate));
         integrate(t->foot_vx, k, t->foot_acceleration[k]);
         integrate(t->moment, k,
-                  d->inverse_body_mass * s->torque[k] + c->inverse_body_mass * d_torque -
+                  d->inverse_body_mass * s->torque[k] + c->inverse_body_mass * t->torque[k] -
                       d_gravity_y_times_x + d_gravity_x_times_y + d_y_times_foot_acceleration);
     }
 }

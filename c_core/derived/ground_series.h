@@ -53,7 +53,9 @@ typedef struct {
 
 /* The first variations of some. */
 typedef struct {
+    real torque[SERIES_TERMS];
     real power[SERIES_TERMS];
+    real friction_power[SERIES_TERMS];
     real vx[SERIES_TERMS];
     real vy[SERIES_TERMS];
     real x[SERIES_TERMS];
@@ -66,6 +68,7 @@ typedef struct {
     real turning[SERIES_TERMS];
     real normal_force[SERIES_TERMS];
     real foot_acceleration[SERIES_TERMS];
+    real friction_force[SERIES_TERMS];
 } ground_variation;
 
 /* What a motion starts with. */

@@ -386,11 +386,11 @@ static inline void vary_slip_turning(const ground_coefficients *c, const ground_
         const real d_turning_times_x = product(t->turning, s->x, k) + product(s->turning, t->x, k);
         const real d_off = d_axial_y + d_turning_times_x;
         t->normal_force[k] = with_constant(k, d_off, d->foot_weight_y);
-        const real d_friction_force = ramp_times(k, d->friction, d->friction_rate, s->normal_force) +
-                                      ramp_times(k, c->friction, c->friction_rate, t->normal_force);
+        t->friction_force[k] = ramp_times(k, d->friction, d->friction_rate, s->normal_force) +
+                               ramp_times(k, c->friction, c->friction_rate, t->normal_force);
         t->foot_acceleration[k] =
             d->inverse_foot_mass * s->tangential_push[k] - d->inverse_foot_mass * s->friction_force[k] +
-            c->inverse_foot_mass * d_tangential_push - c->inverse_foot_mass * d_friction_force;
+            c->inverse_foot_mass * d_tangential_push - c->inverse_foot_mass * t->friction_force[k];
         const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
                                          ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
         const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
@@ -398,6 +398,9 @@ static inline void vary_slip_turning(const ground_coefficients *c, const ground_
         const real d_y_times_foot_acceleration =
             product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
         t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        t->friction_power[k] =
+            product(t->friction_force, s->foot_vx, k) + product(s->friction_force, t->foot_vx, k);
+        t->torque[k] = ramp_of(k, d->torque, d->torque_rate);
         integrate(t->vx, k,
                   with_ramp(k,
                             d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -

@@ -348,6 +348,8 @@ static inline void vary_stick_turning(const ground_coefficients *c, const ground
         const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
                                          ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
         t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        t->torque[k] = ramp_of(k, d->torque, d->torque_rate);
+        t->friction_power[k] = real_of(0.0);
         integrate(t->vx, k,
                   with_ramp(k, d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along,
                             -d->gravity_x, -d->gravity_x_rate));

@@ -163,44 +163,12 @@ static void expand_torque_in_flight(const tdmf_step *step, double torque[SERIES_
     }
 }
 
-static void vary_torque_on_ground(const tdmf_measured_step *along, int i, const ground_coefficients *d,
-                                  double d_torque[SERIES_TERMS]) {
-    const ground_series *g = &along->step->series.ground;
-    const ground_variation *t = &along->tangents[i].ground;
-    const bool grazes = along->step->equations->contact == TDMF_CONTACT_GRAZE;
-    for (int k = 0; k < along->step->order; ++k) {
-        d_torque[k] = grazes ? vary_product(g->turning, t->turning, g->square, t->square, k)
-                             : ramp_of(k, d->torque, d->torque_rate);
-    }
-}
-
 static double integral_of_product(const double *a, const double *b, int order, double t) {
     double c[SERIES_TERMS];
     for (int k = 0; k <= order; ++k) {
         c[k] = product(a, b, k);
     }
     return series_integral(c, order, t);
-}
-
-static double vary_friction_loss(const tdmf_measured_step *along, int i, const ground_coefficients *d) {
-    const tdmf_step *step = along->step;
-    const ground_series *g = &step->series.ground;
-    const ground_variation *t = &along->tangents[i].ground;
-    const ground_coefficients c = tdmf_ground_coefficients(step->equations);
-    double d_force[SERIES_TERMS], d_power[SERIES_TERMS];
-    for (int k = 0; k < step->order; ++k) {
-        d_force[k] = vary_ramp_times(k, c.friction, c.friction_rate, d->friction, d->friction_rate,
-                                     g->normal_force, t->normal_force);
-        d_power[k] = vary_product(g->friction_force, d_force, g->foot_vx, t->foot_vx, k);
-    }
-    return series_integral(d_power, step->order - 1, along->end);
-}
-
-static tdmf_direction direction_along(const tdmf_measured_step *along, int i, tdmf_variation *variation) {
-    const tdmf_variation of_mode = {.liftoff_angle = along->varied_mode[i].liftoff_angle};
-    *variation = of_mode;
-    variation->state[TDMF_HIP_PLACE_TIME] = along->varied_mode[i].place_time;
-    return tdmf_direction_of(along->step->equations->model, &along->changes[i], variation);
 }
 
 static double vary_positive_work(const tdmf_measured_step *along, int i, const tdmf_spans *positive) {
@@ -222,16 +190,10 @@ static void vary_integrals(tdmf_measured *measured, const tdmf_measured_step *al
     const bool flies = contact == TDMF_CONTACT_FLIGHT;
     const bool slips = !flies && tdmf_step_ground_case(step).slips;
     for (int i = 0; i < along->count; ++i) {
-        tdmf_variation variation;
-        double on_ground[SERIES_TERMS];
-        const double *d_torque = flies ? along->tangents[i].flight.torque : on_ground;
-        if (!flies) {
-            const tdmf_direction d = direction_along(along, i, &variation);
-            const ground_coefficients varied =
-                tdmf_vary_ground_coefficients(step->equations, &along->motion->mode, &d);
-            vary_torque_on_ground(along, i, &varied, on_ground);
-            measured->varied[i].friction_loss += slips ? vary_friction_loss(along, i, &varied) : 0.0;
-        }
+        const motion_variation *t = &along->tangents[i];
+        const double *d_torque = flies ? t->flight.torque : t->ground.torque;
+        measured->varied[i].friction_loss +=
+            slips ? series_integral(t->ground.friction_power, step->order - 1, along->end) : 0.0;
         measured->varied[i].squared_torque +=
             2.0 * integral_of_product(torque, d_torque, step->order - 1, along->end);
         measured->varied[i].positive_hip_work += vary_positive_work(along, i, positive);

@@ -30,7 +30,7 @@ GROUND = Family(
     },
     rates={"length_rate": "length"},
     noted="length length_rate normal_force tangential_push torque power speed_square",
-    varied="power",
+    varied="torque power friction_power",
     cases={
         # Without a torque the leg does not turn, but a torque that varies would turn it.
         "stick": {"contact": "stick", "turns": False, "noted": "square turning along off"},
