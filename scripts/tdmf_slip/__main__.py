@@ -6,7 +6,7 @@ from .terminal import interrupts
 
 
 def main() -> int:
-    """Run the command line; the exit status. An interrupt waits until modules are loaded, half a second."""
+    """Run the command line; the exit status. An interrupt waits until modules are loaded."""
     interrupts.end_in_order()
     try:
         with interrupts.held():

@@ -19,6 +19,9 @@ LOCKS = ROOT / "scripts" / "locks"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 DEPENDENCIES = PROJECT["project"]["dependencies"]
 EXTRAS = PROJECT["project"]["optional-dependencies"]
+PARTS = ("plots", "data", "cluster", "proof")
+"""Extras that a user may leave out; `all` has every one."""
+OPTIONAL = [text for name in (*PARTS, "test", "importers", "bench") for text in EXTRAS[name]]
 HANGS = 600.0
 """Seconds after which a process is said to hang; nothing else depends on them."""
 
@@ -43,8 +46,8 @@ def locked(*names):
     ("lock", "requirements", "least"),
     [
         ("environment", PROJECT["build-system"]["requires"], 2),
-        ("environment", DEPENDENCIES, 10),
-        ("environment", EXTRAS["test"] + EXTRAS["importers"] + EXTRAS["bench"] + EXTRAS["proof"], 9),
+        ("environment", DEPENDENCIES, 7),
+        ("environment", OPTIONAL, 13),
         ("platforms", EXTRAS["platforms"], 4),
         ("site", EXTRAS["site"], 5),
         ("fmi_sim", EXTRAS["fmi-sim"], 1),
@@ -82,9 +85,15 @@ def test_locks_agree_and_have_all_that_is_needed_in_turn():
     assert checked > 50
 
 
+def test_one_extra_has_all_others_that_a_user_may_leave_out():
+    (text,) = EXTRAS["all"]
+    assert packaging.Requirement(text).extras == set(PARTS)
+
+
 def test_the_package_itself_pins_nothing():
     """It lives beside other packages; the scripts' environment is another matter."""
-    for text in [*DEPENDENCIES, *EXTRAS["bench"], *PROJECT["build-system"]["requires"]]:
+    extras = (text for name in (*PARTS, "bench") for text in EXTRAS[name])
+    for text in [*DEPENDENCIES, *extras, *PROJECT["build-system"]["requires"]]:
         operators = {specifier.operator for specifier in packaging.Requirement(text).specifier}
         assert operators == {">="}, text
 

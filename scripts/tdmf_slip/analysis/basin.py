@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import check_size
 from ..contents import ByContents
 from ..errors import InputError
+from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed
 from ..files.whole import check_place

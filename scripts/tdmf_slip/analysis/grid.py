@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import xarray
 from numpy.typing import NDArray
 
 from ..blocks.running import run_blocks
 from ..errors import InputError, TdmfSlipError
+from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place

@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-import xarray
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
+from ..files.datasets import xarray
 from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
 from ..library.crowd import Crowd, numbers

@@ -54,9 +54,13 @@ def client_of(scheduler: str | None, workers: int) -> "Iterator[Client]":
     distributed.Client
         Connected.
     """
-    from distributed import Client
-    from distributed.utils import silence_logging_cmgr
-
+    try:
+        from distributed import Client
+        from distributed.utils import silence_logging_cmgr
+    except ImportError:
+        raise InputError(
+            "work on a cluster needs Dask, which is missing; install it by: pip install 'tdmf-slip[cluster]'"
+        ) from None
     with silence_logging_cmgr(SILENCE), contextlib.ExitStack() as parts:
         if scheduler is not None:
             yield parts.enter_context(_client_at(scheduler))

@@ -108,6 +108,8 @@ def continue_command(
     if len(spans) != len(ranges) or len(spans) > 2:
         raise InputError(f"--over is given {len(ranges)} times; allowed: once, or twice for two parameters")
     if output is not None:
+        from ..files.netcdf import write_dataset  # xarray is slow to load
+
         check_place(output, (".nc",), "--output")
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
@@ -133,8 +135,6 @@ def continue_command(
         unit=unit,
     )
     if output is not None:
-        from ..files.netcdf import write_dataset
-
         write_dataset(output, branch.to_xarray(unit))
     if plot is not None:
         from ..pictures import branch_diagram

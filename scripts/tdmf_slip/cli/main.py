@@ -4,10 +4,12 @@ Results go to stdout (with --json one JSON object and nothing else), progress an
 status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
 """
 
+import ast
 import contextlib
 import importlib
 import os
 import sys
+from pathlib import Path
 
 import click
 
@@ -37,8 +39,18 @@ MODULES = {"continue": "continuation"}
 """Of commands whose name is a word of Python."""
 
 
-LONGEST = 1000
-"""Characters of a summary: more than any has."""
+def module_of(name: str) -> str:
+    """The module of a command, without this package's name."""
+    return MODULES.get(name, name)
+
+
+def summary_of(name: str) -> str:
+    """The first sentence of what a command says of itself, read without loading what the command needs."""
+    source = Path(__file__).with_name(f"{module_of(name)}.py").read_text(encoding="utf-8")
+    functions = (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
+    text = next(ast.get_docstring(node) for node in functions if node.name == f"{name}_command") or ""
+    sentence = " ".join(text.partition("\n\n")[0].split())
+    return sentence.partition(". ")[0].removesuffix(".") + "."
 
 
 class LazyGroup(click.Group):
@@ -65,18 +77,15 @@ class LazyGroup(click.Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Each command with its whole first sentence."""
-        found = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
         with formatter.section("Commands"):
-            formatter.write_dl(
-                [(name, of.get_short_help_str(LONGEST)) for name, of in found if of is not None]
-            )
+            formatter.write_dl([(name, summary_of(name)) for name in self.list_commands(ctx)])
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of a name, or None."""
         if cmd_name not in COMMANDS:
             return None
         with interrupts.held():
-            module = importlib.import_module(f".{MODULES.get(cmd_name, cmd_name)}", __package__)
+            module = importlib.import_module(f".{module_of(cmd_name)}", __package__)
         command: click.Command = getattr(module, f"{cmd_name}_command")
         return command
 

@@ -114,7 +114,7 @@ def simulate_command(
         for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
             if file and output.resolve() == file.resolve():
                 raise InputError(f"--output {output}: holds the {what}; allowed: another file name")
-        if output.exists():
+        if output.suffix.lower() == ".nc":
             from ..files.resume import refuse_resumable  # xarray is slow to load
 
             refuse_resumable(output)

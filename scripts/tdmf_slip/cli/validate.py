@@ -47,12 +47,12 @@ def validate_command(
     what is stated.
     """
     if pictures is not None:
+        from ..paper.figures import gallery  # matplotlib is slow to load
+
         check_folder(pictures, "--pictures")
     validation = validate(relative_tolerance=tolerance, own=own, seed=seed, show_progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text())
     if pictures is not None:
-        from ..paper.figures import gallery  # matplotlib is slow to load
-
         gallery.draw(pictures, load(), show_progress=True)
     if not validation.passed:
         raise SystemExit(1)

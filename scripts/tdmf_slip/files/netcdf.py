@@ -6,10 +6,7 @@ why a write failed nor names that are no UTF-8.
 
 from pathlib import Path
 
-import xarray
-from netCDF4 import Dataset
-from xarray.backends import NetCDF4DataStore
-
+from .datasets import Dataset, NetCDF4DataStore, xarray
 from .whole import destination, whole
 
 IN_MEMORY = "memory.nc"

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..files.datasets import xarray
 from .netcdf import read_dataset
 
 

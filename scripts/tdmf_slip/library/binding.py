@@ -8,23 +8,19 @@
     model = ffi.new("tdmf_model *")
     c.tdmf_model_create(model, ffi.new("tdmf_parameters *", parameters))
 
-The headers are read when this module is imported, so that no declaration is repeated here.
+The headers are read when the package is built (scripts/declare_library.py), so that no declaration is
+repeated here and none has to be parsed at each start.
 """
 
 import os
-import re
 import sys
 from pathlib import Path
 from typing import Any
 
-from cffi import FFI
-
 from ..errors import InputError
+from . import declarations
 
 FOLDER = Path(__file__).parents[1] / "native"
-HEADERS = FOLDER / "tdmf_slip"
-ROOTS = ("tdmf_slip.h", "ensemble.h")
-"""Headers that bring in all others."""
 PATH_VARIABLE = "TDMF_SLIP_LIBRARY"
 NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 
@@ -50,27 +46,6 @@ def library_path() -> Path:
     return path
 
 
-def _declarations() -> str:
-    """The public headers in the order of their inclusion, without what is for a preprocessor."""
-    seen: list[str] = []
-    texts: list[str] = []
-
-    def read(name: str) -> None:
-        if name in seen:
-            return
-        seen.append(name)
-        text = (HEADERS / name).read_text(encoding="utf-8")
-        for included in re.findall(r'^#include "tdmf_slip/(.*)"', text, re.MULTILINE):
-            read(included)
-        text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.DOTALL)
-        text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-        texts.append(re.sub(r"^#.*$|^TDMF_API ", "", text, flags=re.MULTILINE))
-
-    for name in ROOTS:
-        read(name)
-    return "\n".join(texts)
-
-
 def _library() -> Any:
     """The library, loaded.
 
@@ -89,8 +64,7 @@ def _library() -> Any:
         ) from None
 
 
-ffi: Any = FFI()
+ffi: Any = declarations.ffi
 """Makes structs and arrays of the library's types; those that are read here are described in `structs`."""
-ffi.cdef(_declarations())
 c: Any = _library()
 """The library's functions and enumerators, by their names in C."""

@@ -2,16 +2,16 @@
 
 import sys
 import threading
-from typing import NoReturn, TypeAlias
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
-from tqdm import tqdm
+if TYPE_CHECKING:
+    from tqdm import tqdm
 
 Bar: TypeAlias = "tqdm[NoReturn]"
 """A progress bar; it is moved on by its `update`."""
-
-# By default tqdm makes a semaphore of the system, which a process that is killed would leave behind; each bar
-# is drawn by one process.
-tqdm.set_lock(threading.RLock())
+LOCK = threading.RLock()
+"""Held while a bar is drawn. By default tqdm makes a semaphore of the system, which a process that is killed
+would leave behind; each bar is drawn by one process."""
 
 
 def bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
@@ -28,6 +28,9 @@ def bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
     show : bool, default True
         False for a bar that prints nothing.
     """
+    from tqdm import tqdm  # slow to load, and not needed for short work
+
+    tqdm.set_lock(LOCK)
     on_screen = sys.stderr is not None and sys.stderr.isatty()
     return tqdm(
         desc=what,

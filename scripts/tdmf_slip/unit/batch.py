@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import xarray
 
 from ..blocks.running import run_blocks
 from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
+from ..files.datasets import xarray
 from ..given import mapping_of, row_of, rows_of
 from ..terminal import progress
 from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate

@@ -65,7 +65,7 @@ def dataset_of(run: Run, unit: Unit) -> "xarray.Dataset":
     xarray.Dataset
         A variable for each column, over the coordinate `time`, in which an event has two rows.
     """
-    import xarray  # slow to load, and seldom asked for
+    from ..files.datasets import xarray  # slow to load, and seldom asked for
 
     data = xarray.Dataset()
     for name in run.names:

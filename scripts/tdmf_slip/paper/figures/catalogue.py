@@ -6,13 +6,13 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-import xarray
 
 from ...analysis.attraction import Attraction, measure_all
 from ...analysis.search import find_orbit
 from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
+from ...files.datasets import xarray
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.stride import Stride

@@ -6,7 +6,6 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
-import xarray
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from ...analysis.basin import basin
 from ...analysis.stability import StabilityMap, stability
 from ...analysis.sweep import Sweep
+from ...files.datasets import xarray
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style

@@ -1,0 +1,96 @@
+"""Without what the extras bring, the rest works, and what does not says in one sentence what to install."""
+
+import subprocess
+import sys
+
+import pytest
+
+PARTS = {
+    "plots": {"matplotlib"},
+    "data": {"xarray", "netCDF4", "pandas"},
+    "cluster": {"dask", "distributed"},
+    "proof": {"flint"},
+}
+"""What each extra brings, by the names that are imported."""
+WITHOUT = """
+import sys
+for name in sys.argv[1].split(","):
+    sys.modules[name] = None
+sys.argv[:2] = ["tdmf-slip"]
+"""
+
+
+def run_without(extras, program, *arguments):
+    """A program in a Python that cannot import what the extras bring."""
+    missing = ",".join(name for extra in extras for name in PARTS[extra])
+    return subprocess.run(
+        [sys.executable, "-c", WITHOUT + program, missing, *arguments], capture_output=True, text=True
+    )
+
+
+COMMAND = "from tdmf_slip.__main__ import main; sys.exit(main())"
+
+
+@pytest.mark.parametrize(
+    ("extra", "arguments"),
+    [
+        ("plots", ["gait.png"]),
+        ("data", ["gait.nc"]),
+        ("data", ["basin.nc"]),
+        ("cluster", ["basin"]),
+        ("proof", ["prove"]),
+    ],
+    ids=str,
+)
+def test_a_command_names_what_is_missing_before_it_computes(extra, arguments, tmp_path):
+    commands = {
+        "gait.png": ["sweep", "--friction", "0.5:0.6:3", "--plot", "gait.png"],
+        "gait.nc": ["continue", "--over", "ground.friction=0.5:0.6", "--output", "gait.nc"],
+        "basin.nc": ["basin", "--n", "2", "--output", "basin.nc"],
+        "basin": ["basin", "--n", "2", "--scheduler", "tcp://127.0.0.1:1"],
+        "prove": ["prove", "--friction", "0.6"],
+    }
+    done = run_without([extra], f"import os; os.chdir({str(tmp_path)!r}); {COMMAND}", *commands[arguments[0]])
+    assert done.returncode == 2 and done.stdout == "", done.stderr
+    (said,) = done.stderr.splitlines()
+    assert f"pip install 'tdmf-slip[{extra}]'" in said and "missing" in said
+    assert list(tmp_path.iterdir()) == []
+
+
+RESULTS = """
+import tdmf_slip
+try:
+    {}
+except tdmf_slip.InputError as problem:
+    print(problem)
+"""
+
+
+@pytest.mark.parametrize(
+    ("extra", "call"),
+    [
+        ("plots", "tdmf_slip.find_orbit().plot()"),
+        ("data", "tdmf_slip.sweep({}, [0.6, 0.61]).to_xarray()"),
+        ("data", "tdmf_slip.basin"),
+        ("proof", "tdmf_slip.prove"),
+    ],
+)
+def test_a_function_names_what_is_missing(extra, call):
+    done = run_without([extra], RESULTS.format(call))
+    assert done.returncode == 0 and f"pip install 'tdmf-slip[{extra}]'" in done.stdout, done.stderr
+
+
+def test_gaits_runs_sweeps_branches_ensembles_and_feedback_need_no_extra():
+    program = """
+import tdmf_slip
+orbit = tdmf_slip.find_orbit({"ground.friction": 0.43})
+print(orbit.word)
+print(tdmf_slip.simulate({}, strides=1).stride["word"])
+print(len(tdmf_slip.sweep({}, [0.6, 0.7]).orbits))
+print(len(tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.61).orbits) > 1)
+print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [orbit.apex], most_strides=2)[0]["strides"][0])
+print(tdmf_slip.dead_beat(orbit, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
+"""
+    done = run_without(PARTS, program)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split() == ["+0-", "+0-0+", "2", "True", "2", "True"]
