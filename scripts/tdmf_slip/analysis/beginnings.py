@@ -49,7 +49,7 @@ def beginnings(order: Order, first: Orbit, unit: Unit) -> Iterator[Place]:
     runner = first.runner
     shares = evenly(RUNNERS, len(order.free))
     varied = {
-        name: _spread(runner, unit, name, np.ascontiguousarray(row))
+        name: around(runner, unit, name, np.ascontiguousarray(row))
         for name, row in zip(order.free, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
@@ -71,8 +71,25 @@ def beginnings(order: Order, first: Orbit, unit: Unit) -> Iterator[Place]:
             continue
 
 
-def _spread(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values of a parameter: by factors of its own or, where that is zero, about it."""
+def around(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values of a parameter: by factors of its own or, where that is zero, about it.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose.
+    unit : Unit
+        Whose range of the parameter holds.
+    name : str
+        Of the parameter or input.
+    shares : ndarray of float
+        From 0 to 1, of the way from the least value to the greatest.
+
+    Returns
+    -------
+    ndarray of float
+        In the unit's unit.
+    """
     variable, value = unit.variables[name], runner.values[name]
     if value:
         values = value * FACTOR ** (2.0 * shares - 1.0)
@@ -80,7 +97,8 @@ def _spread(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) 
         reach = FROM_ZERO * scale_of(runner, variable.unit)
         low, high = max(-reach, variable.minimum), min(reach, variable.maximum)
         values = low + shares * (high - low)
-    return np.clip(values, variable.minimum, variable.maximum)
+    clipped: NDArray[np.float64] = np.clip(values, variable.minimum, variable.maximum)
+    return clipped
 
 
 def _gap(quantities: NDArray[np.float64], ordered: NDArray[np.float64]) -> float:

@@ -1,12 +1,16 @@
 """The command `fit`: a runner fitted to measured gaits."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
 from ..errors import InputError
 from ..files.whole import check_place
-from ..fitting.fitted import fit
+from ..fitting.fitted import MOST_STARTS, STARTS, fit
+from ..fitting.result import Fit
+from ..fitting.without import LeftOut
+from ..terminal.text import table
 from ..unit.unit import load
 from .options import (
     FRICTION_OPTION,
@@ -15,6 +19,7 @@ from .options import (
     PARAMETERS_OPTION,
     SET_OPTION,
     Command,
+    Number,
     values_given,
 )
 from .output import json_text
@@ -34,6 +39,35 @@ from .runner import runner_of
     metavar="NAMES",
     help="Parameters to be found of which each row has its own value, as in hip.stance_torque.",
 )
+@click.option(
+    "--prior",
+    "priors",
+    multiple=True,
+    metavar="NAME=VALUE,ERROR",
+    help="What is known of a parameter beside the data: its value and standard error, as in "
+    "leg.free_length=0.95,0.02. One that is not among --free is fitted, too. Repeatable.",
+)
+@click.option(
+    "--robust", is_flag=True, help="Huber's loss instead of squares: data that are far off change little."
+)
+@click.option(
+    "--scale-errors",
+    is_flag=True,
+    help="The errors are known but for a common factor, which the residuals tell.",
+)
+@click.option(
+    "--linear", is_flag=True, help="Intervals by slopes alone instead of the profile likelihood: quicker."
+)
+@click.option(
+    "--starts",
+    type=Number(1, MOST_STARTS, whole=True),
+    default=STARTS,
+    show_default=True,
+    help="How many fits are made at the most, from gaits all over what is free.",
+)
+@click.option(
+    "--without-each", is_flag=True, help="Also the shared parameters without one datum, for each datum."
+)
 @FRICTION_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
@@ -52,6 +86,12 @@ def fit_command(
     file: Path,
     free: str | None,
     free_each: str | None,
+    priors: tuple[str, ...],
+    robust: bool,
+    scale_errors: bool,
+    linear: bool,
+    starts: int,
+    without_each: bool,
     friction: float | None,
     settings: tuple[str, ...],
     parameters: str | None,
@@ -81,16 +121,73 @@ def fit_command(
 
         check_place(report, fit_page.FORMATS, "--report")
     runner = runner_of(unit, parameters, values_given(friction, settings), model)
-    found = fit(file, names, free_each=each, runner=runner, show_progress=True, unit=unit)
+    found = fit(
+        file,
+        names,
+        free_each=each,
+        priors=_priors(priors),
+        runner=runner,
+        robust=robust,
+        scale_errors=scale_errors,
+        profile=not linear,
+        starts=starts,
+        show_progress=True,
+        unit=unit,
+    )
+    left_out = found.without_each() if without_each else ()
     if plot is not None:
         from ..pictures import fit_diagram
 
         fit_diagram.draw(plot, found)
     if report is not None:
         fit_page.write(report, found)
-    print(json_text(found.as_json()) if as_json_object else found.as_text())
+    if as_json_object:
+        print(
+            json_text(found.as_json() | ({"without": [_left(one) for one in left_out]} if left_out else {}))
+        )
+    else:
+        print("\n\n".join([found.as_text(), *([_left_text(found, left_out)] if left_out else [])]))
     if not found.converged:
         raise SystemExit(1)
+
+
+def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:
+    """Of --prior.
+
+    Raises
+    ------
+    InputError
+        One is not of the form NAME=VALUE,ERROR, or given twice.
+    """
+    priors: dict[str, tuple[str, float]] = {}
+    for text in given:
+        name, _, pair = (part.strip() for part in text.partition("="))
+        value, _, error = (part.strip() for part in pair.partition(","))
+        if name in priors:
+            raise InputError(f"--prior {text}: {name} is given twice; allowed: once")
+        try:
+            priors[name] = value, float(error)
+        except ValueError:
+            raise InputError(f"--prior {text}: allowed: NAME=VALUE,ERROR") from None
+    return priors
+
+
+def _left(one: LeftOut) -> dict[str, object]:
+    """A datum that is left out, and the shared parameters without it, as a plain object."""
+    shared = {of.label: of.value for of in one.fit.estimates if of.label == of.name}
+    return {"row": one.row, "quantity": one.name, "parameters": shared, "chi_square": one.fit.chi_square}
+
+
+def _left_text(found: Fit, left_out: Sequence[LeftOut]) -> str:
+    """A row for each datum: by how many of their standard errors shared parameters move without it."""
+    labels = [of.label for of in found.estimates if of.label == of.name]
+    header = ("without", "of row", *(f"{label} moves by errors" for label in labels), "chi square")
+    rows = []
+    for one in left_out:
+        moved = one.shifts(found)
+        cells = (f"{moved[label]:+.2f}" for label in labels)
+        rows.append((one.name, str(one.row), *cells, f"{one.fit.chi_square:.4g}"))
+    return table(header, rows)
 
 
 def _names(given: str | None) -> list[str]:

@@ -73,7 +73,7 @@ class Across:
                 return np.full(problem.count + self._apexes.size, np.inf)
             closing = WEIGHT * stride.left_over / problem.runner.scales
             parts += [problem.over_errors(stride.quantities, number), closing]
-        return np.concatenate(parts)
+        return np.concatenate([*parts, problem.off_priors(values)])
 
     def jacobian(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
         """Of the residuals.
@@ -97,6 +97,8 @@ class Across:
             first = len(problem.parameters) + number * width
             block[:, first : first + width] = weighted[:, :width] * self._steps
             blocks.append(np.roll(block, -width, axis=0))
+        of_priors = problem.slopes_of_priors()
+        blocks.append(np.hstack([of_priors, np.zeros((len(of_priors), self._apexes.size))]))
         return np.vstack(blocks)
 
 

@@ -1,13 +1,15 @@
 """Runners fitted to measured gaits, by least squares over the errors with exact Jacobians."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.search import find_orbit, runner_by
+from ..checks import checked_whole
 from ..errors import InputError, RunError
 from ..given import row_of
 from ..library.members import check_varied
@@ -18,15 +20,20 @@ from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .across import cross
-from .identifiability import identified
+from .concluded import Conclusion, is_met
+from .kinks import past_kinks
 from .measurements import Measurements, measurements_of
-from .problem import FIRST_STEP, MOST_STRIDES, Problem, bounds_of
-from .result import QUANTILE, UNLIKELY, Estimate, Fit, Residual
+from .priors import PriorGiven, checked_priors
+from .problem import Problem, bounds_of
+from .profile import BetterFitError
+from .request import Request
+from .result import Fit
+from .search import Bounds, Ended, searched
+from .starts import starts as starts_of
 
-MOST_STEPS = 200
-"""Tries of the search."""
-CHANGE = 1e-9
-"""Of the sum of squares, of the unknowns, and of the slope: where the search ends."""
+STARTS, MOST_STARTS = 1, 100
+AGAIN = 3
+"""Fits that are begun anew where a profile has led to a better one."""
 
 
 def fit(
@@ -34,18 +41,24 @@ def fit(
     free: Sequence[str],
     *,
     free_each: Sequence[str] = (),
+    priors: Mapping[str, PriorGiven] | None = None,
     runner: Runner | Mapping[str, Given] | None = None,
     guess: Apex | None = None,
     model: str | None = None,
+    robust: bool = False,
+    scale_errors: bool = False,
+    profile: bool | Sequence[str] = True,
+    starts: int = STARTS,
     show_progress: bool = False,
     unit: Unit | None = None,
 ) -> Fit:
     """The runner whose gaits are nearest to measured ones, with the confidence of its parameters.
 
     The sum of the squared residuals over their errors is made least by SciPy's `least_squares`, with the
-    exact derivatives of the gaits. Intervals are of 95 % confidence, linear in the parameters, and of the
-    normal distribution: the errors of the data are taken as known standard errors, and are not scaled to the
-    residuals. A search that has made `problem.MOST_STRIDES` strides ends where it is, and a note says so.
+    exact derivatives of the gaits. Intervals are of 95 % confidence, by the profile likelihood: a parameter
+    is held, all others are fitted anew, and the interval ends where the sum of squares has risen by 3.84. The
+    errors of the data are taken as known standard errors, unless `scale_errors` says that their ratios alone
+    are known. A search that has made `problem.MOST_STRIDES` strides ends where it is, and a note says so.
 
     Parameters
     ----------
@@ -57,6 +70,10 @@ def fit(
         values that the runner has.
     free_each : sequence of str, optional
         Names of those of which each row has its own value, as what a runner changes to run faster.
+    priors : mapping of str to pair of float, optional
+        What is known beside the data: value and standard error of parameters that all rows share, in the
+        unit's units. One that is not among `free` is an assumed constant: it begins with this value, is
+        fitted, too, and so its uncertainty is in all intervals.
     runner : Runner or mapping of str to float, optional
         What is not free: a runner, or start values by the unit's names and in its units, over the unit's own.
     guess : sequence of float, optional
@@ -64,6 +81,17 @@ def fit(
         the runner settles on, else that near its start values.
     model : str, optional
         `full` or `reduced`, as in `find_orbit`.
+    robust : bool, default False
+        Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that a
+        datum that is far off changes little.
+    scale_errors : bool, default False
+        The errors are known but for a common factor, which is told by the residuals: intervals are wider by
+        the root of chi square over the degrees of freedom, and by Student's quantile.
+    profile : bool or sequence of str, default True
+        Whether intervals are by the profile likelihood; or of which parameters, by name. Others have linear
+        ones, which are those of the normal distribution.
+    starts : int, default 1
+        How many fits are made at the most, from gaits all over what is free, of which the best counts.
     show_progress : bool, default False
         A count of strides on stderr.
     unit : Unit, optional
@@ -93,17 +121,37 @@ def fit(
     """
     measurements = measurements_of(data)
     shared, each = _checked_names(free, "free"), _checked_names(free_each, "free_each")
-    _check_names(shared, each, measurements)
-    first = _first(runner_by(Runner.of(runner, unit), model), guess, unit)
-    variables = load(unit).variables
-    ranges = {name: (variables[name].minimum, variables[name].maximum) for name in (*shared, *each)}
+    loaded = load(unit)
+    known = checked_priors(priors, each, loaded)
+    begun = runner_by(Runner.of(runner, unit), model)
+    for prior in known:
+        if prior.name not in shared:
+            begun, shared = begun.but(prior.name, prior.value), (*shared, prior.name)
+    _check_names(shared, each, measurements, len(known))
+    profiled = _profiled(profile, (*shared, *each))
+    request = Request(
+        measurements=measurements,
+        shared=shared,
+        each=each,
+        priors=known,
+        robust=bool(robust),
+        scale_errors=bool(scale_errors),
+        profiled=profiled,
+        starts=checked_whole("starts", starts, 1, MOST_STARTS),
+        ranges={
+            name: (loaded.variables[name].minimum, loaded.variables[name].maximum)
+            for name in (*shared, *each)
+        },
+    )
+    if scale_errors and request.degrees_of_freedom < 1:
+        raise InputError(
+            "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "
+            "factor; allowed: more data, or errors that are known"
+        )
+    first = _first(begun, guess, unit)
     with progress.bar("fit", None, "strides", show_progress) as bar:
-        problem = Problem(first, measurements, shared, each, bar.update)
-        bounds = bounds_of(problem, ranges)
-        found = _searched(problem, np.zeros(len(problem.parameters)), bounds)
-        if problem.happenings.lost and not problem.is_spent and not _is_met(found, measurements.count):
-            found = _crossed(problem, found, bounds)
-        return _fit_of(problem, measurements, found)
+        others = starts_of(first, measurements, (*shared, *each), loaded) if request.starts > 1 else iter(())
+        return fitted_from(request, first, islice(others, request.starts - 1), bar.update)
 
 
 def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
@@ -125,45 +173,117 @@ def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
             raise problem from None
 
 
-def _searched(
-    problem: Problem,
-    begin: NDArray[np.float64],
-    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
-) -> Any:
-    """What SciPy finds."""
-    from scipy.optimize import least_squares  # slow to load
+def fitted_from(
+    request: Request, first: Orbit, others: Iterator[Orbit], strides_made: Callable[[int], object]
+) -> Fit:
+    """The best fit from some gaits.
 
-    return least_squares(
-        problem.residuals,
-        begin,
-        problem.jacobian,
-        bounds=bounds,
-        method="trf",
-        x_scale=1.0,
-        ftol=CHANGE,
-        xtol=CHANGE,
-        gtol=CHANGE,
-        max_nfev=MOST_STEPS,
-    )
+    Parameters
+    ----------
+    request : Request
+        What is asked.
+    first : Orbit
+        A gait to begin with.
+    others : iterator of Orbit
+        Others.
+    strides_made : callable
+        Called with how many strides were made.
+
+    Returns
+    -------
+    Fit
+        With intervals.
+
+    Raises
+    ------
+    RunError
+        From none of them a fit could be made.
+    """
+    best, count = _begun(request, first, strides_made), 1
+    for other in others:
+        count += 1
+        try:
+            tried = _begun(request, other, strides_made)
+        except RunError:
+            continue
+        best = tried if tried[1].loss < best[1].loss else best
+    return _told(request, *best, count)
 
 
-def _is_met(found: Any, count: int) -> bool:
-    """Whether the residuals are such as come by chance."""
-    probability = _probability(2.0 * found.cost, count - len(found.x))
-    return bool(2.0 * found.cost < 1.0 if np.isnan(probability) else probability >= UNLIKELY)
+def _begun(request: Request, first: Orbit, strides_made: Callable[[int], object]) -> tuple[Problem, Ended]:
+    """A search from one gait."""
+    problem = Problem(first, request.measurements, request.shared, request.each, strides_made, request.priors)
+    return problem, _found(request, problem, np.zeros(len(problem.parameters)))
 
 
-def _crossed(problem: Problem, ended: Any, bounds: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Any:
+def concluded(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Fit:
+    """The fit from gaits that a problem has.
+
+    Parameters
+    ----------
+    request : Request
+        What is asked.
+    problem : Problem
+        With its gaits.
+    begin : ndarray of float
+        Its unknowns.
+
+    Returns
+    -------
+    Fit
+        With intervals.
+
+    Raises
+    ------
+    RunError
+        A gait has no derivatives.
+    """
+    return _told(request, problem, _found(request, problem, begin), 1)
+
+
+def _told(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
+    """With intervals; begun anew where a profile has led to a better fit."""
+    for _ in range(AGAIN):
+        try:
+            return Conclusion(request, problem, found, starts).fit()
+        except BetterFitError as better:
+            found = _found(request, problem, better.at)
+    return Conclusion(replace(request, profiled=()), problem, found, starts).fit()
+
+
+def _found(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Ended:
+    """By a search and, where it is not met, across the folds near it."""
+    bounds = bounds_of(problem, request.ranges)
+    found = searched(problem, begin, bounds, request.robust)
+    if problem.happenings.lost and not problem.is_spent and not is_met(found.loss, request):
+        found = _crossed(request, problem, found, bounds)
+    if not problem.is_spent and np.isfinite(found.loss):
+        found = past_kinks(problem, found, bounds, request.robust)
+    return found
+
+
+def _crossed(request: Request, problem: Problem, ended: Ended, bounds: Bounds) -> Ended:
     """The better of a search that has ended and of one that goes on across the folds near it."""
     apexes = problem.apexes()
-    begin = cross(problem, ended.x, bounds)
+    begin = cross(problem, ended.at, bounds)
     if begin is not None:
-        found = _searched(problem, begin, bounds)
-        if found.cost < ended.cost:
+        found = searched(problem, begin, bounds, request.robust)
+        if found.loss < ended.loss:
             problem.happenings.crossed = True
             return found
-        problem.restart(ended.x, apexes)
+        problem.restart(ended.at, apexes)
     return ended
+
+
+def _profiled(profile: object, names: Sequence[str]) -> tuple[str, ...]:
+    """Names of the parameters whose intervals are by the profile likelihood."""
+    if isinstance(profile, bool | np.bool_):
+        return tuple(names) if profile else ()
+    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of free parameters"))
+    for name in chosen:
+        if name not in names:
+            raise InputError(f"profile: {name} is not free; allowed: {', '.join(names)}")
+    return chosen
 
 
 def _checked_names(given: object, what: str) -> tuple[str, ...]:
@@ -176,7 +296,7 @@ def _checked_names(given: object, what: str) -> tuple[str, ...]:
     return names
 
 
-def _check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements) -> None:
+def _check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
     """Refuse names that are shared and not, and more of them than data."""
     both = next((name for name in shared if name in each), None)
     if both is not None:
@@ -185,95 +305,9 @@ def _check_names(shared: Sequence[str], each: Sequence[str], measurements: Measu
     wanted = len(shared) + rows * len(each)
     if not wanted:
         raise InputError("free: nothing is free; allowed: one parameter or more, shared or for each row")
-    if wanted > measurements.count:
+    if wanted > measurements.count + priors:
         many = f" and {len(each)} for each of {rows} rows" if each else ""
         raise InputError(
             f"free: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
             f"{measurements.count} measured; allowed: no more than are measured"
         )
-
-
-def _fit_of(problem: Problem, measurements: Measurements, found: Any) -> Fit:
-    """The result at the unknowns that were found."""
-    values = problem.values(found.x)
-    jacobian = found.jac if problem.is_linear_at(found.x) else problem.jacobian(found.x)
-    labels = [parameter.label for parameter in problem.parameters]
-    known = identified(jacobian / FIRST_STEP, labels, problem.scales, QUANTILE)
-    covariance = known.covariance * np.outer(problem.scales, problem.scales)
-    spreads = np.where(known.told, np.sqrt(np.diag(covariance)), np.inf)
-    residuals = _residuals(measurements, found.fun)
-    probability = _probability(float(found.fun @ found.fun), len(residuals) - len(labels))
-    return Fit(
-        measurements=measurements,
-        runners=tuple(problem.runner_of(values, row) for row in range(len(measurements.rows))),
-        apexes=tuple(problem.apexes()),
-        words=tuple(problem.words()),
-        estimates=tuple(
-            Estimate(parameter.label, parameter.name, float(value), float(spread))
-            for parameter, value, spread in zip(problem.parameters, values, spreads, strict=True)
-        ),
-        covariance=covariance,
-        unidentified=known.unidentified,
-        residuals=residuals,
-        probability=probability,
-        converged=bool(found.status > 0 and not problem.is_spent),
-        steps=int(found.nfev),
-        notes=tuple(_notes(problem, found, probability)),
-    )
-
-
-def _residuals(measurements: Measurements, over_errors: NDArray[np.float64]) -> tuple[Residual, ...]:
-    measured = [
-        (number, name, of)
-        for number, row in enumerate(measurements.rows, start=1)
-        for name, of in row.items()
-    ]
-    return tuple(
-        Residual(number, name, of.value, of.error, of.value + float(off) * of.error)
-        for (number, name, of), off in zip(measured, over_errors, strict=True)
-    )
-
-
-def _probability(chi_square: float, degrees_of_freedom: int) -> float:
-    """That the chi square distribution exceeds it."""
-    from scipy.special import gammaincc  # slow to load
-
-    if degrees_of_freedom == 0:
-        return float("nan")
-    return float(gammaincc(0.5 * degrees_of_freedom, 0.5 * chi_square))
-
-
-def _notes(problem: Problem, found: Any, probability: float) -> list[str]:
-    """What happened, and what the fit should be read with."""
-    notes = []
-    if problem.is_spent:
-        notes.append(
-            f"the search was ended after {problem.happenings.strides:,} strides ({MOST_STRIDES:,} are "
-            "allowed): its values are not the best ones; are the data in the units that their titles say?"
-        )
-    if found.status <= 0:
-        notes.append(f"the search has not ended after {found.nfev} tries: its values are not the best ones")
-    if np.isnan(probability) and 2.0 * found.cost > 1.0:
-        notes.append("the data are not met, though as many numbers are fitted as were measured")
-    if probability < UNLIKELY:
-        notes.append(
-            f"residuals as large as these come by chance with a probability of {probability:.1g}: the model "
-            "is farther from the data than their errors, and the intervals are too narrow"
-        )
-    notes += [
-        f"{parameter.label} is at the {'lower' if side < 0 else 'upper'} end of its range: its interval "
-        "does not hold"
-        for parameter, side in zip(problem.parameters, found.active_mask, strict=True)
-        if side
-    ]
-    notes += [
-        f"the word of row {row} changed on the way: {', '.join(words)}"
-        for row, words in enumerate(problem.happenings.words, start=1)
-        if len(words) > 1
-    ]
-    if problem.happenings.lost:
-        tries = f"{problem.happenings.lost} of the tries"
-        notes.append(f"{tries} led where a row has no gait, and were made shorter")
-    if problem.happenings.crossed:
-        notes.append("the search went on across a fold, where gaits turn back")
-    return notes

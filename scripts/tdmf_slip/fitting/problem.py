@@ -49,6 +49,18 @@ class Parameter:
         return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
 
 
+@dataclass(frozen=True)
+class Prior:
+    """What is known of a parameter beside the data."""
+
+    name: str
+    """Of the parameter, which all rows share."""
+    value: float
+    """In the unit's unit."""
+    error: float
+    """Its standard error, in the same unit."""
+
+
 @dataclass(frozen=True, eq=False)
 class _Place(ByContents):
     """A gait of a row and how it changes."""
@@ -83,6 +95,7 @@ class Problem:
         shared: Sequence[str],
         each: Sequence[str],
         strides_made: Callable[[int], object] = lambda count: None,
+        priors: Sequence[Prior] = (),
     ) -> None:
         """All are taken as they are; `fitted.fit` checks them.
 
@@ -96,6 +109,8 @@ class Problem:
             Parameters that all rows share, and those of which each has its own.
         strides_made : callable, optional
             Called with how many strides were made.
+        priors : sequence of Prior, optional
+            Of shared parameters, each a residual of its own behind those of the rows.
         """
         self._strides_made = strides_made
         self.runner, self.rows = first.runner, measurements.rows
@@ -113,7 +128,10 @@ class Problem:
         self.scales = scales_of(self.runner, names)[len(first.apex) :]
         self.steps = FIRST_STEP * self.scales
         self.begin = np.array([self.runner.values[name] for name in names])
-        self.count = measurements.count
+        self.priors = tuple(priors)
+        self._of_priors = [shared.index(prior.name) for prior in priors]
+        self.count = measurements.count + len(self.priors)
+        self._granted = 0
         self.happenings = Happenings(words=[[first.word] for _ in self.rows])
         start = varied_gait(self.runner, first.apex, (), self.free)
         own = np.array([self.runner.values[name] for name in self.free])
@@ -126,7 +144,11 @@ class Problem:
     @property
     def is_spent(self) -> bool:
         """Whether no further stride is to be made: the search then ends where it is."""
-        return self.happenings.strides >= MOST_STRIDES
+        return self.happenings.strides >= self._granted + MOST_STRIDES
+
+    def grant(self) -> None:
+        """As many strides once more, for what follows the search."""
+        self._granted = self.happenings.strides
 
     def count_strides(self, count: int) -> None:
         """Note strides that were made for this fit."""
@@ -166,8 +188,25 @@ class Problem:
             return np.full(self.count, np.inf)
         self._tried = np.array(unknowns), gaits
         return np.concatenate(
-            [self.over_errors(stride.quantities, row) for row, (_, stride) in enumerate(gaits)]
+            [
+                *(self.over_errors(stride.quantities, row) for row, (_, stride) in enumerate(gaits)),
+                self.off_priors(values),
+            ]
         )
+
+    def off_priors(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Parameters less what is known of them, over the errors."""
+        known = np.array([prior.value for prior in self.priors])
+        errors = np.array([prior.error for prior in self.priors])
+        off: NDArray[np.float64] = (values[self._of_priors] - known) / errors
+        return off
+
+    def slopes_of_priors(self) -> NDArray[np.float64]:
+        """Changes of these by the unknowns, in rows."""
+        slopes = np.zeros((len(self.priors), len(self.parameters)))
+        for row, (column, prior) in enumerate(zip(self._of_priors, self.priors, strict=True)):
+            slopes[row, column] = self.steps[column] / prior.error
+        return slopes
 
     def over_errors(self, quantities: NDArray[np.float64], row: int) -> NDArray[np.float64]:
         """Quantities of a row less those measured, over the errors."""
@@ -221,7 +260,7 @@ class Problem:
             block = np.zeros((len(row), len(self.parameters)))
             block[:, self.columns[number]] = varied.by_parameters
             rows.append(block / np.array([measured.error for measured in row.values()])[:, None])
-        return np.vstack(rows) * self.steps
+        return np.vstack([np.vstack(rows) * self.steps, self.slopes_of_priors()])
 
     def is_linear_at(self, unknowns: NDArray[np.float64]) -> bool:
         """Whether the Jacobian was asked for there last."""

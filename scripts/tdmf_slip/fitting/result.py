@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from statistics import NormalDist
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,10 @@ from ..terminal.text import quantity, table
 from ..unit.unit import load
 from .identifiability import Combination
 from .measurements import UNITS, Measurements
+from .request import Request
+
+if TYPE_CHECKING:
+    from .without import LeftOut
 
 CONFIDENCE = 0.95
 QUANTILE = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE)
@@ -36,17 +41,15 @@ class Estimate:
     value: float
     """In the unit's unit, as all that follows."""
     standard_error: float
-    """Infinite where the data do not tell it."""
-
-    @property
-    def low(self) -> float:
-        """Lower end of the interval of confidence."""
-        return self.value - QUANTILE * self.standard_error
-
-    @property
-    def high(self) -> float:
-        """Upper end."""
-        return self.value + QUANTILE * self.standard_error
+    """Of the linear fit; infinite where the data do not tell it."""
+    low: float
+    """Lower end of the interval of confidence."""
+    high: float
+    """Upper end."""
+    is_profiled: bool
+    """The interval is by the profile likelihood, else linear."""
+    ends_at: str
+    """What the interval ends at where it is not the likelihood: `range`, `gaits`, or both; else empty."""
 
 
 @dataclass(frozen=True)
@@ -90,12 +93,19 @@ class Fit(ByContents, Drawable):
     """What the data do not tell, or badly."""
     residuals: tuple[Residual, ...]
     """Row by row."""
+    priors: tuple[Residual, ...]
+    """What is known beside the data, by parameters' names, beside the fitted values; their rows are 0."""
     probability: float
     """That residuals as large as these come by chance; not a number where as many are fitted as measured."""
     converged: bool
-    """Whether the search ended where the sum of squares is least."""
+    """Whether the search ended where the sum of squares is least, and this is not far beyond the data's
+    errors."""
     steps: int
     """Of the search."""
+    starts: int
+    """Of how many searches this is the best."""
+    request: Request = field(repr=False)
+    """What was asked."""
     notes: tuple[str, ...] = field(default=())
     """What happened on the way, and what the fit should be read with, a sentence each."""
 
@@ -110,13 +120,13 @@ class Fit(ByContents, Drawable):
 
     @property
     def chi_square(self) -> float:
-        """The sum of the squares of the residuals over their errors."""
-        return float(sum(of.residual**2 for of in self.residuals))
+        """The sum of the squares of the residuals over their errors, those of priors among them."""
+        return float(sum(of.residual**2 for of in (*self.residuals, *self.priors)))
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Measured numbers less fitted ones."""
-        return len(self.residuals) - len(self.estimates)
+        """Measured numbers and priors less fitted numbers."""
+        return len(self.residuals) + len(self.priors) - len(self.estimates)
 
     @cached_property
     def gaits(self) -> tuple[Orbit, ...]:
@@ -130,11 +140,38 @@ class Fit(ByContents, Drawable):
         """The estimates by their labels."""
         return {estimate.label: estimate for estimate in self.estimates}
 
+    def without(self, row: int, name: str) -> "Fit":
+        """The fit to all data but one; see `without.without`.
+
+        Parameters
+        ----------
+        row : int
+            Of the datum that is left out, from 1.
+        name : str
+            Of its quantity.
+        """
+        from .without import without  # which needs this class
+
+        return without(self, row, name)
+
+    def without_each(self) -> "tuple[LeftOut, ...]":
+        """The fits without one datum each; see `without.without_each`."""
+        from .without import without_each  # which needs this class
+
+        return without_each(self)
+
     def as_json(self) -> dict[str, object]:
         """The fit as a plain object; an interval that has no end has infinite ones."""
         return {
             "parameters": {
-                e.label: {"value": e.value, "low": e.low, "high": e.high, "standard_error": e.standard_error}
+                e.label: {
+                    "value": e.value,
+                    "low": e.low,
+                    "high": e.high,
+                    "standard_error": e.standard_error,
+                    "profiled": e.is_profiled,
+                    "ends_at": e.ends_at or None,
+                }
                 for e in self.estimates
             },
             "unidentified": [combination.as_json() for combination in self.unidentified],
@@ -149,12 +186,17 @@ class Fit(ByContents, Drawable):
                 }
                 for of in self.residuals
             ],
+            "priors": [
+                {"parameter": of.name, "value": of.measured, "error": of.error, "fitted": of.fitted}
+                for of in self.priors
+            ],
             "chi_square": self.chi_square,
             "degrees_of_freedom": self.degrees_of_freedom,
             "probability": self.probability,
             "words": list(self.words),
             "converged": self.converged,
             "steps": self.steps,
+            "starts": self.starts,
             "notes": list(self.notes),
         }
 

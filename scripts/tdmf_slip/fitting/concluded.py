@@ -1,0 +1,249 @@
+"""What a search that has ended says: estimates with their intervals, what is not told, and notes."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import RunError
+from .identifiability import Identified, identified
+from .measurements import Measurements
+from .problem import FIRST_STEP, MOST_STRIDES, Parameter, Problem, bounds_of
+from .profile import End, Profile
+from .request import Request
+from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Residual
+from .search import Ended, is_stationary, weights_of
+
+FAR_OFF = 1e4
+"""Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""
+
+
+class Conclusion:
+    """What a search has come to."""
+
+    def __init__(self, request: Request, problem: Problem, found: Ended, starts: int) -> None:
+        """What was asked, the problem with its gaits, where its search ended, and the number of searches."""
+        self.request, self.problem, self.found, self.starts = request, problem, found, starts
+        is_there = problem.is_linear_at(found.at)
+        self.strides = problem.happenings.strides
+        self.is_spent = problem.is_spent
+        self.happened = replace(problem.happenings, words=[[*words] for words in problem.happenings.words])
+        problem.grant()
+        self.jacobian = problem.jacobian(found.at)
+        self.apexes, self.words = tuple(problem.apexes()), tuple(problem.words())
+        self.residuals = found.residuals if is_there else problem.residuals(found.at)
+        self.chi_square = float(self.residuals @ self.residuals)
+        self.probability = probability_of(self.chi_square, request.degrees_of_freedom)
+
+    @property
+    def converged(self) -> bool:
+        """Whether the search ended where the loss is least, and the data are not far off."""
+        return bool(
+            self.found.ended
+            and not self.is_spent
+            and self.chi_square <= FAR_OFF * len(self.residuals)
+            and (self.found.on_border or is_stationary(self.found, self.jacobian, self.request.robust))
+        )
+
+    @property
+    def scale(self) -> float:
+        """Of the errors: 1 where they are known, else the root of chi square over the degrees of freedom."""
+        if not self.request.scale_errors:
+            return 1.0
+        return float(np.sqrt(self.chi_square / self.request.degrees_of_freedom))
+
+    @property
+    def quantile(self) -> float:
+        """Standard errors to each side of a linear interval."""
+        if not self.request.scale_errors:
+            return QUANTILE
+        from scipy.special import stdtrit  # slow to load
+
+        return self.scale * float(stdtrit(self.request.degrees_of_freedom, 0.5 + 0.5 * CONFIDENCE))
+
+    def fit(self) -> Fit:
+        """All of it.
+
+        Raises
+        ------
+        BetterFitError
+            Within an interval the data are met better: the search has to go on from there.
+        """
+        problem, request = self.problem, self.request
+        values = problem.values(self.found.at)
+        labels = [parameter.label for parameter in problem.parameters]
+        weighted = weights_of(self.residuals, request.robust)[:, None] * self.jacobian
+        known = identified(weighted / FIRST_STEP, labels, problem.scales, QUANTILE)
+        covariance = self.scale**2 * known.covariance * np.outer(problem.scales, problem.scales)
+        spreads = np.where(known.told, np.sqrt(np.diag(covariance)), np.inf)
+        intervals, trouble = self._intervals(known)
+        count = request.measurements.count
+        return Fit(
+            measurements=request.measurements,
+            runners=tuple(problem.runner_of(values, row) for row in range(len(request.measurements.rows))),
+            apexes=self.apexes,
+            words=self.words,
+            estimates=tuple(
+                _estimate(parameter, float(value), float(spread), self.quantile / self.scale, interval)
+                for parameter, value, spread, interval in zip(
+                    problem.parameters, values, spreads, intervals, strict=True
+                )
+            ),
+            covariance=covariance,
+            unidentified=known.unidentified,
+            residuals=_residuals(request.measurements, self.residuals[:count]),
+            priors=tuple(
+                Residual(0, prior.name, prior.value, prior.error, prior.value + float(off) * prior.error)
+                for prior, off in zip(request.priors, self.residuals[count:], strict=True)
+            ),
+            probability=self.probability,
+            converged=self.converged,
+            steps=self.found.tries,
+            starts=self.starts,
+            request=request,
+            notes=(*self._notes(), *trouble),
+        )
+
+    def _intervals(self, known: Identified) -> tuple[list[tuple[float, float, str] | None], list[str]]:
+        """Ends of those that are by the profile likelihood, in the parameters' units; and what came of it."""
+        problem, names = self.problem, self.request.profiled
+        found: list[tuple[float, float, str] | None] = [None] * len(problem.parameters)
+        wanted = [k for k, of in enumerate(problem.parameters) if of.name in names and known.told[k]]
+        if not wanted or not self.converged:
+            return found, []
+        problem.grant()
+        profile = Profile(
+            problem,
+            self.found,
+            bounds_of(problem, self.request.ranges),
+            self.request.robust,
+            known.covariance / FIRST_STEP**2,
+            self.quantile**2,
+        )
+        linear, noted = [], []
+        for k in wanted:
+            try:
+                ends = profile.interval(k)
+            except RunError:
+                linear.append(problem.parameters[k].label)
+                continue
+            if problem.is_spent:
+                linear += [problem.parameters[other].label for other in wanted if other >= k]
+                break
+            found[k] = self._in_units(k, ends)
+            if any(end.why == "gaits" for end in ends):
+                noted.append(f"the interval of {problem.parameters[k].label} ends where no gaits are found")
+        if linear:
+            noted.append(f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}")
+        return found, noted
+
+    def _in_units(self, number: int, ends: tuple[End, End]) -> tuple[float, float, str]:
+        step, begin = self.problem.steps[number], self.problem.begin[number]
+        low, high = (float(begin + step * end.at) for end in ends)
+        return low, high, ", ".join(dict.fromkeys(end.why for end in ends if end.why))
+
+    def _notes(self) -> Iterator[str]:
+        """What happened, and what the fit should be read with."""
+        happenings, found = self.happened, self.found
+        if self.is_spent:
+            yield (
+                f"the search was ended after {self.strides:,} strides ({MOST_STRIDES:,} are "
+                "allowed): its values are not the best ones; are the data in the units that their titles say?"
+            )
+        if not found.ended:
+            yield f"the search has not ended after {found.tries} tries: its values are not the best ones"
+        elif not self.is_spent and not self.converged:
+            yield (
+                "the search ended where the sum of squares is not least, or is far too large: its values and "
+                "intervals tell nothing; begin elsewhere, by other values or more starts"
+            )
+        if np.isnan(self.probability) and self.chi_square > 1.0:
+            yield "the data are not met, though as many numbers are fitted as were measured"
+        if self.probability < UNLIKELY and not self.request.scale_errors:
+            yield (
+                f"residuals as large as these come by chance with a probability of {self.probability:.1g}: "
+                "the model is farther from the data than their errors, and the intervals are too narrow"
+            )
+        if self.request.scale_errors:
+            yield f"the errors are taken {self.scale:.3g} times as large as the data say"
+        for parameter, side in zip(self.problem.parameters, found.at_bound, strict=True):
+            if side:
+                yield f"{parameter.label} is at the {'lower' if side < 0 else 'upper'} end of its range"
+        for row, words in enumerate(happenings.words, start=1):
+            if len(words) > 1:
+                yield f"the word of row {row} changed on the way: {', '.join(words)}"
+        if found.on_border:
+            yield "the sum of squares is least on a border between words, where it has a kink"
+        if happenings.lost:
+            yield f"{happenings.lost} of the tries led where a row has no gait, and were made shorter"
+        if happenings.crossed:
+            yield "the search went on across a fold, where gaits turn back"
+
+
+def is_met(loss: float, request: Request) -> bool:
+    """Whether the residuals are such as come by chance.
+
+    Parameters
+    ----------
+    loss : float
+        The sum of their squares, or of the loss.
+    request : Request
+        Which fit.
+
+    Returns
+    -------
+    bool
+        Up to the chance `result.UNLIKELY`.
+    """
+    probability = probability_of(loss, request.degrees_of_freedom)
+    return bool(loss < 1.0 if np.isnan(probability) else probability >= UNLIKELY)
+
+
+def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
+    """That the chi square distribution exceeds a value.
+
+    Parameters
+    ----------
+    chi_square : float
+        The value.
+    degrees_of_freedom : int
+        Of the distribution.
+
+    Returns
+    -------
+    float
+        Not a number where there are no degrees of freedom.
+    """
+    from scipy.special import gammaincc  # slow to load
+
+    if degrees_of_freedom == 0:
+        return float("nan")
+    return float(gammaincc(0.5 * degrees_of_freedom, 0.5 * chi_square))
+
+
+def _estimate(
+    parameter: Parameter,
+    value: float,
+    spread: float,
+    quantile: float,
+    interval: tuple[float, float, str] | None,
+) -> Estimate:
+    """With its interval, or the linear one."""
+    if interval is None:
+        low, high, ends_at = value - quantile * spread, value + quantile * spread, ""
+    else:
+        low, high, ends_at = interval
+    return Estimate(parameter.label, parameter.name, value, spread, low, high, interval is not None, ends_at)
+
+
+def _residuals(measurements: Measurements, over_errors: NDArray[np.float64]) -> tuple[Residual, ...]:
+    measured = [
+        (number, name, of)
+        for number, row in enumerate(measurements.rows, start=1)
+        for name, of in row.items()
+    ]
+    return tuple(
+        Residual(number, name, of.value, of.error, of.value + float(off) * of.error)
+        for (number, name, of), off in zip(measured, over_errors, strict=True)
+    )

@@ -1,0 +1,64 @@
+"""What is known of parameters beside the data, checked."""
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from ..checks import is_number, shown
+from ..errors import InputError
+from ..given import mapping_of, row_of
+from ..library.members import check_varied
+from ..unit.unit import Unit
+from ..unit.variable import Given
+from .problem import Prior
+
+PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
+"""A value, also a text with its unit, and its standard error in the unit's unit."""
+
+
+def checked_priors(given: object, each: Sequence[str], unit: Unit) -> tuple[Prior, ...]:
+    """The priors of a fit.
+
+    Parameters
+    ----------
+    given : object
+        What was given as a mapping of names to values and errors, or None.
+    each : sequence of str
+        Parameters of which each row has its own.
+    unit : Unit
+        Whose ranges hold.
+
+    Returns
+    -------
+    tuple of Prior
+        In the order in which they were given.
+
+    Raises
+    ------
+    InputError
+        A name is unknown or of a parameter of each row, or a value or an error is refused.
+    """
+    priors = []
+    for name, pair in mapping_of(given, "priors", "pairs of value and standard error by name").items():
+        check_varied(name, "priors")
+        where = f"priors {name}"
+        if name in each:
+            raise InputError(f"{where}: each row has its own; allowed: a parameter that all rows share")
+        told = row_of(pair, where, "a value and its standard error")
+        if len(told) != 2:
+            raise InputError(
+                f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
+            )
+        value = float(unit.variables[name].value_of(told[0], where))
+        error = _error(told[1])
+        if error is None:
+            raise InputError(
+                f"{where}: error {shown(told[1])} is not allowed; allowed: a standard error above 0"
+            )
+        priors.append(Prior(name, value, error))
+    return tuple(priors)
+
+
+def _error(given: object) -> float | None:
+    if isinstance(given, bool) or not is_number(given):
+        return None
+    return float(given) if 0.0 < float(given) < float("inf") else None

@@ -1,0 +1,77 @@
+"""Further gaits that a fit may begin with: of runners all over what is free, those nearest to the data."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.beginnings import around
+from ..analysis.linkage import linked
+from ..analysis.settled import evenly, settled_gaits
+from ..errors import InputError, RunError
+from ..library.orbit import Orbit, orbit_near
+from ..library.quantities import plain_stride
+from ..library.runner import Runner
+from ..unit.unit import Unit
+from .measurements import Measurements
+from .search import loss_of
+
+RUNNERS = 1024
+"""Spread over what is free."""
+
+
+def starts(first: Orbit, measurements: Measurements, free: Sequence[str], unit: Unit) -> Iterator[Orbit]:
+    """Gaits to begin with, the nearest to the data first; none is near a nearer one.
+
+    Parameters
+    ----------
+    first : Orbit
+        A gait with the free parameters' own values.
+    measurements : Measurements
+        What is to be fitted.
+    free : sequence of str
+        Parameters and inputs to be found.
+    unit : Unit
+        Whose ranges hold.
+
+    Yields
+    ------
+    Orbit
+        With which all rows begin.
+    """
+    runner, shares = first.runner, evenly(RUNNERS, len(free))
+    varied = {
+        name: around(runner, unit, name, np.ascontiguousarray(row))
+        for name, row in zip(free, shares.T, strict=True)
+    }
+    found = settled_gaits(runner, varied, first.apex)
+    runners, apexes, places, losses = [], [], [], []
+    for number, apex in zip(found.numbers, found.apexes, strict=True):
+        other = runner
+        for name, row in varied.items():
+            other = other.but(name, float(row[number]))
+        loss = _loss(other, apex, measurements)
+        if loss is None:
+            continue
+        runners.append(other)
+        apexes.append(apex)
+        places.append(shares[number])
+        losses.append(loss)
+    for k in linked(np.array(places), np.array(losses)):
+        try:
+            yield orbit_near(runners[k], apexes[k])
+        except RunError:
+            continue
+
+
+def _loss(runner: Runner, apex: NDArray[np.float64], measurements: Measurements) -> float | None:
+    """Huber's, of a gait for all rows; None where its stride does not close."""
+    losses = []
+    for measured in measurements.rows:
+        try:
+            has = plain_stride(runner, apex, tuple(measured)).quantities
+        except (InputError, RunError):
+            return None
+        off = [(value - of.value) / of.error for value, of in zip(has, measured.values(), strict=True)]
+        losses.append(loss_of(np.array(off), True))
+    return sum(losses)
