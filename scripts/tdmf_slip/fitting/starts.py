@@ -10,8 +10,8 @@ from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..errors import InputError, RunError
 from ..library.orbit import Orbit, orbit_near
-from ..library.quantities import plain_stride
 from ..library.runner import Runner
+from ..library.varied_stride import plain_stride
 from ..unit.unit import Unit
 from .measurements import Measurements
 from .search import loss_of
