@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import overload
 
 import numpy as np
-from flint import arb, ctx
+from flint import acb, arb, ctx
 
 from ..checks import check_kind, checked_whole
 from ..errors import InputError
@@ -31,6 +31,10 @@ BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
 """Radii that are tried where none is asked for, in units of the coordinates' scales."""
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
+LEAST_PLACES = 16
+"""Of that box: a wider one costs as much, and eigenvalues get too few digits."""
+REFINEMENTS = 3
+"""How often the box of the enclosures is made smaller where digits are missing."""
 GUARD_BITS = 32
 
 
@@ -193,6 +197,12 @@ def bits_for(places: int) -> int:
     return round(3.33 * places) + GUARD_BITS
 
 
+def known_digits(balls: Sequence[arb | acb]) -> int:
+    """After the point, of the least exact of some numbers."""
+    worst = max(float(ball.rad()) for ball in balls)
+    return math.floor(-math.log10(worst)) if 0.0 < worst < math.inf else (MOST_DIGITS if not worst else 0)
+
+
 class _Prover:
     """One gait."""
 
@@ -205,22 +215,38 @@ class _Prover:
     def proof(self, box: Fraction | None) -> Proof:
         """With a box, or the largest that is proved."""
         smallest = 0 if box is None else math.ceil(-math.log10(box))
-        self.narrow = max(self.digits + BEYOND, smallest + 3)
-        self.fine = Fineness(bits_for(self.narrow))
+        self._work_to(max(self.digits + BEYOND, LEAST_PLACES, smallest + 3))
         tried = self._box(self.start, BOXES[0] if box is None else box)
         try:
-            near = refined(
-                self.parameters,
-                self.start,
-                self.orbit.jacobian - np.eye(6),
-                self.fine,
-                10.0 ** -(self.narrow + 1),
-            )
+            near = self._near(self.start)
             tried = self._unique(self.start if self.given else near, box)
-            return self._enclosed(tried, near)
+            return self._told(tried, near)
         except UndecidedError as problem:
             undecided = {"guard": problem.guard, "time": problem.time}
             return Proof(False, self.values, tried, self.digits, undecided=undecided)
+
+    def _work_to(self, places: int) -> None:
+        """Of the box that enclosures are from: its decimal places, and the precision for them."""
+        self.narrow, self.fine = places, Fineness(bits_for(places))
+
+    def _near(self, start: Sequence[arb]) -> list[arb]:
+        """A point near the gait."""
+        jacobian, nearness = self.orbit.jacobian - np.eye(6), 10.0 ** -(self.narrow + 1)
+        return refined(self.parameters, start, jacobian, self.fine, nearness)
+
+    def _told(self, box: Box, near: Sequence[arb]) -> Proof:
+        """With the digits that are asked for: from a smaller box where the map takes too many of them."""
+        found = self._enclosed(box, near)
+        for _ in range(REFINEMENTS):
+            missing = self.digits - known_digits([*found.apex, *found.eigenvalues])
+            if missing <= 0:
+                break
+            self._work_to(self.narrow + missing + 2)
+            try:
+                found = self._enclosed(box, self._near(near))
+            except UndecidedError:
+                break
+        return found
 
     def _box(self, centre: Sequence[arb], radius: Fraction) -> Box:
         if self.given:
