@@ -5,6 +5,7 @@ from .analysis.curve import Curve
 from .analysis.curves import continue_curves
 from .analysis.first_passage import strides_to_fall
 from .analysis.ordered import OrderNotMetError, find_gait
+from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.search import find_orbit
 from .analysis.stride_map import stride_map
 from .analysis.sweep import Sweep, sweep
@@ -53,6 +54,7 @@ __all__ = [
     "OrderNotMetError",
     "Profile",
     "Proof",
+    "RareFalls",
     "Run",
     "RunError",
     "Runner",
@@ -80,6 +82,7 @@ __all__ = [
     "prove",
     "prove_attraction",
     "prove_border",
+    "rare_falls",
     "read_parameters",
     "run_batch",
     "run_ensemble",

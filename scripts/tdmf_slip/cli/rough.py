@@ -5,7 +5,9 @@ import math
 import click
 
 from ..analysis.first_passage import MOST_RUNNERS, MOST_STRIDES, FirstPassage, strides_to_fall
+from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
+from ..errors import InputError
 from ..library.rough_ground import LARGEST, LAST_SEED
 from ..terminal.text import columns, quantity
 from ..unit.unit import Unit, load
@@ -57,6 +59,11 @@ from .runner import runner_of
     metavar="M",
     help="A runner that has made as many is still up, and counted as censored.",
 )
+@click.option(
+    "--rare",
+    is_flag=True,
+    help="By multilevel splitting, for falls that hardly ever come; without --runners and --most-strides.",
+)
 @SCHEDULER_OPTION
 @WORKERS_OPTION
 @SET_OPTION
@@ -68,6 +75,7 @@ def rough_command(
     runners: int,
     seed: int,
     most_strides: int,
+    rare: bool,
     scheduler: str | None,
     workers: int | None,
     settings: tuple[str, ...],
@@ -79,8 +87,14 @@ def rough_command(
     Runners start from the gait on level ground. Those still up at the end are censored: their strides count.
     """
     unit = load()
+    runner = runner_of(unit, parameters, values_given(friction, settings))
+    if rare:
+        _check_alone("runners", "most_strides", "scheduler", "workers")
+        split = rare_falls(runner, roughness, seed=seed, show_progress=True, unit=unit)
+        print(json_text(split.as_json()) if as_json_object else _rare_text(split, unit))
+        return
     found = strides_to_fall(
-        runner_of(unit, parameters, values_given(friction, settings)),
+        runner,
         roughness,
         runners,
         seed,
@@ -91,6 +105,33 @@ def rough_command(
         unit=unit,
     )
     print(json_text(found.as_json()) if as_json_object else _text(found, unit))
+
+
+def _check_alone(*names: str) -> None:
+    """Refuse options that --rare has no use for.
+
+    Raises
+    ------
+    InputError
+        One is given.
+    """
+    context = click.get_current_context()
+    for name in names:
+        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
+            raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
+
+
+def _rare_text(found: RareFalls, unit: Unit) -> str:
+    low, high = found.interval
+    ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
+    rows = {
+        "word": found.word,
+        "roughness": quantity(found.roughness, unit.variables["ground.height"].unit, 12),
+        "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
+        "falls": f"{found.falls}, of walkers with weights",
+        "strides": str(found.strides),
+    }
+    return columns(rows)
 
 
 def _text(found: FirstPassage, unit: Unit) -> str:

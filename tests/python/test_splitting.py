@@ -1,0 +1,156 @@
+"""Rare falls: against the eigenvalue of a transition matrix, and against waiting for them."""
+
+import numpy as np
+import pytest
+from scipy import stats
+from tdmf_slip import rare_falls, strides_to_fall
+from tdmf_slip.analysis.factors import factor_of
+from tdmf_slip.analysis.first_passage import FirstPassage
+from tdmf_slip.analysis.splitting import levels_of, rare_event, resampled
+
+
+class RimlessWheel:
+    """The wheel of Byl and Tedrake (2009) on slopes drawn anew at each step; it falls where it stops.
+
+    From leg to leg, with the angle 2 alpha between them and a slope of gamma,
+    w+^2 = cos^2(2 alpha) (w^2 + 2 g/l (cos(gamma - alpha) - cos(gamma + alpha))).
+    """
+
+    alpha, slope, gravity = np.pi / 8.0, np.radians(8.0), 9.81
+
+    def __init__(self, spread):
+        self.spread, alpha, slope, gravity = np.radians(spread), self.alpha, self.slope, self.gravity
+        drop = np.cos(slope - alpha) - np.cos(slope + alpha)
+        shrink = np.cos(2.0 * alpha) ** 2
+        self.fixed = np.sqrt(shrink * 2.0 * gravity * drop / (1.0 - shrink))
+
+    def begin(self, count):
+        return np.full((count, 1), self.fixed)
+
+    def next_speed(self, speed, slope):
+        """NaN where it stops: it does not get over the leg."""
+        energy = speed**2 + 2.0 * self.gravity * np.cos(slope - self.alpha)
+        over = np.where(slope < self.alpha, energy > 2.0 * self.gravity, True)
+        after = energy - 2.0 * self.gravity * np.cos(slope + self.alpha)
+        return np.where(
+            over & (after > 0.0), np.cos(2.0 * self.alpha) * np.sqrt(np.maximum(after, 0.0)), np.nan
+        )
+
+    def advance(self, rows, seed, time):
+        random = np.random.default_rng((seed, time))
+        after = self.next_speed(rows[:, 0], self.slope + self.spread * random.normal(size=len(rows)))
+        return after[:, None].copy(), np.isnan(after)
+
+    def score(self, rows):
+        return -rows[:, 0]
+
+    def mean_by_matrix(self, cells=500):
+        """One over one less the largest eigenvalue of the chain on cells of speed, falls left out.
+
+        w+^2/cos^2(2 alpha) = w^2 + 4 g/l sin(gamma) sin(alpha): each cell is entered by a range of slopes.
+        """
+        edges = np.linspace(0.0, 2.5 * self.fixed, cells + 1)
+        speeds = 0.5 * (edges[1:] + edges[:-1])
+        sine = (edges**2 / np.cos(2.0 * self.alpha) ** 2 - speeds[:, None] ** 2) / (
+            4.0 * self.gravity * np.sin(self.alpha)
+        )
+        slopes = np.arcsin(np.clip(sine, -1.0, 1.0))
+        stops = self.alpha - np.arccos(np.clip(1.0 - speeds**2 / (2.0 * self.gravity), -1.0, 1.0))
+        chance = stats.norm.cdf((np.maximum(slopes, stops[:, None]) - self.slope) / self.spread)
+        return 1.0 / (1.0 - np.max(np.abs(np.linalg.eigvals(np.diff(chance, axis=1)))))
+
+
+def waited(chain, count, steps, seed):
+    rows, falls = chain.begin(count), 0
+    for time in range(steps):
+        rows, met = chain.advance(rows, seed, time)
+        falls += np.count_nonzero(met)
+        rows[met] = chain.begin(np.count_nonzero(met))
+    return count * steps / falls, falls
+
+
+def by_splitting(chain, seed, keep=60, steps=120):
+    rows = chain.begin(2000)
+    for time in range(30):
+        rows, met = chain.advance(rows, 7, time)
+        rows[met] = chain.begin(np.count_nonzero(met))
+    levels = levels_of(chain.score(rows), -0.3, 14)
+    return rare_event(chain, levels, keep=keep, steps=steps, seed=seed)
+
+
+def test_the_matrix_says_what_waiting_says():
+    """So that it may judge what waiting does not reach."""
+    chain = RimlessWheel(3.0)
+    mean, falls = waited(chain, 20_000, 200, 5)
+    assert falls > 400
+    assert chain.mean_by_matrix() == pytest.approx(mean, rel=4.0 / np.sqrt(falls))
+
+
+@pytest.mark.parametrize("spread", [3.0, 2.0, 1.6])
+def test_rare_falls_of_the_rimless_wheel_are_those_of_its_transition_matrix(spread):
+    chain = RimlessWheel(spread)
+    exact, inside, seeds = chain.mean_by_matrix(), 0, range(5)
+    estimates = []
+    for seed in seeds:
+        found = by_splitting(chain, seed)
+        low, high = found.interval
+        inside += low <= exact <= high
+        estimates.append(1.0 / found.mean)
+        assert found.events >= 30
+    assert np.mean(estimates) == pytest.approx(1.0 / exact, rel=0.3)
+    assert inside >= 3
+
+
+def test_they_reach_what_waiting_does_not():
+    assert RimlessWheel(1.6).mean_by_matrix() > 1e5
+
+
+def test_resampling_keeps_weights():
+    random = np.random.default_rng(3)
+    weights, level = random.uniform(size=500), random.integers(0, 5, 500)
+    kept = np.zeros(500)
+    for _ in range(400):
+        chosen, shares = resampled(weights, level, 40, random)
+        assert shares.sum() == pytest.approx(weights.sum())
+        np.add.at(kept, chosen, shares)
+    for number in range(5):
+        here = level == number
+        assert kept[here].sum() / 400 == pytest.approx(weights[here].sum())
+    assert np.abs(kept / 400 - weights).mean() < 0.1 * weights.mean()
+
+
+def test_a_runner_falls_as_often_as_by_waiting():
+    runner = {"ground.friction": 0.6}
+    waiting = strides_to_fall(runner, 0.3, 200, seed=5, most_strides=20_000, workers=1)
+    split = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=1)
+    assert waiting.falls == 200 and split.falls >= 200
+    low, high = split.interval
+    assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low
+    again = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=2)
+    assert again == split
+
+
+def test_a_factor_from_few_falls_is_told_by_its_interval_alone():
+    many = FirstPassage("0+", 0.3, 100, 100, 18_000)
+    few = FirstPassage("+-", 0.3, 100, 4, 120_000)
+    assert str(factor_of(many, many)).startswith("1 (0.7")
+    told = str(factor_of(few, many))
+    assert "166" not in told and "too few" in told and not factor_of(few, many).is_told
+    none = factor_of(FirstPassage("+-", 0.3, 100, 0, 120_000), many)
+    assert none.interval[0] > 30.0 and none.interval[1] == np.inf and "above" in str(none)
+
+
+def test_the_interval_of_a_factor_has_its_coverage():
+    random, inside, count = np.random.default_rng(4), 0, 600
+    for _ in range(count):
+        falls = random.poisson(12.0), random.poisson(40.0)
+        one, other = (FirstPassage("0", 0.3, 1, int(n), 12_000) for n in falls)
+        low, high = factor_of(one, other).interval
+        inside += low <= 40.0 / 12.0 <= high
+    assert 0.93 * count <= inside <= 0.995 * count
+
+
+def test_the_command_splits_on_request(command):
+    arguments = ("rough", "--roughness", "0.5", "--seed", "3", "--rare")
+    status, _, said = command(*arguments, "--runners", "5")
+    assert status == 2 and "--runners" in said
