@@ -3,8 +3,6 @@
 import math
 from dataclasses import dataclass
 
-from scipy import stats
-
 from .first_passage import FirstPassage
 from .volume import CONFIDENCE
 
@@ -59,6 +57,8 @@ def factor_of(longer: FirstPassage, shorter: FirstPassage) -> Factor:
     >>> str(factor_of(FirstPassage("+-", 0.3, 100, 4, 120_000), FirstPassage("0+", 0.3, 100, 100, 18_000)))
     '69.1 to 461 (4 and 100 falls are too few for more)'
     """
+    from scipy import stats  # slow to load
+
     falls = longer.falls, shorter.falls
     tail = 0.5 * (1.0 - CONFIDENCE)
     strides = longer.strides / shorter.strides

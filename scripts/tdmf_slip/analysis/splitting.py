@@ -14,7 +14,6 @@ from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from ..contents import ByContents
 
@@ -61,6 +60,8 @@ class RareEvent(ByContents):
     @property
     def interval(self) -> tuple[float, float]:
         """Confidence interval of the mean, by Student's t on the rates of the runs; above it may be open."""
+        from scipy import stats  # slow to load
+
         count = len(self.rates)
         rate, error = float(np.mean(self.rates)), float(np.std(self.rates, ddof=1)) / math.sqrt(count)
         reach = float(stats.t.ppf(0.5 * (1.0 + CONFIDENCE), count - 1)) * error
