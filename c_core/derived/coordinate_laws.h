@@ -6,6 +6,24 @@
 
 #include <math.h>
 
+/* The leg, as flight has it. */
+typedef struct {
+    double length;
+    double angle;
+    double length_rate;
+    double angle_rate;
+} tdmf_flying;
+
+/* The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes. */
+typedef struct {
+    double x;
+    double y;
+    double vx;
+    double vy;
+    double foot_x;
+    double foot_vx;
+} tdmf_standing;
+
 /* r u and rdot u + r thetadot t, what body has more than foot; u = (-sin, cos), t = (-cos, -sin). */
 static inline tdmf_point tdmf_body_from_foot(const double state[TDMF_STATE_COUNT],
                                              tdmf_leg_direction direction) {
@@ -206,6 +224,25 @@ static inline tdmf_point tdmf_foot_over(const tdmf_ground_line *line, const doub
     return result;
 }
 
+/* The leg, as flight has it. */
+static inline tdmf_flying tdmf_flying_of(const double state[TDMF_STATE_COUNT]) {
+    const tdmf_flying result = {
+        .length = state[TDMF_LEG_LENGTH],
+        .angle = state[TDMF_LEG_ANGLE],
+        .length_rate = state[TDMF_LEG_LENGTH_RATE],
+        .angle_rate = state[TDMF_LEG_ANGLE_RATE],
+    };
+    return result;
+}
+
+/* The same, as the state has it. */
+static inline void tdmf_state_of_flying(const tdmf_flying *flying, double written[TDMF_STATE_COUNT]) {
+    written[TDMF_LEG_LENGTH] = flying->length;
+    written[TDMF_LEG_ANGLE] = flying->angle;
+    written[TDMF_LEG_LENGTH_RATE] = flying->length_rate;
+    written[TDMF_LEG_ANGLE_RATE] = flying->angle_rate;
+}
+
 /* The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes. */
 static inline tdmf_standing tdmf_standing_of(const tdmf_ground_line *line,
                                              const double state[TDMF_STATE_COUNT],
@@ -318,17 +355,6 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
 /* theta = atan2(-x, y) + sigma, of a body there as seen from the foot, in axes turned by a slope. */
 static inline double tdmf_angle_seen(double x, double y, double slope) {
     return atan2(-x, y) + slope;
-}
-
-/* L/r^2, of the momentum r^2 thetadot. */
-static inline double tdmf_angle_rate_of(double momentum, double length) {
-    return momentum / (length * length);
-}
-
-/* Its change. */
-static inline double tdmf_vary_angle_rate_of(double momentum, double length, double d_momentum,
-                                             double d_length) {
-    return (d_momentum - momentum / (length * length) * (2.0 * (length * d_length))) / (length * length);
 }
 
 #endif

@@ -92,6 +92,26 @@ def leg_rates_with_foot(state, direction, vx, vy):
     )
 
 
+def in_flight(state):
+    """The leg, as flight has it."""
+    return Record(
+        length=state.leg_length,
+        angle=state.leg_angle,
+        length_rate=state.leg_length_rate,
+        angle_rate=state.leg_angle_rate,
+    )
+
+
+def from_flight(flying):
+    """The same, as the state has it."""
+    return Record(
+        leg_length=flying.length,
+        leg_angle=flying.angle,
+        leg_length_rate=flying.length_rate,
+        leg_angle_rate=flying.angle_rate,
+    )
+
+
 def on_ground(line, state, direction):
     """The body as seen from the foot, its velocity, and the foot along the line, in the ground's axes."""
     body = body_from_foot(state, direction_over(line, direction))
@@ -121,8 +141,3 @@ def from_ground(line, at, turns):
         leg_length_rate=leg.length_rate,
         leg_angle_rate=leg.angle_rate,
     )
-
-
-def angle_rate(momentum, length):
-    """L/r^2, of the momentum r^2 thetadot."""
-    return momentum / (length * length)

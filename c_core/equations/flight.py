@@ -14,6 +14,16 @@ def start(length, angle, length_rate, angle_rate):
     return Record(length=length, angle=angle, length_rate=length_rate, momentum=length * length * angle_rate)
 
 
+def end(s):
+    """The leg where a motion leads, its turning by the momentum, which is known to one order more."""
+    return Record(
+        length=s.length,
+        angle=s.angle,
+        length_rate=s.length_rate,
+        angle_rate=s.momentum / (s.length * s.length),
+    )
+
+
 def motion(c, s, pushed):
     """vdot = r w^2 + M F_s,  Ldot = M tau,  w = L/r^2, and what the push on the body adds."""
     square = s.length * s.length

@@ -14,6 +14,12 @@ def start(x, y, vx, vy, foot_vx):
     return Record(x=x, y=y, vx=away, vy=vy, foot_vx=foot_vx, moment=angular_momentum(x, y, away, vy))
 
 
+def end(s, contact):
+    """Where a motion leads: the body's place as seen from the foot, its velocity, and the foot's."""
+    foot_vx = 0 if contact == "stick" else s.foot_vx
+    return Record(x=s.x, y=s.y, vx=s.vx + foot_vx, vy=s.vy, foot_vx=foot_vx)
+
+
 def angular_momentum(x, y, vx, vy):
     """X V - Y U = r^2 thetadot, of the body about the foot and by its mass."""
     return x * vy - y * vx

@@ -4,12 +4,12 @@
 
 #include "guard_series.h"
 #include "mode_constants.h"
-#include "motion_series.h"
+#include "motion_ends.h"
 #include "step_size.h"
 #include "step_sums.h"
 
 typedef struct {
-    real length, angle, length_rate, angle_rate;
+    flight_start leg;
     energy_sums done;
 } flight_coordinates;
 
@@ -52,10 +52,9 @@ static inline height_above fall_on(height_above from, real gravity, real elapsed
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, bool forced,
                                       int order, double tolerance, flight_series *f, real *longest) {
-    const flight_start start = {at->length, at->angle, at->length_rate, at->angle_rate};
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    expand_flight_by_case(&c->law, &start, order, forced, f);
-    *longest = longest_flight_step(&c->law, at->length, order, forced);
+    expand_flight_by_case(&c->law, &at->leg, order, forced, f);
+    *longest = longest_flight_step(&c->law, at->leg.length, order, forced);
     note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
     return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
@@ -67,14 +66,14 @@ static inline real expand_flight_step(const flight_constants *c, const flight_co
 static inline real flight_work(const flight_constants *c, const flight_coordinates *start,
                                const flight_series *f, int order, const elapsed_time *elapsed, real turned) {
     const flight_coefficients *law = &c->law;
-    real work = turned * (law->gain * (law->target - start->angle - 0.5 * turned) + law->torque);
+    real work = turned * (law->gain * (law->target - start->leg.angle - 0.5 * turned) + law->torque);
     if (any(not(law->rate_gain == 0.0))) {
         work -= law->rate_gain * integral_to(f->rate_square, elapsed, order - 1);
     }
     if (any(not(law->torque_rate == 0.0))) {
         /* By parts: the integral of t w. */
         const real t = elapsed->power[1];
-        work += law->torque_rate * (t * (start->angle + turned) - integral_to(f->angle, elapsed, order));
+        work += law->torque_rate * (t * (start->leg.angle + turned) - integral_to(f->angle, elapsed, order));
     }
     return work;
 }
@@ -82,13 +81,10 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
 /* Goes on to a time within the step. */
 static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
                           const elapsed_time *elapsed, flight_coordinates *at) {
-    const real turned = change_to(f->angle, elapsed, order);
-    at->done.work += flight_work(c, at, f, order, elapsed, turned);
+    const flight_coordinates start = *at;
+    end_flight(f, elapsed, order, &at->leg);
+    at->done.work += flight_work(c, &start, f, order, elapsed, at->leg.angle - start.leg.angle);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
-    at->length = value_at(f->length, elapsed, order);
-    at->length_rate = value_at(f->length_rate, elapsed, order);
-    at->angle += turned;
-    at->angle_rate = value_at(f->momentum, elapsed, order) / (at->length * at->length);
 }
 
 #endif

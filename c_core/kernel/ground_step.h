@@ -4,14 +4,14 @@
 
 #include "guard_series.h"
 #include "mode_constants.h"
-#include "motion_series.h"
+#include "motion_ends.h"
 #include "step_size.h"
 #include "step_sums.h"
 
 typedef struct {
-    real x, y, vx, vy;    /* of the body, its place as seen from the foot, in the ground's axes */
-    real foot_x, foot_vx; /* along the line */
-    real angle;           /* graze: theta */
+    ground_start at;
+    real foot_x; /* along the line */
+    real angle;  /* graze: theta */
     energy_sums done;
 } ground_coordinates;
 
@@ -36,9 +36,8 @@ static inline bool foot_is_free(ground_case is) {
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_ground_step(const ground_constants *c, const ground_coordinates *at, ground_case is,
                                       int order, double tolerance, ground_series *g, real *longest) {
-    const ground_start start = {at->x, at->y, at->vx, at->vy, at->foot_vx};
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
-    expand_ground(&c->law, &start, order, is, g);
+    expand_ground(&c->law, &at->at, order, is, g);
     note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1, c->mode.speed_scale);
@@ -65,14 +64,11 @@ static inline void stand_on(const ground_constants *c, const ground_series *g, g
     if (is.grazes) {
         at->angle += integral_to(g->angle_rate, elapsed, order - 1);
     }
-    at->x = value_at(g->x, elapsed, order);
-    at->y = value_at(g->y, elapsed, order);
-    at->vx = value_at(g->vx, elapsed, order);
-    at->vy = value_at(g->vy, elapsed, order);
     if (foot_is_free(is)) {
         at->foot_x += integral_to(g->foot_vx, elapsed, order);
-        at->foot_vx = value_at(g->foot_vx, elapsed, order);
-        at->vx += at->foot_vx;
+        end_ground(g, elapsed, order, &at->at);
+    } else {
+        end_stick(g, elapsed, order, &at->at);
     }
 }
 

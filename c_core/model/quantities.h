@@ -35,12 +35,6 @@ typedef struct {
     double length, angle;
 } tdmf_leg_rates;
 
-/* On the ground, in its own axes: the body as seen from the foot, its velocity, and the foot, which is where
- * the line is. */
-typedef struct {
-    double x, y, vx, vy, foot_x, foot_vx;
-} tdmf_standing;
-
 /* What an impact leaves, and what it costs. */
 typedef struct {
     double foot_x, foot_y, foot_vx, foot_vy, leg_length_rate, leg_angle_rate;

@@ -9,11 +9,8 @@
 
 static void open_flight(tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         tdmf_leg_direction direction) {
-    const tdmf_point com = tdmf_center_of_mass_along(equations->model, state, direction);
-    equations->com_x = com.x;
-    equations->com_y = com.y;
-    equations->com_vx = com.vx;
-    equations->com_vy = com.vy;
+    equations->start.flying = tdmf_flying_of(state);
+    equations->com = tdmf_center_of_mass_along(equations->model, state, direction);
 }
 
 static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
@@ -32,29 +29,22 @@ tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
     const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
     const double share = equations->model->body_share;
     const tdmf_vector rate = {share * equations->push_rate.x, share * equations->push_rate.y};
-    const tdmf_point start = {equations->com_x, equations->com_y, equations->com_vx, equations->com_vy};
-    return tdmf_ballistic_after(start, fall, rate, t);
+    return tdmf_ballistic_after(equations->com, fall, rate, t);
 }
 
 /* A leg that has wound past a half turn in flight stays wound. */
 static double turns_of(const tdmf_mode_equations *equations, double angle) {
     static const double turn = 6.283185307179586;
     const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
-    const tdmf_mode_coordinates *at = &equations->start;
+    const tdmf_standing *at = &equations->start.standing;
     const double seen = tdmf_angle_seen(at->x, at->y, equations->ground.slope);
     return seen_as_it_is ? 0.0 : turn * round((angle - seen) / turn);
 }
 
 static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         tdmf_leg_direction direction) {
-    tdmf_mode_coordinates *at = &equations->start;
-    const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, direction);
-    at->x = standing.x;
-    at->y = standing.y;
-    at->vx = standing.vx;
-    at->vy = standing.vy;
-    at->foot_x = standing.foot_x;
-    at->foot_vx = standing.foot_vx;
+    equations->start.standing = tdmf_standing_of(&equations->ground, state, direction);
+    equations->start.angle = state[TDMF_LEG_ANGLE];
     equations->turn = turns_of(equations, state[TDMF_LEG_ANGLE]);
 }
 
@@ -109,10 +99,6 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     open_laws(equations, inputs, rates, mode);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     equations->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
-    equations->start.length = state[TDMF_LEG_LENGTH];
-    equations->start.angle = state[TDMF_LEG_ANGLE];
-    equations->start.length_rate = state[TDMF_LEG_LENGTH_RATE];
-    equations->start.angle_rate = state[TDMF_LEG_ANGLE_RATE];
     equations->start.work = state[TDMF_HIP_WORK];
     equations->start.leg_work = state[TDMF_LEG_WORK];
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
@@ -138,10 +124,7 @@ void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_
     equations->place_time += elapsed * equations->place_rate;
     equations->friction += elapsed * equations->friction_rate;
     equations->static_friction += elapsed * equations->static_friction_rate;
-    equations->com_x = com.x;
-    equations->com_y = com.y;
-    equations->com_vx = com.vx;
-    equations->com_vy = com.vy;
+    equations->com = com;
     equations->rest_length += elapsed * equations->rest_length_rate;
     equations->push.x += elapsed * equations->push_rate.x;
     equations->push.y += elapsed * equations->push_rate.y;
@@ -156,10 +139,7 @@ void tdmf_end_friction(tdmf_mode_equations *equations) {
 static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, double elapsed,
                                        const tdmf_mode_coordinates *at, double state[TDMF_STATE_COUNT]) {
     const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
-    state[TDMF_LEG_LENGTH] = at->length;
-    state[TDMF_LEG_ANGLE] = at->angle;
-    state[TDMF_LEG_LENGTH_RATE] = at->length_rate;
-    state[TDMF_LEG_ANGLE_RATE] = at->angle_rate;
+    tdmf_state_of_flying(&at->flying, state);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     tdmf_set_foot(tdmf_foot_below(equations->model, com, state, direction), state);
     return direction;
@@ -168,8 +148,7 @@ static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, dou
 static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equations,
                                              const tdmf_mode_coordinates *at,
                                              double state[TDMF_STATE_COUNT]) {
-    const tdmf_standing standing = {at->x, at->y, at->vx, at->vy, at->foot_x, at->foot_vx};
-    tdmf_state_of_standing(&equations->ground, &standing, equations->turn, state);
+    tdmf_state_of_standing(&equations->ground, &at->standing, equations->turn, state);
     /* As whoever begins from the state has it, so that a run may stop at an event and go on alike. */
     return tdmf_leg_direction_of(state);
 }

@@ -11,11 +11,9 @@
 
 /* Coordinates of a runner at an instant, as its mode needs them. */
 typedef struct {
-    /* Flight: the leg. The centre of mass follows from time alone. */
-    double length, angle, length_rate, angle_rate;
-    /* On the ground, in its own axes: the body as seen from the foot, its velocity, and the foot, which is
-     * where the line is. */
-    double x, y, vx, vy, foot_x, foot_vx;
+    tdmf_flying flying;     /* flight: the leg; the centre of mass follows from time alone */
+    tdmf_standing standing; /* on the ground, in its own axes */
+    double angle;           /* on the ground: theta */
     double work, damper_loss, friction_loss;
     /* Where inputs ramp: the work of the leg, and what the external work falls short of the force now by the
      * body's way since the equations were opened. */
@@ -42,7 +40,7 @@ typedef struct {
     tdmf_vector push, push_rate;          /* of the body by the external force */
     bool is_forced;                       /* pushed, or inputs ramp that push or lengthen the leg */
     tdmf_point opened_body;               /* where forced: the body, when the equations were opened */
-    double com_x, com_y, com_vx, com_vy;  /* flight, at the start */
+    tdmf_point com;                       /* flight: the centre of mass at the start */
     double place_time, place_rate;        /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
     double positive_work, external_work;

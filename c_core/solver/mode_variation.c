@@ -6,6 +6,7 @@
 #include "coefficients.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "motion_coordinates.h"
 #include "series_sums.h"
 
 #include <math.h>
@@ -14,16 +15,9 @@
 
 static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                         const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
-    const tdmf_point com =
+    varied_mode->at.flying = tdmf_flying_of(d->state);
+    varied_mode->com =
         tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state), &d->model, d->state);
-    varied_mode->at.length = d->state[TDMF_LEG_LENGTH];
-    varied_mode->at.angle = d->state[TDMF_LEG_ANGLE];
-    varied_mode->at.length_rate = d->state[TDMF_LEG_LENGTH_RATE];
-    varied_mode->at.angle_rate = d->state[TDMF_LEG_ANGLE_RATE];
-    varied_mode->com_x = com.x;
-    varied_mode->com_y = com.y;
-    varied_mode->com_vx = com.vx;
-    varied_mode->com_vy = com.vy;
 }
 
 static void flight_variation_of_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
@@ -31,13 +25,8 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
                                       double d_state[TDMF_STATE_COUNT]) {
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     const tdmf_point center = tdmf_center_of_mass_along(model, state, direction);
-    const tdmf_point d_center = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx,
-                                 varied_mode->com_vy};
-    d_state[TDMF_LEG_LENGTH] = varied_mode->at.length;
-    d_state[TDMF_LEG_ANGLE] = varied_mode->at.angle;
-    d_state[TDMF_LEG_LENGTH_RATE] = varied_mode->at.length_rate;
-    d_state[TDMF_LEG_ANGLE_RATE] = varied_mode->at.angle_rate;
-    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, direction, &d->model, d_center, d_state),
+    tdmf_state_of_flying(&varied_mode->at.flying, d_state);
+    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, direction, &d->model, varied_mode->com, d_state),
                   d_state);
 }
 
@@ -51,61 +40,40 @@ static tdmf_vector vary_fall(const tdmf_mode_equations *equations, const tdmf_ch
 static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
                            const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
     const tdmf_vector d_fall = vary_fall(step->equations, change);
-    varied_mode->at.length = series_at(tangent->length, step->order, t);
-    varied_mode->at.length_rate = series_at(tangent->length_rate, step->order, t);
-    varied_mode->at.angle = series_at(tangent->angle, step->order, t);
-    /* From the momentum r^2 w, which is known to one order more than w. */
-    varied_mode->at.angle_rate =
-        tdmf_vary_angle_rate_of(series_at(step->series.flight.momentum, step->order, t),
-                                series_at(step->series.flight.length, step->order, t),
-                                series_at(tangent->momentum, step->order, t), varied_mode->at.length);
+    flight_start end;
+    vary_end_flight(&step->series.flight, tangent, step->order, t, &end);
+    set_flight(&end, &varied_mode->at.flying);
     varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
     const tdmf_mode_equations *equations = step->equations;
     const tdmf_vector none = {0.0, 0.0};
-    const tdmf_point start = {equations->com_x, equations->com_y, equations->com_vx, equations->com_vy};
-    const tdmf_point d_start = {varied_mode->com_x, varied_mode->com_y, varied_mode->com_vx,
-                                varied_mode->com_vy};
-    const tdmf_point d_com = tdmf_vary_ballistic_after(
-        start, tdmf_fall_of_center(equations->model, equations->push), none, t, d_start, d_fall, none, 0.0);
-    varied_mode->com_x = d_com.x;
-    varied_mode->com_y = d_com.y;
-    varied_mode->com_vx = d_com.vx;
-    varied_mode->com_vy = d_com.vy;
+    varied_mode->com =
+        tdmf_vary_ballistic_after(equations->com, tdmf_fall_of_center(equations->model, equations->push),
+                                  none, t, varied_mode->com, d_fall, none, 0.0);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
 static void open_ground(const tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
                         const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
-    const tdmf_standing d_standing = tdmf_vary_standing_of(
-        &equations->ground, state, tdmf_leg_direction_of(state), &d->mode.ground, d->state);
-    varied_mode->at.x = d_standing.x;
-    varied_mode->at.y = d_standing.y;
-    varied_mode->at.vx = d_standing.vx;
-    varied_mode->at.vy = d_standing.vy;
-    varied_mode->at.foot_x = d_standing.foot_x;
-    varied_mode->at.foot_vx = d_standing.foot_vx;
+    varied_mode->at.standing = tdmf_vary_standing_of(&equations->ground, state, tdmf_leg_direction_of(state),
+                                                     &d->mode.ground, d->state);
 }
 
 static void ground_variation_of_state(const tdmf_mode_equations *equations,
                                       const double state[TDMF_STATE_COUNT], const tdmf_direction *d,
                                       const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_mode_coordinates *at = &varied_mode->at;
     const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, tdmf_leg_direction_of(state));
-    const tdmf_standing d_standing = {at->x, at->y, at->vx, at->vy, at->foot_x, at->foot_vx};
     tdmf_vary_state_of_standing(&equations->ground, &standing, equations->turn, state, &d->mode.ground,
-                                &d_standing, d_state);
+                                &varied_mode->at.standing, d_state);
 }
 
 static void advance_ground(const tdmf_step *step, double t, const ground_variation *tangent,
                            tdmf_mode_variation *varied_mode) {
-    varied_mode->at.x = series_at(tangent->x, step->order, t);
-    varied_mode->at.y = series_at(tangent->y, step->order, t);
-    varied_mode->at.foot_vx = series_at(tangent->foot_vx, step->order, t);
-    varied_mode->at.vx = series_at(tangent->vx, step->order, t) + varied_mode->at.foot_vx;
-    varied_mode->at.vy = series_at(tangent->vy, step->order, t);
-    varied_mode->at.foot_x += series_integral(tangent->foot_vx, step->order, t);
+    ground_start end;
+    vary_end_ground(&step->series.ground, tangent, step->order, t, &end);
+    set_ground(&end, &varied_mode->at.standing);
+    varied_mode->at.standing.foot_x += series_integral(tangent->foot_vx, step->order, t);
     varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
 }
 
@@ -148,8 +116,8 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         flight_variation *flight = &tangent->flight;
         const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
         const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
-        const flight_start varied_start = {at->length, at->angle, at->length_rate, at->angle_rate};
-        const flight_start start = {from->length, from->angle, from->length_rate, from->angle_rate};
+        const flight_start varied_start = flight_start_of(&at->flying);
+        const flight_start start = flight_start_of(&from->flying);
         vary_flight_by_case(&coefficients, &start, &step->series.flight, &varied, &varied_start, order,
                             step->equations->is_forced, flight);
         add_sizes(flight->length, scales->length, order, sizes);
@@ -160,8 +128,8 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         ground_variation *ground = &tangent->ground;
         const ground_coefficients coefficients = tdmf_ground_coefficients(step->equations);
         const ground_coefficients varied = tdmf_vary_ground_coefficients(step->equations, mode, &d);
-        const ground_start varied_start = {at->x, at->y, at->vx, at->vy, at->foot_vx};
-        const ground_start start = {from->x, from->y, from->vx, from->vy, from->foot_vx};
+        const ground_start varied_start = ground_start_of(&at->standing);
+        const ground_start start = ground_start_of(&from->standing);
         vary_ground(&coefficients, &start, &step->series.ground, &varied, &varied_start, order,
                     tdmf_step_ground_case(step), ground);
         add_sizes(ground->x, scales->length, order, sizes);

@@ -8,7 +8,7 @@
 
 typedef struct {
     tdmf_mode_coordinates at;
-    double com_x, com_y, com_vx, com_vy; /* in flight */
+    tdmf_point com; /* in flight */
     double liftoff_angle, place_time, leg_work;
     tdmf_stance_variation stance;
 } tdmf_mode_variation;

@@ -291,9 +291,12 @@ static void go_on(integration *integration, double elapsed, const tdmf_mode_coor
 }
 
 static bool are_finite(const tdmf_mode_coordinates *c) {
-    return is_finite(c->length + c->angle + c->length_rate + c->angle_rate + c->x + c->y + c->vx + c->vy +
-                     c->foot_x + c->foot_vx + c->work + c->damper_loss + c->friction_loss + c->leg_work +
-                     c->shortfall);
+    double coordinates[sizeof *c / sizeof(double)], sum = 0.0;
+    memcpy(coordinates, c, sizeof coordinates);
+    for (size_t i = 0; i < sizeof coordinates / sizeof coordinates[0]; ++i) {
+        sum += coordinates[i];
+    }
+    return is_finite(sum);
 }
 
 /* By the law of a mode that is opened. Slip and graze may be over before it matters. */
@@ -337,7 +340,7 @@ static void note_rise(integration *integration) {
     tdmf_mode *mode = &integration->motion->mode;
     const double threshold = TDMF_DEAD_BAND * integration->model->scales.speed;
     if (integration->inputs_ramp && mode->contact == TDMF_CONTACT_FLIGHT && !mode->rises) {
-        mode->rises = integration->equations.com_vy > threshold;
+        mode->rises = integration->equations.com.vy > threshold;
     }
 }
 

@@ -207,11 +207,11 @@ static place_integral integrate_body_in_flight(const tdmf_step *step, double t) 
         along[k] = product(f->length, f->cosine, k);
     }
     const place_integral integral = {
-        t * (equations->com_x +
-             t * (equations->com_vx / 2.0 + t * (fall.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
+        t * (equations->com.x +
+             t * (equations->com.vx / 2.0 + t * (fall.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
             rest * series_integral(across, order, t),
-        t * (equations->com_y +
-             t * (equations->com_vy / 2.0 + t * (fall.y / 6.0 + t * share * equations->push_rate.y / 24.0))) +
+        t * (equations->com.y +
+             t * (equations->com.vy / 2.0 + t * (fall.y / 6.0 + t * share * equations->push_rate.y / 24.0))) +
             rest * series_integral(along, order, t),
     };
     return integral;
@@ -225,8 +225,8 @@ static place_integral integrate_body_on_ground(const tdmf_step *step, double t) 
         foot_way[k + 1] = g->foot_vx[k] * series_reciprocal[k + 1];
     }
     const tdmf_ground_line *ground = &step->equations->ground;
-    const double along = t * step->equations->start.foot_x + series_integral(foot_way, step->order, t) +
-                         series_integral(g->x, step->order, t);
+    const double along = t * step->equations->start.standing.foot_x +
+                         series_integral(foot_way, step->order, t) + series_integral(g->x, step->order, t);
     const double off = series_integral(g->y, step->order, t);
     const place_integral integral = {
         ground->cosine * along - ground->sine * off,

@@ -5,6 +5,7 @@
 #include "constant_laws.h"
 #include "friction.h"
 #include "ground_line.h"
+#include "motion_coordinates.h"
 
 static mode_constants mode_constants_of(const tdmf_model *model, double margin_factor) {
     const mode_constants constants = {
@@ -22,14 +23,15 @@ static mode_constants mode_constants_of(const tdmf_model *model, double margin_f
 }
 
 static height_above height_over(const tdmf_ground_line *line, const tdmf_mode_equations *equations) {
-    const height_above height = {tdmf_height_over(line, equations->com_x, equations->com_y),
-                                 tdmf_velocity_off(line, equations->com_vx, equations->com_vy)};
+    const tdmf_point com = equations->com;
+    const height_above height = {tdmf_height_over(line, com.x, com.y),
+                                 tdmf_velocity_off(line, com.vx, com.vy)};
     return height;
 }
 
 ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
     const double share = equations->model->body_share;
-    ballistic com = {.ground = height_over(&equations->ground, equations), .rise_rate = equations->com_vy};
+    ballistic com = {.ground = height_over(&equations->ground, equations), .rise_rate = equations->com.vy};
     if (equations->ground_waits) {
         com.new_ground = height_over(&equations->new_ground, equations);
     }
@@ -90,18 +92,16 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
 }
 
 flight_coordinates tdmf_step_flight_coordinates(const tdmf_mode_coordinates *at) {
-    const flight_coordinates coordinates = {at->length,
-                                            at->angle,
-                                            at->length_rate,
-                                            at->angle_rate,
+    const flight_coordinates coordinates = {flight_start_of(&at->flying),
                                             {at->work, at->damper_loss, at->friction_loss}};
     return coordinates;
 }
 
 ground_coordinates tdmf_step_ground_coordinates(const tdmf_mode_coordinates *at) {
-    const ground_coordinates coordinates = {
-        at->x,      at->y,       at->vx,    at->vy,
-        at->foot_x, at->foot_vx, at->angle, {at->work, at->damper_loss, at->friction_loss}};
+    const ground_coordinates coordinates = {ground_start_of(&at->standing),
+                                            at->standing.foot_x,
+                                            at->angle,
+                                            {at->work, at->damper_loss, at->friction_loss}};
     return coordinates;
 }
 
@@ -112,20 +112,13 @@ static void set_sums(tdmf_mode_coordinates *at, const energy_sums *done) {
 }
 
 void tdmf_step_set_flight(tdmf_mode_coordinates *at, const flight_coordinates *flight) {
-    at->length = flight->length;
-    at->angle = flight->angle;
-    at->length_rate = flight->length_rate;
-    at->angle_rate = flight->angle_rate;
+    set_flight(&flight->leg, &at->flying);
     set_sums(at, &flight->done);
 }
 
 void tdmf_step_set_ground(tdmf_mode_coordinates *at, const ground_coordinates *ground) {
-    at->x = ground->x;
-    at->y = ground->y;
-    at->vx = ground->vx;
-    at->vy = ground->vy;
-    at->foot_x = ground->foot_x;
-    at->foot_vx = ground->foot_vx;
+    set_ground(&ground->at, &at->standing);
+    at->standing.foot_x = ground->foot_x;
     at->angle = ground->angle;
     set_sums(at, &ground->done);
 }

@@ -54,10 +54,10 @@ static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_mode_
     assert_true(shifted.friction_rate == later.friction_rate);
     assert_true(shifted.static_friction_rate == later.static_friction_rate);
     if (runner->mode.contact == TDMF_CONTACT_FLIGHT) {
-        assert_close(shifted.com_x, later.com_x, 1e-13 * scales->length);
-        assert_close(shifted.com_y, later.com_y, 1e-13 * scales->length);
-        assert_close(shifted.com_vx, later.com_vx, 1e-13 * scales->speed);
-        assert_close(shifted.com_vy, later.com_vy, 1e-13 * scales->speed);
+        assert_close(shifted.com.x, later.com.x, 1e-13 * scales->length);
+        assert_close(shifted.com.y, later.com.y, 1e-13 * scales->length);
+        assert_close(shifted.com.vx, later.com.vx, 1e-13 * scales->speed);
+        assert_close(shifted.com.vy, later.com.vy, 1e-13 * scales->speed);
     }
 }
 

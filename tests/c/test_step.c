@@ -13,8 +13,8 @@ static bool is_a_leg(const tdmf_mode_equations *equations) {
     const tdmf_mode_coordinates *at = &equations->start;
     const tdmf_parameters *p = &equations->model->parameters;
     const bool flies = equations->contact == TDMF_CONTACT_FLIGHT;
-    const double length = flies ? at->length : hypot(at->x, at->y);
-    return length > p->leg.min_length && length < 4.0 * p->leg.free_length && (flies || at->y > 0.0);
+    const double length = flies ? at->flying.length : hypot(at->standing.x, at->standing.y);
+    return length > p->leg.min_length && length < 4.0 * p->leg.free_length && (flies || at->standing.y > 0.0);
 }
 
 static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations, int order,
@@ -43,15 +43,16 @@ static double off(double actual, double expected, double start, double scale) {
 }
 
 /* The largest of the errors of the coordinates of a mode, in its scales. */
-static double error_of(const tdmf_mode_equations *from, const tdmf_mode_coordinates *a,
-                       const tdmf_mode_coordinates *b) {
+static double error_of(const tdmf_mode_equations *from, const tdmf_mode_coordinates *reached,
+                       const tdmf_mode_coordinates *exact) {
     const tdmf_scales *scales = &from->model->scales;
-    const tdmf_mode_coordinates *start = &from->start;
     if (from->contact == TDMF_CONTACT_FLIGHT) {
+        const tdmf_flying *a = &reached->flying, *b = &exact->flying, *start = &from->start.flying;
         return fmax(fmax(off(a->length, b->length, 0.0, scales->length), off(a->angle, b->angle, 0.0, 1.0)),
                     fmax(off(a->length_rate, b->length_rate, start->length_rate, scales->speed),
                          off(a->angle_rate, b->angle_rate, start->angle_rate, 1.0 / scales->time)));
     }
+    const tdmf_standing *a = &reached->standing, *b = &exact->standing, *start = &from->start.standing;
     return fmax(
         fmax(off(a->x, b->x, 0.0, scales->length), off(a->y, b->y, 0.0, scales->length)),
         fmax(off(a->vx, b->vx, start->vx, scales->speed), off(a->vy, b->vy, start->vy, scales->speed)));

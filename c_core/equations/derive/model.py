@@ -11,9 +11,10 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from .. import hip, leg
+from .. import coordinates, hip, leg
 from ..events import EVENTS
 from .c import comment, header, struct
+from .motions import members
 from .values import Function, given
 
 TYPES = {
@@ -27,7 +28,7 @@ TYPES = {
     "contact": "tdmf_contact_mode",
     "force": "tdmf_ground_force",
     "acceleration": "tdmf_leg_rates",
-    **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing")},
+    **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "fall", "jerk", "foot"), "tdmf_vector"),
     **dict.fromkeys(("upright", "sticks"), "bool"),
@@ -91,11 +92,12 @@ coordinate
     tdmf_point foot_below = coordinates.foot_below
     tdmf_leg_rates leg_rates_with_foot = coordinates.leg_rates_with_foot | only
     tdmf_point foot_over = coordinates.foot_over_ground | only
+    tdmf_flying flying_of = coordinates.in_flight | only
+    void state_of_flying = coordinates.from_flight | only
     tdmf_standing standing_of = coordinates.on_ground
     void state_of_standing(line, standing, turns) =
         coordinates.from_ground(line, standing, turns) | value state
     double angle_seen = coordinates.angle_seen | only
-    double angle_rate_of = coordinates.angle_rate
 dynamics
     tdmf_vector acceleration_of_foot = dynamics.foot_acceleration
     tdmf_leg_rates acceleration_of_leg = dynamics.leg_acceleration
@@ -116,7 +118,13 @@ for event in (event for event in EVENTS if event.law is not None):
 for event in (event for event in EVENTS if callable(event.jump)):
     FUNCTIONS += f"    void {event.name}_jump = events.{event.jump.__name__}\n"
 STRUCTS = {"constant": "coefficients.h", "guard": "evaluation.h"}
-RECORDS = {"hip": (comment(hip.law_of.__doc__) + struct("tdmf_hip_law", vars(hip.law_of())),)}
+RECORDS = {
+    "hip": (comment(hip.law_of.__doc__) + struct("tdmf_hip_law", vars(hip.law_of())),),
+    "coordinate": tuple(
+        comment(law.__doc__) + struct(name, members(law))
+        for name, law in (("tdmf_flying", coordinates.in_flight), ("tdmf_standing", coordinates.on_ground))
+    ),
+}
 LINE = re.compile(r"(\w+) (\w+)(?:\((.*)\))? = (\w+)\.(\w+)(?:(\(.*\)))?(?: \| (value|only) ?(\w*))?")
 
 
