@@ -6,20 +6,22 @@ from dataclasses import dataclass
 from ..contents import ByContents
 from ..library.orbit import Orbit
 from ..library.quantities import known_quantities, quantities_of
+from ..library.scales import scale_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum beside bounds."""
-NEVER_NEGATIVE = (
-    "slip_distance",
-    "greatest_slip_velocity",
-    "friction_loss",
-    "positive_hip_work",
-    "positive_leg_work",
-    "positive_work",
-    "positive_cost_of_transport",
-    "squared_torque",
-)
-"""Quantities of which no gait has less than zero."""
+NEVER_NEGATIVE = {
+    "slip_distance": "m",
+    "greatest_slip_velocity": "m/s",
+    "friction_loss": "J",
+    "positive_hip_work": "J",
+    "positive_leg_work": "J",
+    "positive_work": "J",
+    "positive_cost_of_transport": "1",
+}
+"""Quantities of which no gait has less than zero, with their units."""
+NONE = 1e-9
+"""Over the runner's scale: as little counts as zero."""
 
 
 def told(orbit: Orbit) -> dict[str, float]:
@@ -82,7 +84,9 @@ class Optimum(ByContents):
         Searches from many starts prove nothing of the rest. False only where no gait can have less, as of a
         slip of zero.
         """
-        return not (self.is_least and self.objective in NEVER_NEGATIVE and self.value <= 0.0)
+        if not self.is_least or self.objective not in NEVER_NEGATIVE:
+            return True
+        return self.value > NONE * scale_of(self.gait.runner, NEVER_NEGATIVE[self.objective])
 
     @property
     def value(self) -> float:
