@@ -16,6 +16,8 @@ ROOTS = ("tdmf_slip.h", "ensemble.h")
 """Headers that bring in all others."""
 MODULE = "tdmf_slip.library.declarations"
 
+TOLD = "The library's public headers, as cffi reads them; made when the package is built."
+
 
 def declarations(headers):
     """The public headers in the order of their inclusion, without what is for a preprocessor."""
@@ -49,6 +51,8 @@ def main():
     ffi.set_source(MODULE, None)
     ffi.cdef(declarations(arguments.headers))
     ffi.emit_python_code(str(arguments.output))
+    made = arguments.output.read_text(encoding="utf-8")
+    arguments.output.write_text(f'"""{TOLD}"""\n\n{made}', encoding="utf-8")
 
 
 if __name__ == "__main__":
