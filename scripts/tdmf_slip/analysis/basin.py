@@ -181,6 +181,15 @@ def basin(
         An unknown axis, the file holds another slice, the gait is unstable, or the law does not keep it.
     RunError
         There is no gait.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tdmf_slip
+    >>> axes, ranges = ("com_height", "com_speed"), (np.linspace(1.2, 1.6, 3), np.linspace(0.9, 1.2, 3))
+    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, ranges, workers=1)
+    >>> print(fates["fate"].shape, fates.attrs["settled_share"])
+    (3, 3) 1.0
     """
     unit, runner = load(unit), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")

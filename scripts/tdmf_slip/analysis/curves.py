@@ -67,6 +67,14 @@ def continue_curves(
         No such parameter, a value that is not allowed, or a range without length.
     RunError
         There is no gait to begin with.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> over = {"ground.friction": (0.45, 0.55), "leg.damping": (0.19, 0.21)}
+    >>> curves = tdmf_slip.continue_curves({}, over, most_points=5)
+    >>> print({curve.kind for curve in curves})
+    {'word border'}
     """
     unit = load(unit)
     runner = Runner.of(runner, unit)

@@ -148,6 +148,13 @@ def sweep(
         A value is refused, or there is no such parameter.
     RunError
         There is no gait at any of them; the message tells of the first.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gaits = tdmf_slip.sweep({}, [0.7, 0.6, 0.45, 0.43])
+    >>> print([orbit.word for orbit in gaits.orbits])
+    ['+0-0+', '+0-0+', '+0-', '+0-']
     """
     runner = Runner.of(runner)
     check_varied(over, "over")

@@ -118,6 +118,14 @@ def place_poles(
         As `dead_beat`; or other eigenvalues.
     RunError
         The stride has no derivatives.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> law = tdmf_slip.place_poles(gait, ["hip.touchdown_angle", "hip.stance_torque"], [0.5, -0.2, 0.01])
+    >>> print(law.eigenvalues[:3].real.round(6))
+    [ 0.5  -0.2   0.01]
     """
     from scipy.signal import place_poles as place  # slow to load
 
@@ -174,6 +182,14 @@ def lqr(
         unstable in a mode that cannot be moved.
     RunError
         The stride has no derivatives.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> law = tdmf_slip.lqr(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+    >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
+    [0.857 0.372] [0.467 0.113]
     """
     model = linearize(orbit, settings, unit=unit)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)

@@ -120,6 +120,16 @@ def run_ensemble(
     ------
     InputError
         An array of another shape, or a value that is not allowed.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> faster = gait.apex.copy()
+    >>> faster[1] *= 1.1
+    >>> ends, work = tdmf_slip.run_ensemble([gait.runner], [gait.apex, faster], most_strides=20)
+    >>> print(ends["strides"], ends["apex"][:, 1].round(3))
+    [20 20] [1.063 1.068]
     """
     given = row_of(rows_of(cases), "cases", "one or more cases in a list")
     if not len(given):

@@ -156,6 +156,13 @@ def validate(
     ------
     RunError
         A gait was not found.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> validation = tdmf_slip.validate()
+    >>> print(validation.passed)
+    True
     """
     unit = load(unit)
     parameters = read_parameters("paper")

@@ -87,6 +87,13 @@ def prove_attraction(gait: Given = None) -> Attraction:
         A value or a name is refused.
     RunError
         No gait was found.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> ball = tdmf_slip.prove_attraction({"ground.friction": 0.6})
+    >>> print(ball.proved, f"{ball.radius:.1e}")
+    True 4.1e-08
     """
     orbit, values = gait_of(gait)
     if not orbit.stable:

@@ -133,6 +133,13 @@ def prove_border(
         A value or a name is refused.
     RunError
         There is no gait beside it.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> border = tdmf_slip.sweep({}, [0.3, 0.25]).borders[0]
+    >>> tdmf_slip.prove_border(border).proved
+    True
     """
     check_varied(vary, "vary")
     digits = checked_whole("digits", digits, 5, MOST_DIGITS)

@@ -102,6 +102,13 @@ def run_batch(
     ------
     InputError
         An empty table, rows with different names, or a value that is not allowed.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> runs = tdmf_slip.run_batch([{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, workers=1)
+    >>> print(runs["speed"].values.round(3), runs["fallen"].values)
+    [1.062 1.051] [False False]
     """
     unit = load(unit)
     unit.require_interface(interface)

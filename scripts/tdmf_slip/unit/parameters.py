@@ -46,6 +46,13 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     ------
     InputError
         Neither, unreadable, or not such a file.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> human = tdmf_slip.read_parameters("human")
+    >>> print(human["body.mass"], human["leg.stiffness"])
+    75.1 20500.0
     """
     check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
     path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)

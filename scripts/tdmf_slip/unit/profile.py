@@ -226,6 +226,14 @@ def simulate_over(
         Something given is not allowed, by this package or by the unit.
     RunError
         The unit failed.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> steps = tdmf_slip.Profile.random_steps(count=10, tread=7.0, roughness=0.02, seed=1, begin=20.0)
+    >>> rows = tdmf_slip.simulate_over(steps, strides=2)
+    >>> print(rows["stride.count"][-1], rows["status.fallen"][-1])
+    2 False
     """
     unit = load(unit)
     starts = unit.start_values(start_values, "start values")

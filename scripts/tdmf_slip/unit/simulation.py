@@ -92,6 +92,13 @@ def simulate(
         Something given is not allowed, by this package or by the unit; nothing was run.
     RunError
         The unit or FMPy failed, or the strides did not come about.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
+    >>> print(run.stride["word"], run.stride["count"], run.fallen)
+    +0- 3 False
     """
     unit = load(unit)
     starts = unit.start_values(start_values, "start values")

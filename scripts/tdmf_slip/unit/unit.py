@@ -49,6 +49,12 @@ def fmu_path(fmi: int = 2) -> Path:
     ------
     InputError
         There is no such file, or no unit for that version.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> print(tdmf_slip.fmu_path().name, tdmf_slip.fmu_path(fmi=3).name)
+    TDMF_SLIP.fmu TDMF_SLIP_FMI3.fmu
     """
     if not is_number(fmi) or fmi not in FILES:
         raise InputError(f"fmi = {shown(fmi)} is not allowed; allowed: {', '.join(map(str, FILES))}")
@@ -228,6 +234,13 @@ def load(path: Path | str | Unit | None = None) -> Unit:
         There is no such file.
     RunError
         The file is no usable FMU.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> friction = tdmf_slip.load().variables["ground.friction"]
+    >>> print(friction.start, friction.minimum, friction.description)
+    0.6 0.0 Coefficient of friction of foot and ground, mu
     """
     if isinstance(path, Unit):
         return path

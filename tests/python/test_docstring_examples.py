@@ -1,0 +1,38 @@
+"""The examples in docstrings of what users call first: each has one, and each prints what it says."""
+
+import doctest
+import inspect
+import os
+
+import matplotlib.pyplot as plt
+import pytest
+import tdmf_slip
+
+FUNCTIONS = {
+    name: getattr(tdmf_slip, name)
+    for name in tdmf_slip.__all__
+    if inspect.isfunction(getattr(tdmf_slip, name))
+}
+WITH_EXAMPLE = {name for name, thing in FUNCTIONS.items() if ">>>" in (inspect.getdoc(thing) or "")}
+OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+LONG = {"continue_curves", "prove", "prove_attraction", "prove_border", "validate", "pareto_front"}
+"""They take a minute or more; `TDMF_SLIP_LONG=1` runs them."""
+
+
+def test_every_function_has_an_example():
+    assert len(FUNCTIONS) > 20 and set(FUNCTIONS) - WITH_EXAMPLE == set()
+
+
+@pytest.mark.parametrize("name", sorted(WITH_EXAMPLE))
+def test_an_example_prints_what_it_says(name, tmp_path, monkeypatch):
+    if name in LONG and os.environ.get("TDMF_SLIP_LONG") != "1":
+        pytest.skip("takes a minute or more")
+    if name.startswith("prove"):
+        pytest.importorskip("flint", reason="NOT TESTED: examples of proofs, python-flint is missing")
+    monkeypatch.chdir(tmp_path)
+    found = doctest.DocTestFinder(recurse=False).find(FUNCTIONS[name], name, globs={})
+    (example,) = found
+    said = []
+    results = doctest.DocTestRunner(optionflags=OPTIONS).run(example, out=said.append)
+    plt.close("all")
+    assert results.attempted > 0 and results.failed == 0, "".join(said)
