@@ -100,7 +100,8 @@ def test_the_package_itself_pins_nothing():
 
 def test_scripts_install_python_packages_by_hash_only():
     text = "".join(
-        (ROOT / "scripts" / name).read_text() for name in ("setup.sh", "run", "test", "release", "site")
+        (ROOT / "scripts" / name).read_text()
+        for name in ("setup.sh", "run", "test", "check", "release", "site")
     )
     calls = re.findall(r"pip install .*", text.replace("\\\n", " "))
     assert len(calls) == 2
