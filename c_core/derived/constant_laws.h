@@ -50,11 +50,14 @@ tdmf_vary_flight_coefficients_of(const tdmf_model *model, const tdmf_hip_law *la
     return result;
 }
 
-/* Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes. */
+/* Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes.
+ *
+ * `friction` has the sign of the foot's velocity; `excess` and `fading` tell how it falls with speed. */
 static inline ground_coefficients tdmf_ground_coefficients_of(const tdmf_model *model,
                                                               const tdmf_ground_line *line,
                                                               const tdmf_hip_law *law, double rest_length,
-                                                              tdmf_vector push, double friction) {
+                                                              tdmf_vector push, double friction,
+                                                              double excess, double fading) {
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double y = push.y - model->parameters.gravity;
     const ground_coefficients result = {
@@ -70,6 +73,8 @@ static inline ground_coefficients tdmf_ground_coefficients_of(const tdmf_model *
         .torque = law->torque,
         .torque_rate = law->torque_rate,
         .friction = friction,
+        .excess = excess,
+        .fading = fading,
     };
     return result;
 }
@@ -77,11 +82,14 @@ static inline ground_coefficients tdmf_ground_coefficients_of(const tdmf_model *
 /* Its change. */
 static inline ground_coefficients tdmf_vary_ground_coefficients_of(
     const tdmf_model *model, const tdmf_ground_line *line, const tdmf_hip_law *law, double rest_length,
-    tdmf_vector push, double friction, const tdmf_model *d_model, const tdmf_ground_line *d_line,
-    const tdmf_hip_law *d_law, double d_rest_length, tdmf_vector d_push, double d_friction) {
+    tdmf_vector push, double friction, double excess, double fading, const tdmf_model *d_model,
+    const tdmf_ground_line *d_line, const tdmf_hip_law *d_law, double d_rest_length, tdmf_vector d_push,
+    double d_friction, double d_excess, double d_fading) {
     (void)law;
     (void)rest_length;
     (void)friction;
+    (void)excess;
+    (void)fading;
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
@@ -102,6 +110,8 @@ static inline ground_coefficients tdmf_vary_ground_coefficients_of(
         .torque = d_law->torque,
         .torque_rate = d_law->torque_rate,
         .friction = d_friction,
+        .excess = d_excess,
+        .fading = d_fading,
     };
     return result;
 }

@@ -12,6 +12,8 @@ typedef struct {
     real inverse_foot_mass;
     real foot_weight_x;
     real foot_weight_y;
+    real excess;
+    real fading;
     real rest_length;
     real gravity_x;
     real gravity_y;
@@ -47,6 +49,10 @@ typedef struct {
     real friction_power[SERIES_TERMS];
     real foot_acceleration[SERIES_TERMS];
     real friction_force[SERIES_TERMS];
+    real exponent[SERIES_TERMS];
+    real decay[SERIES_TERMS];
+    real share[SERIES_TERMS];
+    real coefficient[SERIES_TERMS];
     real angle_rate[SERIES_TERMS];
     real axial_y[SERIES_TERMS];
 } ground_series;
@@ -69,6 +75,9 @@ typedef struct {
     real normal_force[SERIES_TERMS];
     real foot_acceleration[SERIES_TERMS];
     real friction_force[SERIES_TERMS];
+    real exponent[SERIES_TERMS];
+    real share[SERIES_TERMS];
+    real coefficient[SERIES_TERMS];
 } ground_variation;
 
 /* What a motion starts with. */

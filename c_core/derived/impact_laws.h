@@ -12,7 +12,8 @@
 static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const tdmf_inputs *inputs,
                                                  const tdmf_ground_line *line,
                                                  const double state[TDMF_STATE_COUNT],
-                                                 tdmf_leg_direction direction, double sign, bool sticks) {
+                                                 tdmf_leg_direction direction, double sign, bool sticks,
+                                                 bool falls) {
     if (sticks) {
         const double place =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
@@ -30,25 +31,60 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
         };
         return result;
     }
+    if (falls) {
+        const double place =
+            line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+        const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+        const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
+        const double taken = inputs->ground.friction * -off;
+        const double left = sign * along - taken;
+        const double along_after =
+            sign * ((left + model->parameters.ground.stribeck_velocity *
+                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
+                        ? (left + model->parameters.ground.stribeck_velocity *
+                                      log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                            exp(-left / model->parameters.ground.stribeck_velocity)))
+                        : 0.0);
+        const double vx = line->cosine * along_after;
+        const double vy = line->sine * along_after;
+        const double lost_y = state[TDMF_FOOT_VY] - vy;
+        const double lost_x = state[TDMF_FOOT_VX] - vx;
+        const tdmf_after_impact result = {
+            .foot_x = line->cosine * place,
+            .foot_y = line->height + line->sine * place,
+            .foot_vx = vx,
+            .foot_vy = vy,
+            .leg_length_rate =
+                state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x),
+            .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] -
+                              (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH],
+            .loss = 0.5 * (model->parameters.foot.mass *
+                           ((along - along_after) * (along + along_after) + off * off)),
+        };
+        return result;
+    }
     const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after = along + sign * inputs->ground.friction * off;
-    const double vx = line->cosine * along_after;
-    const double vy = line->sine * along_after;
-    const double lost_y = state[TDMF_FOOT_VY] - vy;
-    const double lost_x = state[TDMF_FOOT_VX] - vx;
+    const double foot_vx = line->cosine * (along + sign * inputs->ground.friction * off);
+    const double foot_vy = line->sine * (along + sign * inputs->ground.friction * off);
     const tdmf_after_impact result = {
         .foot_x = line->cosine * place,
         .foot_y = line->height + line->sine * place,
-        .foot_vx = vx,
-        .foot_vy = vy,
-        .leg_length_rate =
-            state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x),
-        .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] -
-                          (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH],
-        .loss =
-            0.5 * (model->parameters.foot.mass * ((along - along_after) * (along + along_after) + off * off)),
+        .foot_vx = foot_vx,
+        .foot_vy = foot_vy,
+        .leg_length_rate = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * (state[TDMF_FOOT_VY] - foot_vy) -
+                                                          direction.sine * (state[TDMF_FOOT_VX] - foot_vx)),
+        .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] - (direction.cosine * (state[TDMF_FOOT_VX] - foot_vx) +
+                                                        direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
+                                                           state[TDMF_LEG_LENGTH],
+        .loss = 0.5 *
+                (model->parameters.foot.mass * ((along - (along + sign * inputs->ground.friction * off)) *
+                                                    (along + (along + sign * inputs->ground.friction * off)) +
+                                                off * off)),
     };
     return result;
 }
@@ -57,7 +93,7 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
 static inline tdmf_after_impact
 tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *line,
                       const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, double sign,
-                      bool sticks, const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                      bool sticks, bool falls, const tdmf_model *d_model, const tdmf_inputs *d_inputs,
                       const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT]) {
     if (sticks) {
         const double place =
@@ -96,6 +132,97 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
         };
         return result;
     }
+    if (falls) {
+        const double place =
+            line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+        const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+                               line->cosine * d_state[TDMF_FOOT_X] +
+                               (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                                line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
+        const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+        const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
+        const double taken = inputs->ground.friction * -off;
+        const double left = sign * along - taken;
+        const double along_after =
+            sign * ((left + model->parameters.ground.stribeck_velocity *
+                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
+                        ? (left + model->parameters.ground.stribeck_velocity *
+                                      log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                            exp(-left / model->parameters.ground.stribeck_velocity)))
+                        : 0.0);
+        const double d_along =
+            -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+            (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
+        const double d_off =
+            -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
+            (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
+        const double d_taken = d_inputs->ground.friction * -off + inputs->ground.friction * -d_off;
+        const double d_left = sign * d_along - d_taken;
+        const double d_along_after =
+            sign * ((left + model->parameters.ground.stribeck_velocity *
+                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
+                        ? (d_left +
+                           (d_model->parameters.ground.stribeck_velocity *
+                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity)) +
+                            model->parameters.ground.stribeck_velocity *
+                                ((-(-d_model->parameters.ground.static_friction_ratio *
+                                        expm1(-taken / model->parameters.ground.stribeck_velocity) +
+                                    -(model->parameters.ground.static_friction_ratio - 1.0) *
+                                        ((expm1(-taken / model->parameters.ground.stribeck_velocity) + 1.0) *
+                                         ((-d_taken - -taken / model->parameters.ground.stribeck_velocity *
+                                                          d_model->parameters.ground.stribeck_velocity) /
+                                          model->parameters.ground.stribeck_velocity))) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity) +
+                                  -(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                    expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      (exp(-left / model->parameters.ground.stribeck_velocity) *
+                                       ((-d_left - -left / model->parameters.ground.stribeck_velocity *
+                                                       d_model->parameters.ground.stribeck_velocity) /
+                                        model->parameters.ground.stribeck_velocity))) /
+                                 (-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                    expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                      exp(-left / model->parameters.ground.stribeck_velocity) +
+                                  1.0))))
+                        : 0.0);
+        const double d_vx = -line->sine * d_line->slope * along_after + line->cosine * d_along_after;
+        const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
+        const double vy = line->sine * along_after;
+        const double lost_y = state[TDMF_FOOT_VY] - vy;
+        const double d_lost_y = d_state[TDMF_FOOT_VY] - d_vy;
+        const double vx = line->cosine * along_after;
+        const double lost_x = state[TDMF_FOOT_VX] - vx;
+        const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
+        const tdmf_after_impact result = {
+            .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
+            .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
+            .foot_vx = d_vx,
+            .foot_vy = d_vy,
+            .leg_length_rate =
+                d_state[TDMF_LEG_LENGTH_RATE] +
+                (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.cosine * d_lost_y -
+                 (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.sine * d_lost_x)),
+            .leg_angle_rate =
+                d_state[TDMF_LEG_ANGLE_RATE] -
+                (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.cosine * d_lost_x +
+                 (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.sine * d_lost_y) -
+                 (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH] *
+                     d_state[TDMF_LEG_LENGTH]) /
+                    state[TDMF_LEG_LENGTH],
+            .loss = 0.5 * (d_model->parameters.foot.mass *
+                               ((along - along_after) * (along + along_after) + off * off) +
+                           model->parameters.foot.mass *
+                               ((d_along - d_along_after) * (along + along_after) +
+                                (along - along_after) * (d_along + d_along_after) + 2.0 * (off * d_off))),
+        };
+        return result;
+    }
     const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
                            line->cosine * d_state[TDMF_FOOT_X] +
@@ -103,43 +230,53 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                             line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after = along + sign * inputs->ground.friction * off;
     const double d_along =
         -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_off =
         -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_along_after =
-        d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off);
-    const double d_vx = -line->sine * d_line->slope * along_after + line->cosine * d_along_after;
-    const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
-    const double vy = line->sine * along_after;
-    const double lost_y = state[TDMF_FOOT_VY] - vy;
-    const double d_lost_y = d_state[TDMF_FOOT_VY] - d_vy;
-    const double vx = line->cosine * along_after;
-    const double lost_x = state[TDMF_FOOT_VX] - vx;
-    const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
+    const double d_foot_vx =
+        -line->sine * d_line->slope * (along + sign * inputs->ground.friction * off) +
+        line->cosine *
+            (d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off));
+    const double d_foot_vy =
+        line->cosine * d_line->slope * (along + sign * inputs->ground.friction * off) +
+        line->sine *
+            (d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off));
+    const double foot_vy = line->sine * (along + sign * inputs->ground.friction * off);
+    const double foot_vx = line->cosine * (along + sign * inputs->ground.friction * off);
     const tdmf_after_impact result = {
         .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
         .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
-        .foot_vx = d_vx,
-        .foot_vy = d_vy,
-        .leg_length_rate =
-            d_state[TDMF_LEG_LENGTH_RATE] +
-            (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.cosine * d_lost_y -
-             (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.sine * d_lost_x)),
+        .foot_vx = d_foot_vx,
+        .foot_vy = d_foot_vy,
+        .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
+                           (-direction.sine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VY] - foot_vy) +
+                            direction.cosine * (d_state[TDMF_FOOT_VY] - d_foot_vy) -
+                            (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VX] - foot_vx) +
+                             direction.sine * (d_state[TDMF_FOOT_VX] - d_foot_vx))),
         .leg_angle_rate = d_state[TDMF_LEG_ANGLE_RATE] -
-                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.cosine * d_lost_x +
-                           (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.sine * d_lost_y) -
-                           (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH] *
-                               d_state[TDMF_LEG_LENGTH]) /
+                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VX] - foot_vx) +
+                           direction.cosine * (d_state[TDMF_FOOT_VX] - d_foot_vx) +
+                           (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VY] - foot_vy) +
+                            direction.sine * (d_state[TDMF_FOOT_VY] - d_foot_vy)) -
+                           (direction.cosine * (state[TDMF_FOOT_VX] - foot_vx) +
+                            direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
+                               state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_LENGTH]) /
                               state[TDMF_LEG_LENGTH],
-        .loss = 0.5 *
-                (d_model->parameters.foot.mass * ((along - along_after) * (along + along_after) + off * off) +
-                 model->parameters.foot.mass *
-                     ((d_along - d_along_after) * (along + along_after) +
-                      (along - along_after) * (d_along + d_along_after) + 2.0 * (off * d_off))),
+        .loss = 0.5 * (d_model->parameters.foot.mass *
+                           ((along - (along + sign * inputs->ground.friction * off)) *
+                                (along + (along + sign * inputs->ground.friction * off)) +
+                            off * off) +
+                       model->parameters.foot.mass *
+                           ((d_along - (d_along + (sign * d_inputs->ground.friction * off +
+                                                   sign * inputs->ground.friction * d_off))) *
+                                (along + (along + sign * inputs->ground.friction * off)) +
+                            (along - (along + sign * inputs->ground.friction * off)) *
+                                (d_along + (d_along + (sign * d_inputs->ground.friction * off +
+                                                       sign * inputs->ground.friction * d_off))) +
+                            2.0 * (off * d_off))),
     };
     return result;
 }

@@ -63,8 +63,8 @@ KERNEL void begin_slip_sums(const ground_series *s, int i, slip_sums *sum, slip_
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
- * next. */
+ * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+ * From coefficient k of the states to the next. */
 KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by, int k, const slip_sums *sum,
                            ground_series *s) {
     integrate(s->x, k, s->vx[k]);
@@ -238,8 +238,8 @@ KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
- * next. */
+ * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+ * From coefficient k of the states to the next. */
 KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turning_factors *by, int k,
                                    const slip_turning_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);

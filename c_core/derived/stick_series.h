@@ -55,8 +55,8 @@ KERNEL void begin_stick_sums(const ground_series *s, int i, stick_sums *sum, sti
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
- * next. */
+ * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+ * From coefficient k of the states to the next. */
 KERNEL void expand_stick_on(const ground_coefficients *c, const stick_factors *by, int k,
                             const stick_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);
@@ -210,8 +210,8 @@ KERNEL void begin_stick_turning_sums(const ground_series *s, int i, stick_turnin
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze. From coefficient k of the states to the
- * next. */
+ * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+ * From coefficient k of the states to the next. */
 KERNEL void expand_stick_turning_on(const ground_coefficients *c, const stick_turning_factors *by, int k,
                                     const stick_turning_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);

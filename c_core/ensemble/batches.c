@@ -27,12 +27,14 @@ typedef struct {
     choice live;
     int runner_in[LANES]; /* or EMPTY */
     int count;
+    int fields; /* of a member; those of one kind of motion have the same */
     int waiting[RUNNERS];
     int waiting_count;
 } batch;
 
 typedef struct {
     batch batches[BATCH_COUNT];
+    int seldom; /* runners in others than the usual ones */
     union {
         flight_series flight;
         ground_series ground;
@@ -48,8 +50,10 @@ typedef struct {
 } integration;
 
 static void wait_in(integration *integration, int index) {
-    batch *batch = &integration->batches[tdmf_runner_batch(&integration->runners[index])];
+    const batch_kind kind = tdmf_runner_batch(&integration->runners[index]);
+    batch *batch = &integration->batches[kind];
     batch->waiting[batch->waiting_count++] = index;
+    integration->seldom += kind >= BATCH_USUAL;
 }
 
 /* Puts the next start that runs in a runner's place. */
@@ -82,8 +86,8 @@ static void fill_lanes(integration *integration, batch *batch) {
     for (int lane = 0; lane < LANES; ++lane) {
         if (batch->runner_in[lane] == EMPTY && batch->waiting_count > 0) {
             batch->runner_in[lane] = batch->waiting[--batch->waiting_count];
-            const int count = tdmf_runner_load(&integration->runners[batch->runner_in[lane]], fields);
-            write_lane(&batch->members, lane, fields, count);
+            batch->fields = tdmf_runner_load(&integration->runners[batch->runner_in[lane]], fields);
+            write_lane(&batch->members, lane, fields, batch->fields);
             batch->live[lane] = -1;
             ++batch->count;
         }
@@ -95,10 +99,10 @@ static void fill_lanes(integration *integration, batch *batch) {
     while (batch->runner_in[occupied] == EMPTY) {
         ++occupied;
     }
-    read_lane(&batch->members, occupied, fields, MEMBER_FIELDS);
+    read_lane(&batch->members, occupied, fields, batch->fields);
     for (int lane = 0; lane < LANES; ++lane) {
         if (batch->runner_in[lane] == EMPTY) {
-            write_lane(&batch->members, lane, fields, MEMBER_FIELDS);
+            write_lane(&batch->members, lane, fields, batch->fields);
         }
     }
 }
@@ -122,6 +126,7 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     const double tolerance = integration->tolerance;
     const ground_case sticks = {.turns = true}, sticks_and_coasts = {.turns = false};
     const ground_case slips = {.slips = true, .turns = true}, slips_and_coasts = {.slips = true};
+    const ground_case slips_and_falls = {.slips = true, .turns = true, .falls = true};
     const ground_case grazes = {.grazes = true, .turns = true};
     const flight_case falls = {.rising = false}, climbs = {.rising = true};
     const flight_case retracts = {.rising = true, .retracts = true};
@@ -160,12 +165,16 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     case BATCH_SLIP_AND_COAST:
         return step_standing(&batch->members.standing, batch->live, slips_and_coasts, order, tolerance,
                              ground);
+    case BATCH_FALLING_SLIP:
+        return step_standing(&batch->members.standing, batch->live, slips_and_falls, order, tolerance,
+                             ground);
     default:
         return step_standing(&batch->members.standing, batch->live, grazes, order, tolerance, ground);
     }
 }
 
-static void empty_lane(integration *integration, batch *batch, int lane, const lane_outcome *outcome) {
+static void empty_lane(integration *integration, batch_kind kind, int lane, const lane_outcome *outcome) {
+    batch *batch = &integration->batches[kind];
     double fields[CHANGING_FIELDS];
     const int index = batch->runner_in[lane];
     tdmf_runner *runner = &integration->runners[index];
@@ -182,6 +191,7 @@ static void empty_lane(integration *integration, batch *batch, int lane, const l
     batch->runner_in[lane] = EMPTY;
     batch->live[lane] = 0;
     --batch->count;
+    integration->seldom -= kind >= BATCH_USUAL;
     if (goes_on) {
         wait_in(integration, index);
     } else {
@@ -190,7 +200,7 @@ static void empty_lane(integration *integration, batch *batch, int lane, const l
 }
 
 static bool in_flight(batch_kind kind) {
-    return kind < BATCH_STICK || kind >= BATCH_PLACE_AND_RISE;
+    return kind < BATCH_STICK || (kind >= BATCH_PLACE_AND_RISE && kind <= BATCH_RETRACT_FORCED_AND_WAIT);
 }
 
 /* The series of one lane that are looked at, in the order in which they are noted. */
@@ -198,7 +208,7 @@ static void read_series(const integration *integration, batch_kind kind, int lan
                         double to[TDMF_NOTED_SERIES][SERIES_TERMS]) {
     const flight_series *f = &integration->series.flight;
     const ground_series *g = &integration->series.ground;
-    const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST;
+    const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST || kind == BATCH_FALLING_SLIP;
     const real *const of_flight[] = {f->momentum, f->angle, f->rate_square, f->push_moment};
     const real *const of_ground[] = {g->normal_force, slips ? g->friction_force : g->tangential_push,
                                      g->moment, g->torque, g->power};
@@ -246,16 +256,17 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     const unsigned leaving = lanes_of(outcome.at_event | outcome.late | outcome.stuck);
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {
-            empty_lane(integration, batch, lane, &outcome);
+            empty_lane(integration, kind, lane, &outcome);
         }
     }
 }
 
 /* The batch that the next step serves most runners of. */
 static batch_kind fullest(const integration *integration) {
+    const int kinds = integration->seldom > 0 ? BATCH_COUNT : BATCH_USUAL;
     batch_kind best = BATCH_PLACE;
     int most = -1;
-    for (int kind = 0; kind < BATCH_COUNT; ++kind) {
+    for (int kind = 0; kind < kinds; ++kind) {
         const batch *batch = &integration->batches[kind];
         if (batch->count + batch->waiting_count > most) {
             most = batch->count + batch->waiting_count;

@@ -88,7 +88,7 @@ static inline lane_outcome step_standing(standing_member *m, choice live, ground
     event_search search;
     elapsed_time elapsed;
     real longest;
-    const real trusted = expand_ground_step(c, &m->at, is, order, tolerance, g, &longest);
+    const real trusted = expand_ground_step(c, &m->layer, &m->at, is, order, tolerance, g, &longest);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, g->length, order,
                                           tolerance, live);
     watch_ground(&search, c, g, &m->at, is, change);

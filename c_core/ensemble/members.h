@@ -30,6 +30,7 @@ typedef struct {
     ground_coordinates at;
     real time_left;
     ground_constants constants;
+    friction_layer layer; /* slip, where friction falls with speed */
 } standing_member;
 
 /* Fields of either kind of member, those that some modes do without being the last, and those that change. */
@@ -37,9 +38,10 @@ enum {
     FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
     RETRACTING_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
     SELDOM_FIELDS = sizeof(flying_member) / sizeof(real), /* to wait for a ground, or to be forced */
-    STANDING_FIELDS = offsetof(standing_member, constants.servo) / sizeof(real),
-    GRAZING_FIELDS = sizeof(standing_member) / sizeof(real),
-    MEMBER_FIELDS = SELDOM_FIELDS > GRAZING_FIELDS ? SELDOM_FIELDS : GRAZING_FIELDS,
+    STANDING_FIELDS = offsetof(standing_member, constants.law.rest_length_rate) / sizeof(real), /* no ramps */
+    GRAZING_FIELDS = offsetof(standing_member, layer) / sizeof(real),
+    FALLING_SLIP_FIELDS = sizeof(standing_member) / sizeof(real), /* where friction falls with speed */
+    MEMBER_FIELDS = SELDOM_FIELDS > FALLING_SLIP_FIELDS ? SELDOM_FIELDS : FALLING_SLIP_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

@@ -2,6 +2,7 @@
 #include "runner.h"
 
 #include "events.h"
+#include "friction.h"
 #include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
@@ -60,7 +61,9 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
     case TDMF_CONTACT_GRAZE:
         return BATCH_GRAZE;
     default:
-        return coasts(runner) ? BATCH_SLIP_AND_COAST : BATCH_SLIP;
+        return tdmf_friction_falls(runner->model) ? BATCH_FALLING_SLIP
+               : coasts(runner)                   ? BATCH_SLIP_AND_COAST
+                                                  : BATCH_SLIP;
     }
 }
 
@@ -84,16 +87,17 @@ static flying_member flying_fields(const tdmf_runner *runner) {
     return m;
 }
 
-static standing_member standing_fields(const tdmf_runner *runner) {
+static void write_standing_fields(const tdmf_runner *runner, standing_member *m) {
     const tdmf_mode_equations *equations = &runner->equations;
-    const standing_member m = {
-        .now = {0.0, runner->steps},
-        .at = tdmf_step_ground_coordinates(&equations->start),
-        .time_left = time_left_of(runner),
-        .constants = tdmf_step_ground_constants(equations, &runner->motion.mode,
-                                                tdmf_margin_factor(runner->false_crossings)),
-    };
-    return m;
+    const member_progress now = {0.0, runner->steps};
+    m->now = now;
+    m->at = tdmf_step_ground_coordinates(&equations->start);
+    m->time_left = time_left_of(runner);
+    m->constants = tdmf_step_ground_constants(equations, &runner->motion.mode,
+                                              tdmf_margin_factor(runner->false_crossings));
+    if (equations->falls) {
+        m->layer = tdmf_step_friction_layer(equations);
+    }
 }
 
 int tdmf_runner_load(tdmf_runner *runner, double *fields) {
@@ -106,8 +110,10 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
                : motion->mode.phase == TDMF_PHASE_RETRACT                    ? RETRACTING_FIELDS
                                                                              : FLYING_FIELDS;
     }
-    *(standing_member *)fields = standing_fields(runner);
-    return motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS : STANDING_FIELDS;
+    write_standing_fields(runner, (standing_member *)fields);
+    return runner->equations.falls                      ? FALLING_SLIP_FIELDS
+           : motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS
+                                                        : STANDING_FIELDS;
 }
 
 static member_progress read_flying(const double *fields, tdmf_mode_coordinates *at) {

@@ -22,8 +22,11 @@ def of_flight(model, law, rest_length, push):
     )
 
 
-def on_ground(model, line, law, rest_length, push, friction):
-    """Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes."""
+def on_ground(model, line, law, rest_length, push, friction, excess, fading):
+    """Leg, masses, m_f g, gravity less the push on the body, torque and friction, in the ground's axes.
+
+    `friction` has the sign of the foot's velocity; `excess` and `fading` tell how it falls with speed.
+    """
     fall = free_fall.of_body(model, push)
     weight = ground_force.foot_weight(model)
     return Record(
@@ -39,4 +42,6 @@ def on_ground(model, line, law, rest_length, push, friction):
         torque=law.torque,
         torque_rate=law.torque_rate,
         friction=friction,
+        excess=excess,
+        fading=fading,
     )

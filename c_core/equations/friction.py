@@ -1,6 +1,15 @@
-"""Coulomb friction: all that is made of its coefficient, mu. This page is its one home."""
+"""Friction of foot and ground: all that is made of its coefficient, mu. This page is its one home.
 
-from .functions import Record, larger
+Coulomb's law, and friction that falls with the foot's speed (Stribeck) where v_s > 0, from that of a foot at
+rest to that of one that slips:
+
+    mu(v) = mu [1 + (rho - 1) e^(-|v|/v_s)]
+
+`sign` is the direction s in which the foot slips. The law uses s v for |v|, so that it stays smooth for a
+trial step that goes past v = 0.
+"""
+
+from .functions import Record, exp, expm1, larger, log1p
 
 
 def static(model, inputs):
@@ -13,9 +22,35 @@ def sliding(inputs, sign):
     return sign * inputs.ground.friction
 
 
+def excess(model):
+    """rho - 1, by what share more a foot at rest is held than one that slips fast."""
+    return model.parameters.ground.static_friction_ratio - 1
+
+
+def fading(model, sign):
+    """-s/v_s, at what rate the excess fades with the foot's velocity."""
+    return -sign / model.parameters.ground.stribeck_velocity
+
+
+def falling(friction, excess, fading, along):
+    """mu(v) = mu [1 + (rho - 1) e^(-s v/v_s)], of a friction that falls with speed."""
+    exponent = fading * along
+    decay = exp(exponent)
+    share = 1 + excess * decay
+    return friction * share
+
+
 def sliding_force(friction, normal):
     """-f_t = mu sgn(v_t) f_n, of a foot that slips."""
     return friction * normal
+
+
+def growth_rate(model, friction, excess, fading):
+    """kappa/f_n = |mu| (rho - 1)/(m_f v_s): at up to kappa a falling friction lets a slip grow by itself.
+
+    `friction` and `fading` have the signs of mu and -s.
+    """
+    return -friction * excess * fading * model.inverse_foot_mass
 
 
 def room(friction, sign, force):
@@ -34,6 +69,38 @@ def cone(friction):
     return Record(normal=friction / widest, tangential=1 / widest)
 
 
+# ---- impact: dv = -s mu(v) dP, P from 0 to |v_n-|, by the foot's mass --------------------------------------
+
+
+def impulse(inputs, compression):
+    """b = mu |v_n-|, what friction takes of |v_t| in an impact whose compression is `compression`."""
+    return inputs.ground.friction * compression
+
+
+def gained(model, taken):
+    """q = (rho - 1)(1 - e^(-b/v_s)), by what e^(|v_t|/v_s) would change in an impact that comes to rest."""
+    return -excess(model) * expm1(-taken / model.parameters.ground.stribeck_velocity)
+
+
+def stopped_speed(model, inputs, compression, falls):
+    """|v_t-| up to which an impact comes to rest: rho b, or b + v_s ln(1 + q) where friction falls."""
+    if falls:
+        taken = impulse(inputs, compression)
+        return taken + model.parameters.ground.stribeck_velocity * log1p(gained(model, taken))
+    return static(model, inputs) * compression
+
+
 def after_impact(inputs, sign, along, off):
     """v_t+ = v_t- - mu sgn(v_t-) |v_n-|, of an impact that slips  (6); v_n- < 0."""
     return along + sliding(inputs, sign) * off
+
+
+def after_falling_impact(model, inputs, sign, along, off):
+    """|v_t+| = |v_t-| - b + v_s ln(1 - q e^(-(|v_t-| - b)/v_s)), under a friction that falls with speed.
+
+    What is below 0 by rounding is 0.
+    """
+    scale = model.parameters.ground.stribeck_velocity
+    taken = impulse(inputs, -off)
+    left = sign * along - taken
+    return sign * larger(left + scale * log1p(-gained(model, taken) * exp(-left / scale)), 0)

@@ -30,10 +30,10 @@ def length_rate(x, y, vx, vy, length):
     return (x * vx + y * vy) / length
 
 
-def motion(c, s, contact, turns):
+def motion(c, s, contact, turns, falls=False):
     """Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
 
-    `turns` is whether a torque turns the leg, as it does in graze.
+    `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
     """
     square = s.x * s.x + s.y * s.y
     length = sqrt(square)
@@ -50,7 +50,8 @@ def motion(c, s, contact, turns):
     off = push.off if contact != "graze" else -c.foot_weight_y
     normal_force = force.normal if contact != "graze" else 0
     tangential_push = -force.tangential
-    friction_force = friction.sliding_force(c.friction, normal_force) if contact == "slip" else 0
+    coefficient = friction.falling(c.friction, c.excess, c.fading, s.foot_vx) if falls else c.friction
+    friction_force = friction.sliding_force(coefficient, normal_force) if contact == "slip" else 0
     foot_acceleration = 0 if contact == "stick" else (tangential_push - friction_force) * c.inverse_foot_mass
     return Record(
         rates=Record(

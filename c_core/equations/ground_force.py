@@ -3,12 +3,12 @@
 With the foot on the ground, a line of slope sigma, sticking or slipping along it, and theta' = theta - sigma:
 
     f_n = F_s cos theta' - (tau/r) sin theta' + m_f g cos sigma
-    stick: f_t = -F_s sin theta' - (tau/r) cos theta' + m_f g sin sigma      slip: f_t = -mu sgn(v_t) f_n
+    stick: f_t = -F_s sin theta' - (tau/r) cos theta' + m_f g sin sigma      slip: f_t = -mu(v_t) sgn(v_t) f_n
 
 f_n is the same in stick and slip, so that friction never feeds back on it: no Painleve paradox.
 """
 
-from . import friction
+from . import friction, ground_line
 from .functions import Record
 
 
@@ -46,13 +46,20 @@ def under(model, line, leg, torque):
     )
 
 
-def in_mode(model, inputs, line, leg, torque, contact, sign):
-    """The force in the mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, else none."""
+def in_mode(model, inputs, line, state, leg, torque, contact, sign, falls):
+    """The force in the mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, else none.
+
+    `falls` is whether mu falls with speed.
+    """
     if contact in ("flight", "graze"):
         return Record(tangential=0, normal=0)
     force = under(model, line, leg, torque)
     if contact != "stick":
-        force.tangential = -friction.sliding_force(friction.sliding(inputs, sign), force.normal)
+        sliding = friction.sliding(inputs, sign)
+        if falls:
+            along = ground_line.along(line, state.foot_vx, state.foot_vy)
+            sliding = friction.falling(sliding, friction.excess(model), friction.fading(model, sign), along)
+        force.tangential = -friction.sliding_force(sliding, force.normal)
     return force
 
 

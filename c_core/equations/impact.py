@@ -5,6 +5,7 @@ allows:
 
     v_n+ = 0;   v_t+ = 0 if |v_t-| <= rho mu |v_n-|,   else v_t+ = v_t- - mu sgn(v_t-) |v_n-|
 
+and where it falls with speed, the like by its law through the compression: friction.py has both.
 The spring and damper give no impulse, so that the body's velocity is unchanged and the leg's rates jump.
 """
 
@@ -13,14 +14,19 @@ from .coordinates import leg_rates_with_foot
 from .functions import Record
 
 
-def after(model, inputs, line, state, direction, sign, sticks):
+def after(model, inputs, line, state, direction, sign, sticks, falls):
     """Foot and rates of the leg after an impact that sticks, or slips to the side of `sign` (4)-(6).
 
     v_n+ = 0; v_t+ = 0, or v_t- - mu sgn(v_t-) |v_n-|; m_f/2 (v_t-^2 - v_t+^2 + v_n-^2) is lost.
     """
     along = ground_line.along(line, state.foot_vx, state.foot_vy)
     off = ground_line.off(line, state.foot_vx, state.foot_vy)
-    along_after = 0 if sticks else friction.after_impact(inputs, sign, along, off)
+    if sticks:
+        along_after = 0
+    elif falls:
+        along_after = friction.after_falling_impact(model, inputs, sign, along, off)
+    else:
+        along_after = friction.after_impact(inputs, sign, along, off)
     place = ground_line.place_along(line, state.foot_x, state.foot_y)
     foot = ground_line.point_on(line, place, along_after)
     leg = leg_rates_with_foot(state, direction, foot.vx, foot.vy)

@@ -2,6 +2,7 @@
 #ifndef TDMF_KERNEL_GROUND_MOTION_H
 #define TDMF_KERNEL_GROUND_MOTION_H
 
+#include "falling_slip_series.h"
 #include "graze_series.h"
 #include "slip_series.h"
 #include "stick_series.h"
@@ -10,6 +11,7 @@
  * no torque, nothing turns the leg. */
 typedef struct {
     bool slips, grazes, turns;
+    bool falls; /* in slip, friction with speed */
 } ground_case;
 
 static inline void expand_ground(const ground_coefficients *c, const ground_start *start, int order,
@@ -17,6 +19,8 @@ static inline void expand_ground(const ground_coefficients *c, const ground_star
     begin_ground(start, g);
     if (is.grazes) {
         expand_graze(c, order, g);
+    } else if (is.slips && is.falls) {
+        expand_falling_slip(c, order, g);
     } else if (is.slips && is.turns) {
         expand_slip_turning(c, order, g);
     } else if (is.slips) {
@@ -35,6 +39,8 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
     begin_ground_variation(start, d_start, t);
     if (is.grazes) {
         vary_graze(c, g, d, order, t);
+    } else if (is.slips && is.falls) {
+        vary_falling_slip(c, g, d, order, t);
     } else if (is.slips) {
         vary_slip_turning(c, g, d, order, t);
     } else {

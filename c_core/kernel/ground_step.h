@@ -2,6 +2,7 @@
 #ifndef TDMF_KERNEL_GROUND_STEP_H
 #define TDMF_KERNEL_GROUND_STEP_H
 
+#include "friction_layer.h"
 #include "guard_series.h"
 #include "mode_constants.h"
 #include "motion_ends.h"
@@ -17,12 +18,12 @@ typedef struct {
 
 typedef struct {
     mode_constants mode;
-    ground_coefficients law;
     real cone_normal, cone_normal_rate, cone_tangential; /* weights of the forces in the cone's edges */
     real slip_sign;                                      /* of u */
     real drives;                                         /* above 0 until mid-stance */
     real awaits_thrust;                                  /* above 0 until the leg's greatest compression */
     real slope_sine, slope_cosine;                       /* of the line */
+    ground_coefficients law;                             /* its rates come last */
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
     hip_law servo, stance;
@@ -33,18 +34,22 @@ static inline bool foot_is_free(ground_case is) {
     return is.slips || is.grazes;
 }
 
-/* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
-static inline real expand_ground_step(const ground_constants *c, const ground_coordinates *at, ground_case is,
-                                      int order, double tolerance, ground_series *g, real *longest) {
+/* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. The layer is
+ * that of a friction that falls with speed, if it does. */
+static inline real expand_ground_step(const ground_constants *c, const friction_layer *layer,
+                                      const ground_coordinates *at, ground_case is, int order,
+                                      double tolerance, ground_series *g, real *longest) {
     series_remainder remainder = {real_of(0.0), real_of(0.0)};
     expand_ground(&c->law, &at->at, order, is, g);
     note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
-    note_remainder(&remainder, g->foot_vx, order - 1, c->mode.speed_scale);
+    note_remainder(&remainder, g->foot_vx, order - 1,
+                   is.falls ? smaller(c->mode.speed_scale, layer->velocity) : c->mode.speed_scale);
     *longest = longest_ground_step(&c->law, foot_is_free(is), order);
-    return size_for_loss(g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
-                         trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1,
-                         tolerance);
+    const real size = size_for_loss(
+        g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
+        trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1, tolerance);
+    return is.falls ? size_by_layer(layer, c->slip_sign, g, size, order) : size;
 }
 
 /* The hip's work since the start of the step. */

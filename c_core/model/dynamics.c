@@ -103,22 +103,24 @@ tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     static const tdmf_model unchanged = {0};
     static const tdmf_inputs inputs_held = {0};
     static const tdmf_mode held = {0};
-    const tdmf_leg_rates acceleration = tdmf_accelerate_leg(at);
+    const accelerations acceleration = accelerate(at);
     const tdmf_leg *leg = &at->leg;
     const tdmf_leg_direction direction = {leg->sine, leg->cosine};
     const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = leg->length_rate,
                                             [TDMF_LEG_ANGLE] = leg->angle_rate,
-                                            [TDMF_LEG_LENGTH_RATE] = acceleration.length,
-                                            [TDMF_LEG_ANGLE_RATE] = acceleration.angle};
+                                            [TDMF_FOOT_VX] = acceleration.foot.x,
+                                            [TDMF_FOOT_VY] = acceleration.foot.y,
+                                            [TDMF_LEG_LENGTH_RATE] = acceleration.leg.length,
+                                            [TDMF_LEG_ANGLE_RATE] = acceleration.leg.angle};
     const tdmf_leg rate_of_leg =
         tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, leg->rest_length, leg,
                            &unchanged, &held.ground, rates, 0.0);
     const double rate_of_torque = tdmf_vary_torque_in(at->model, at->inputs, at->mode, at->state, leg,
                                                       tdmf_is_upright(leg), tdmf_least_sine(leg), at->torque,
                                                       &unchanged, &inputs_held, &held, rates, &rate_of_leg);
-    return tdmf_vary_force_in(at->model, at->inputs, &at->mode->ground, leg, at->torque, at->mode->contact,
-                              tdmf_sign_of_slip(at->mode), &unchanged, &inputs_held, &held.ground,
-                              &rate_of_leg, rate_of_torque);
+    return tdmf_vary_force_in(at->model, at->inputs, &at->mode->ground, at->state, leg, at->torque,
+                              at->mode->contact, tdmf_sign_of_slip(at->mode), tdmf_friction_falls(at->model),
+                              &unchanged, &inputs_held, &held.ground, rates, &rate_of_leg, rate_of_torque);
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

@@ -6,6 +6,7 @@
 
 #include "contact_mode.h"
 #include "direction.h"
+#include "friction.h"
 #include "ground_force_laws.h"
 #include "ground_line.h"
 #include "hip_law.h"
@@ -46,8 +47,8 @@ static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const t
     at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(model, inputs, mode, state, &at.leg, tdmf_is_upright(leg),
                                                     tdmf_least_sine(leg))
                                    : (double)NAN;
-    at.force = tdmf_force_in(model, inputs, &mode->ground, &at.leg, at.torque, mode->contact,
-                             tdmf_sign_of_slip(mode));
+    at.force = tdmf_force_in(model, inputs, &mode->ground, state, &at.leg, at.torque, mode->contact,
+                             tdmf_sign_of_slip(mode), tdmf_friction_falls(model));
     return at;
 }
 

@@ -3,7 +3,19 @@
 #define TDMF_MODEL_FRICTION_H
 
 #include "contact_mode.h"
+#include "direction.h"
 #include "friction_laws.h"
+
+/* Friction falls with the foot's speed. */
+static inline bool tdmf_friction_falls(const tdmf_model *model) {
+    return model->parameters.ground.stribeck_velocity > 0.0;
+}
+
+/* Towards v_s = 0 motions go as v_s ln(1/v_s): no derivative by v_s tells what begins there. */
+static inline bool tdmf_fall_has_no_derivative(const tdmf_model *model, const tdmf_direction *d) {
+    return !tdmf_friction_falls(model) && d->model.parameters.ground.stribeck_velocity != 0.0 &&
+           model->parameters.ground.static_friction_ratio != 1.0;
+}
 
 /* mu with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip. */
 static inline double tdmf_signed_friction(const tdmf_inputs *inputs, const tdmf_mode *mode) {

@@ -17,8 +17,8 @@ static impact_kind kind_of(const tdmf_model *model, const tdmf_inputs *inputs, c
                            const double state[TDMF_STATE_COUNT]) {
     const double along = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double off = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const impact_kind kind = {copysign(1.0, along),
-                              fabs(along) <= tdmf_static_friction(model, inputs) * fabs(off)};
+    const double stopped = tdmf_stopped_speed(model, inputs, fabs(off), tdmf_friction_falls(model));
+    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped};
     return kind;
 }
 
@@ -36,8 +36,8 @@ static double write_after(const tdmf_after_impact *after, double state[TDMF_STAT
 double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                          tdmf_leg_direction direction, double state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(model, inputs, ground, state);
-    const tdmf_after_impact after =
-        tdmf_impact_with(model, inputs, ground, state, direction, kind.sign, kind.sticks);
+    const tdmf_after_impact after = tdmf_impact_with(model, inputs, ground, state, direction, kind.sign,
+                                                     kind.sticks, tdmf_friction_falls(model));
     return write_after(&after, state);
 }
 
@@ -50,8 +50,8 @@ double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, cons
                         const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
                         double d_state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(model, inputs, ground, before);
-    const tdmf_after_impact d_after =
-        tdmf_vary_impact_with(model, inputs, ground, before, tdmf_leg_direction_of(before), kind.sign,
-                              kind.sticks, &d->model, &d->inputs, &d->mode.ground, d_state);
+    const tdmf_after_impact d_after = tdmf_vary_impact_with(
+        model, inputs, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
+        tdmf_friction_falls(model), &d->model, &d->inputs, &d->mode.ground, d_state);
     return write_after(&d_after, d_state);
 }

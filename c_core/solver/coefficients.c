@@ -34,9 +34,9 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
 
 ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations) {
     const tdmf_ground_line *ground = &equations->ground;
-    ground_coefficients coefficients =
-        tdmf_ground_coefficients_of(equations->model, ground, &equations->law, equations->rest_length,
-                                    equations->push, equations->friction);
+    ground_coefficients coefficients = tdmf_ground_coefficients_of(
+        equations->model, ground, &equations->law, equations->rest_length, equations->push,
+        equations->friction, equations->friction_excess, equations->friction_fading);
     coefficients.friction_rate = equations->friction_rate;
     coefficients.gravity_x_rate = -tdmf_along_line(ground, equations->push_rate);
     coefficients.gravity_y_rate = -tdmf_off_line(ground, equations->push_rate);
@@ -58,10 +58,17 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
     const tdmf_model *model = equations->model;
     const tdmf_inputs *inputs = &equations->inputs;
     const tdmf_hip_law d_law = vary_law_on_ground(equations, mode, d);
-    return tdmf_vary_ground_coefficients_of(
+    const double sign = tdmf_sign_of_slip(mode);
+    const double d_excess = equations->falls ? tdmf_vary_friction_excess(model, &d->model) : 0.0;
+    const double d_fading = equations->falls ? tdmf_vary_friction_fading(model, sign, &d->model) : 0.0;
+    ground_coefficients varied = tdmf_vary_ground_coefficients_of(
         model, &equations->ground, &equations->law, equations->rest_length, equations->push,
-        equations->friction, &d->model, &d->mode.ground, &d_law,
-        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_push(equations, d),
-        tdmf_vary_sliding_friction(inputs, tdmf_sign_of_slip(mode), &d->inputs));
+        equations->friction, equations->friction_excess, equations->friction_fading, &d->model,
+        &d->mode.ground, &d_law, tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_push(equations, d), tdmf_vary_sliding_friction(inputs, sign, &d->inputs), d_excess,
+        d_fading);
+    if (sign != 0.0 && tdmf_fall_has_no_derivative(model, d)) {
+        varied.friction = NAN;
+    }
+    return varied;
 }

@@ -67,6 +67,11 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
     equations->rest_length = tdmf_rest_length(model, inputs, mode);
     equations->friction = tdmf_signed_friction(inputs, mode);
     equations->friction_rate = tdmf_signed_friction(rates, mode);
+    if (tdmf_friction_falls(model) && tdmf_sign_of_slip(mode) != 0.0) {
+        equations->falls = true;
+        equations->friction_excess = tdmf_friction_excess(model);
+        equations->friction_fading = tdmf_friction_fading(model, tdmf_sign_of_slip(mode));
+    }
     equations->static_friction = tdmf_static_friction(model, inputs);
     equations->static_friction_rate = tdmf_static_friction(model, rates);
 }

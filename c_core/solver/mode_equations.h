@@ -35,13 +35,15 @@ typedef struct {
     tdmf_hip_law servo, stance_law;
     double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate;
-    double rest_length, rest_length_rate; /* of the leg */
-    bool awaits_thrust;                   /* contact: its greatest compression is an event to come */
-    tdmf_vector push, push_rate;          /* of the body by the external force */
-    bool is_forced;                       /* pushed, or inputs ramp that push or lengthen the leg */
-    tdmf_point opened_body;               /* where forced: the body, when the equations were opened */
-    tdmf_point com;                       /* flight: the centre of mass at the start */
-    double place_time, place_rate;        /* time since place began, and 1 in place, else 0 */
+    bool falls;                              /* slip: friction falls with speed, */
+    double friction_excess, friction_fading; /* so */
+    double rest_length, rest_length_rate;    /* of the leg */
+    bool awaits_thrust;                      /* contact: its greatest compression is an event to come */
+    tdmf_vector push, push_rate;             /* of the body by the external force */
+    bool is_forced;                          /* pushed, or inputs ramp that push or lengthen the leg */
+    tdmf_point opened_body;                  /* where forced: the body, when the equations were opened */
+    tdmf_point com;                          /* flight: the centre of mass at the start */
+    double place_time, place_rate;           /* time since place began, and 1 in place, else 0 */
     double turn; /* on the ground: theta less the angle that the place of the body gives */
     double positive_work, external_work;
     bool drifts; /* its laws change with time, or have changed since it was opened */

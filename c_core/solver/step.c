@@ -22,6 +22,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
         .slips = equations->contact != TDMF_CONTACT_STICK && !grazes,
         .grazes = grazes,
         .turns = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
+        .falls = equations->falls,
     };
     return is;
 }
@@ -36,8 +37,8 @@ static double expand_leg_in_flight(tdmf_step *step) {
 
 static double expand_standing_leg(tdmf_step *step) {
     const ground_coordinates at = tdmf_step_ground_coordinates(&step->equations->start);
-    return expand_ground_step(&step->constants.ground, &at, tdmf_step_ground_case(step), step->order,
-                              step->tolerance, &step->series.ground, &step->longest);
+    return expand_ground_step(&step->constants.ground, &step->layer, &at, tdmf_step_ground_case(step),
+                              step->order, step->tolerance, &step->series.ground, &step->longest);
 }
 
 void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
@@ -48,6 +49,9 @@ void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const
         step->constants.flight = tdmf_step_flight_constants(equations, mode, margin_factor);
     } else {
         step->constants.ground = tdmf_step_ground_constants(equations, mode, margin_factor);
+        if (equations->falls) {
+            step->layer = tdmf_step_friction_layer(equations);
+        }
     }
 }
 

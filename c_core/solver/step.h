@@ -19,6 +19,7 @@ typedef struct {
         flight_constants flight;
         ground_constants ground;
     } constants;
+    friction_layer layer; /* slip, where friction falls with speed */
     union {
         flight_series flight;
         ground_series ground;

@@ -91,6 +91,15 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
     return constants;
 }
 
+friction_layer tdmf_step_friction_layer(const tdmf_mode_equations *equations) {
+    const tdmf_model *model = equations->model;
+    const friction_layer layer = {model->parameters.ground.stribeck_velocity,
+                                  tdmf_friction_growth_rate(model, equations->friction,
+                                                            equations->friction_excess,
+                                                            equations->friction_fading)};
+    return layer;
+}
+
 flight_coordinates tdmf_step_flight_coordinates(const tdmf_mode_coordinates *at) {
     const flight_coordinates coordinates = {flight_start_of(&at->flying),
                                             {at->work, at->damper_loss, at->friction_loss}};

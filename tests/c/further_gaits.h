@@ -1,5 +1,6 @@
 /* Periodic gaits of runners that go beyond the paper: on slopes, with swing-leg retraction, with a static
- * friction larger than the sliding one, with a thrust of the leg, and pushed by a force; Table 1 otherwise.
+ * friction larger than the sliding one, also where friction falls with speed, with a thrust of the leg, and
+ * pushed by a force; Table 1 otherwise.
  * They were computed independently of this project, in extended precision, and are good to 1e-12; their
  * Jacobians, by differences, to 3e-9. */
 #ifndef TDMF_TESTS_FURTHER_GAITS_H
@@ -9,7 +10,7 @@
 
 typedef struct {
     double slope, touchdown_angle; /* degrees */
-    double retraction_rate, static_friction_ratio;
+    double retraction_rate, static_friction_ratio, stribeck_velocity;
     double thrust;
     double external_fx, external_fy;
     reference_gait gait; /* its work is that of hip and leg */
@@ -18,7 +19,7 @@ typedef struct {
     double jacobian[6][6];                          /* of the return map, in the order of the apex */
 } further_gait;
 
-enum { FURTHER_GAITS = 22 };
+enum { FURTHER_GAITS = 28 };
 
 extern const further_gait further_gaits[FURTHER_GAITS];
 

@@ -107,7 +107,7 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         assert_close(motion.state[TDMF_ENERGY_EXTERNAL_WORK], further_gaits[i].external_work, 1e-9);
         events += assert_events(&log, further_gaits[i].gait.events);
     }
-    assert_int_equal(events, 11 * 10 + 3 * 11 + 2 * 9 + 3 * 8 + 3 * 7);
+    assert_int_equal(events, 13 * 10 + 4 * 11 + 2 * 9 + 3 * 8 + 6 * 7);
 }
 
 /* ---- by lanes ------------------------------------------------------------------------------------------ */
@@ -220,12 +220,15 @@ static void the_jacobian_is_that_of_the_reference(void **state) {
     }
 }
 
-static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members[5]) {
+enum { LAWS_PARAMETERS = 6 };
+
+static double *const *parameters_of_the_laws(tdmf_parameters *p, double *members[LAWS_PARAMETERS]) {
     members[0] = &p->hip.retraction_rate;
     members[1] = &p->ground.static_friction_ratio;
     members[2] = &p->hip.kd;
     members[3] = &p->hip.touchdown_angle;
     members[4] = &p->leg.thrust;
+    members[5] = &p->ground.stribeck_velocity;
     return members;
 }
 
@@ -236,12 +239,15 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
     int compared = 0, one_sided = 0;
     (void)state;
     for (int i = 0; i < FURTHER_GAITS; ++i) {
-        for (int k = 0; k < 5; ++k) {
+        for (int k = 0; k < LAWS_PARAMETERS; ++k) {
             const tdmf_parameters at = parameters_of_further_gait(&further_gaits[i]);
             tdmf_parameters moved[3] = {at, at, at};
-            double *members[5];
+            double *members[LAWS_PARAMETERS];
             tdmf_change change;
             tdmf_return strides[3];
+            if (k == 5 && at.ground.stribeck_velocity == 0.0) {
+                continue; /* there, there is none */
+            }
             memset(&change, 0, sizeof change);
             *parameters_of_the_laws(&change.parameters, members)[k] = 1.0;
             const bool ahead =
@@ -265,8 +271,8 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
             one_sided += ahead;
         }
     }
-    assert_int_equal(compared, FURTHER_GAITS * 5 * TDMF_SECTION_COUNT);
-    assert_int_equal(one_sided, 16 + 17);
+    assert_int_equal(compared, (FURTHER_GAITS * LAWS_PARAMETERS - 22) * TDMF_SECTION_COUNT);
+    assert_int_equal(one_sided, 16 + 22);
 }
 
 int main(void) {

@@ -151,7 +151,7 @@ enum {
 static const ground_case cases[] = {
     {.slips = false, .grazes = false, .turns = false}, {.slips = false, .grazes = false, .turns = true},
     {.slips = true, .grazes = false, .turns = false},  {.slips = true, .grazes = false, .turns = true},
-    {.slips = false, .grazes = true, .turns = true},
+    {.slips = false, .grazes = true, .turns = true},   {.slips = true, .turns = true, .falls = true},
 };
 enum { CASES = sizeof cases / sizeof cases[0] };
 
@@ -161,6 +161,25 @@ static void draw_ground(random_source *source, ground_case is, ground_coefficien
     if (!is.turns) {
         c->torque = c->torque_rate = 0.0;
     }
+}
+
+/* mu (1 + (rho - 1) e), where e' = -s v'/v_s e. */
+static void assert_falling_friction(const ground_coefficients *c, const ground_series *g, int k) {
+    balance coefficient = {0.0, 0.0}, decay = {0.0, 0.0};
+    add(&coefficient, -g->coefficient[k]);
+    add(&coefficient, ramp(k, c->friction, c->friction_rate));
+    add(&coefficient, c->friction * c->excess * g->decay[k]);
+    add(&coefficient, k > 0 ? c->friction_rate * c->excess * g->decay[k - 1] : 0.0);
+    assert_balance(&coefficient);
+    if (k == 0) {
+        assert_close(g->decay[0], exp(c->fading * g->foot_vx[0]), 1e-15 * g->decay[0]);
+        return;
+    }
+    add(&decay, -k * g->decay[k]);
+    for (int i = 1; i <= k; ++i) {
+        add(&decay, c->fading * i * g->foot_vx[i] * g->decay[k - i]);
+    }
+    assert_balance(&decay);
 }
 
 /* The forces of leg and ground, from those that the series hold. */
@@ -187,8 +206,13 @@ static void assert_forces(const ground_coefficients *c, const ground_series *g, 
     assert_balance(&up);
     if (is.slips) {
         add(&friction, -g->friction_force[k]);
-        add(&friction, c->friction * g->normal_force[k]);
-        add(&friction, k > 0 ? c->friction_rate * g->normal_force[k - 1] : 0.0);
+        if (is.falls) {
+            add_product(&friction, 1.0, g->coefficient, g->normal_force, k);
+            assert_falling_friction(c, g, k);
+        } else {
+            add(&friction, c->friction * g->normal_force[k]);
+            add(&friction, k > 0 ? c->friction_rate * g->normal_force[k - 1] : 0.0);
+        }
         assert_balance(&friction);
     }
     if (is.grazes) {
@@ -350,7 +374,7 @@ static void the_ground_varies_as_it_changes(void **state) {
     (void)state;
     balanced = 0;
     for (int run = 0; run < CASES * RUNS; ++run) {
-        const ground_case is = cases[run % CASES], turns = {is.slips, is.grazes, true};
+        const ground_case is = cases[run % CASES], turns = {is.slips, is.grazes, true, is.falls};
         ground_coefficients c, d, moved;
         ground_start start, d_start, moved_start;
         ground_series g, side[SIDES];

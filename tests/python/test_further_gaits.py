@@ -84,8 +84,8 @@ def gait(request):
     return request.param
 
 
-def test_there_are_22():
-    assert len(GAITS) == 22
+def test_there_are_28():
+    assert len(GAITS) == 28
 
 
 @pytest.mark.parametrize("method", [1, 2], ids=["native", "cvode"])

@@ -119,6 +119,7 @@ PROMISED = [
     "leg.min_length",
     "gravity",
     "ground.static_friction_ratio",
+    "ground.stribeck_velocity",
     "status.terminate_on_fall",
     "foot.x",
     "foot.y",

@@ -75,6 +75,7 @@ def random_start(draw):
         "hip.external_torque": draw.uniform(-0.1, 0.1),
         "hip.retraction_rate": draw.uniform(-0.5, 0.5),
         "ground.static_friction_ratio": draw.uniform(1, 1.5),
+        "ground.stribeck_velocity": draw.choice([0, 0.1, 0.5]),
     }
 
 

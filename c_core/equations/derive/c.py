@@ -39,7 +39,8 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None, function
             return 1 if "/" in text or node.value < 0 else 3, text
         if operation == "negative":
             strength = 1 if operands[0].operation in "*/" else 2
-            return strength, f"-{write(operands[0], strength)}"
+            text = write(operands[0], strength)
+            return strength, f"-({text})" if text.startswith("-") else f"-{text}"
         if operation in ("larger", "choose"):
             a, b, *chosen = (write(operand, 1) for operand in (*operands, *operands)[:4])
             return -1, f"{a} >= {b} ? {chosen[0]} : {chosen[1]}"

@@ -31,7 +31,7 @@ TYPES = {
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "fall", "jerk", "foot"), "tdmf_vector"),
-    **dict.fromkeys(("upright", "sticks"), "bool"),
+    **dict.fromkeys(("upright", "sticks", "falls"), "bool"),
 }
 FIXED = ("direction", "sign", "sine", "turns", "place_rate")
 
@@ -72,6 +72,10 @@ leg
 friction
     double static_friction = friction.static
     double sliding_friction = friction.sliding
+    double friction_excess = friction.excess
+    double friction_fading = friction.fading
+    double friction_growth_rate = friction.growth_rate | only
+    double stopped_speed = friction.stopped_speed | only
     double cone_width = friction.width | only
     tdmf_cone cone_of = friction.cone | only
 ground_force

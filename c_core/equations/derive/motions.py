@@ -37,6 +37,7 @@ GROUND = Family(
         "stick_turning": {"contact": "stick", "turns": True},
         "slip": {"contact": "slip", "turns": False, "noted": "square turning along off friction_power"},
         "slip_turning": {"contact": "slip", "turns": True, "noted": "friction_power"},
+        "falling_slip": {"contact": "slip", "turns": True, "falls": True, "noted": "friction_power"},
         "graze": {"contact": "graze", "turns": True, "noted": "angle_rate axial_y"},
     },
 )
@@ -104,6 +105,7 @@ FILES = {
     "ground_series.h": partial(of_cases, "ground", GROUND, [], []),
     "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_turning"], ["stick_turning"]),
     "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_turning"], ["slip_turning"]),
+    "falling_slip_series.h": partial(of_cases, "falling_slip", GROUND, ["falling_slip"], ["falling_slip"]),
     "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),
     "flight_series.h": partial(of_cases, "flight", FLIGHT, list(FLIGHT.cases), list(FLIGHT.cases)),
 }

@@ -15,7 +15,7 @@ from .c import TextOf, c_text, comment
 from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, trace
 
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
-FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "upright", "rises")
+FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "falls", "upright", "rises")
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
 

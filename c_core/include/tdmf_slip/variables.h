@@ -23,6 +23,8 @@ typedef struct {
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
         double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
+        double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
+                                     one that slips, v_s; 0: at once, m/s */
     } ground;
     struct {
         double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */

@@ -30,6 +30,7 @@ typedef struct {
 static scene near_gait(int number) {
     scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0L}};
     scene.parameters.ground.static_friction_ratio = 1.01L;
+    scene.parameters.ground.stribeck_velocity = 0.3L;
     scene.parameters.hip.retraction_rate = 1e-3L;
     scene.inputs.ground.friction = near_gaits[number][0];
     scene.parameters.leg.thrust = 0.01L;

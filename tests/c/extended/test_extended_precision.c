@@ -84,6 +84,7 @@ static double check_parameters(const scene *gait) {
     /* Parameters that are at a bound, or zero, in Table 1 are moved off it. */
     scene moved_off = *gait;
     moved_off.parameters.ground.static_friction_ratio = 1.01L;
+    moved_off.parameters.ground.stribeck_velocity = 0.3L;
     moved_off.parameters.hip.retraction_rate = 1e-5L;
     const scene *scene_at = &moved_off;
     double worst = 0.0L;

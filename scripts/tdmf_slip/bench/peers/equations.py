@@ -76,9 +76,10 @@ def accelerations(
     friction : number
         With the sign of the foot's velocity; in slip.
     """
-    at = _leg(_state(state))
+    of = _state(state)
+    at = _leg(of)
     total = ground_force.graze_torque(_MODEL, _LEVEL, at, False, None) if mode == "graze" else torque
-    force = ground_force.in_mode(_MODEL, _inputs(friction), _LEVEL, at, total, mode, 1)
+    force = ground_force.in_mode(_MODEL, _inputs(friction), _LEVEL, of, at, total, mode, 1, False)
     foot = dynamics.foot_acceleration(_MODEL, _LEVEL, at, total, force, mode)
     fall = free_fall.of_body(_MODEL, _NO_PUSH)
     of_leg = dynamics.leg_acceleration(_MODEL, at, total, fall, foot)
@@ -110,7 +111,9 @@ def vertical_velocity(state: State) -> Number:
 def impact(state: State) -> list[Number]:
     """The state after an impact that slips forward."""
     at = _state(state)
-    after = impact_law.after(_MODEL, _inputs(FRICTION), _LEVEL, at, leg.direction(at.leg_angle), 1.0, False)
+    after = impact_law.after(
+        _MODEL, _inputs(FRICTION), _LEVEL, at, leg.direction(at.leg_angle), 1.0, False, False
+    )
     return [
         after.foot_x,
         after.foot_y,

@@ -1,0 +1,280 @@
+/* Derived from c_core/equations/ground.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_FALLING_SLIP_SERIES_H
+#define TDMF_DERIVED_FALLING_SLIP_SERIES_H
+
+#include "ground_series.h"
+
+/* Factors that all coefficients have, and what is divided by. */
+typedef struct {
+    real inverse_length;
+    real inverse_square;
+} falling_slip_factors;
+
+/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
+typedef struct {
+    real x_times_x;
+    real y_times_y;
+    real length;
+    real axial;
+    real axial_times_x;
+    real turning;
+    real turning_times_y;
+    real axial_y;
+    real turning_times_x;
+    real friction_force;
+    real y_times_foot_acceleration;
+    real power;
+    real speed_square;
+    real friction_power;
+} falling_slip_sums;
+
+/* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
+ * ahead. */
+KERNEL void add_falling_slip_sums_ahead(const ground_series *s, int i, int j, falling_slip_sums *sum) {
+    sum->x_times_x += s->x[i] * s->x[j + 1];
+    sum->y_times_y += s->y[i] * s->y[j + 1];
+    sum->length += s->length[i] * s->length[j + 1];
+}
+
+/* Adds the terms with coefficient i of one factor and j of the other. */
+KERNEL void add_falling_slip_sums(const ground_series *s, int i, int j, falling_slip_sums *sum) {
+    sum->axial += s->axial[i] * s->length[j];
+    sum->axial += s->length[i] * s->axial[j];
+    sum->axial_times_x += s->axial[i] * s->x[j];
+    sum->axial_times_x += s->x[i] * s->axial[j];
+    sum->turning += s->turning[i] * s->square[j];
+    sum->turning += s->square[i] * s->turning[j];
+    sum->turning_times_y += s->turning[i] * s->y[j];
+    sum->turning_times_y += s->y[i] * s->turning[j];
+    sum->axial_y += s->axial[i] * s->y[j];
+    sum->axial_y += s->y[i] * s->axial[j];
+    sum->turning_times_x += s->turning[i] * s->x[j];
+    sum->turning_times_x += s->x[i] * s->turning[j];
+    sum->friction_force += s->coefficient[i] * s->normal_force[j];
+    sum->friction_force += s->normal_force[i] * s->coefficient[j];
+    sum->y_times_foot_acceleration += s->y[i] * s->foot_acceleration[j];
+    sum->y_times_foot_acceleration += s->foot_acceleration[i] * s->y[j];
+    sum->power += s->turning[i] * s->moment[j];
+    sum->power += s->moment[i] * s->turning[j];
+    sum->speed_square += s->length_rate[i] * s->length_rate[j];
+    sum->friction_power += s->friction_force[i] * s->foot_vx[j];
+    sum->friction_power += s->foot_vx[i] * s->friction_force[j];
+}
+
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+KERNEL void begin_falling_slip_sums(const ground_series *s, int i, falling_slip_sums *sum,
+                                    falling_slip_sums *next) {
+    sum->x_times_x = s->x[i] * s->x[i + 1];
+    next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
+    sum->y_times_y = s->y[i] * s->y[i + 1];
+    next->y_times_y = 0.5 * (s->y[i + 1] * s->y[i + 1]);
+    sum->length = s->length[i] * s->length[i + 1];
+    next->length = 0.5 * (s->length[i + 1] * s->length[i + 1]);
+    sum->axial = s->axial[i] * s->length[i];
+    sum->axial_times_x = s->axial[i] * s->x[i];
+    sum->turning = s->turning[i] * s->square[i];
+    sum->turning_times_y = s->turning[i] * s->y[i];
+    sum->axial_y = s->axial[i] * s->y[i];
+    sum->turning_times_x = s->turning[i] * s->x[i];
+    sum->friction_force = s->coefficient[i] * s->normal_force[i];
+    sum->y_times_foot_acceleration = s->y[i] * s->foot_acceleration[i];
+    sum->power = s->turning[i] * s->moment[i];
+    sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
+    sum->friction_power = s->friction_force[i] * s->foot_vx[i];
+}
+
+/* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
+ *
+ * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+ * From coefficient k of the states to the next. */
+KERNEL void expand_falling_slip_on(const ground_coefficients *c, const falling_slip_factors *by, int k,
+                                   const falling_slip_sums *sum, ground_series *s) {
+    integrate(s->x, k, s->vx[k]);
+    integrate(s->y, k, s->vy[k]);
+    /* x_times_x = x * x */
+    const real x_times_x = square_of(k + 1, sum->x_times_x, s->x);
+    /* y_times_y = y * y */
+    const real y_times_y = square_of(k + 1, sum->y_times_y, s->y);
+    /* square = x_times_x + y_times_y */
+    s->square[k + 1] = x_times_x + y_times_y;
+    /* length = sqrt(square) */
+    s->length[k + 1] = root_of(k + 1, sum->length, s->square[k + 1], s->length, by->inverse_length);
+    /* length_rate = rate(length) */
+    s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
+    /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
+    s->axial[k] = quotient_of(k, sum->axial,
+                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                                        c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
+                              s->axial, s->length, by->inverse_length);
+    /* axial_times_x = axial * x */
+    const real axial_times_x = product_of(k, sum->axial_times_x, s->axial, s->x);
+    /* turning = torque / square */
+    s->turning[k] = quotient_of(k, sum->turning, ramp_of(k, c->torque, c->torque_rate), s->turning, s->square,
+                                by->inverse_square);
+    /* turning_times_y = turning * y */
+    const real turning_times_y = product_of(k, sum->turning_times_y, s->turning, s->y);
+    /* along = axial_times_x - turning_times_y */
+    s->along[k] = axial_times_x - turning_times_y;
+    /* tangential = along + foot_weight_x */
+    const real tangential = with_constant(k, s->along[k], c->foot_weight_x);
+    /* tangential_push = -tangential */
+    s->tangential_push[k] = -tangential;
+    /* exponent = fading * foot_vx */
+    s->exponent[k] = c->fading * s->foot_vx[k];
+    /* decay = exp(exponent) */
+    s->decay[k] = exp_of(k, s->exponent, s->decay);
+    /* share = share + excess * decay */
+    s->share[k] = with_constant(k, c->excess * s->decay[k], real_of(1.0));
+    /* coefficient = friction * share */
+    s->coefficient[k] = ramp_times(k, c->friction, c->friction_rate, s->share);
+    /* axial_y = axial * y */
+    const real axial_y = product_of(k, sum->axial_y, s->axial, s->y);
+    /* turning_times_x = turning * x */
+    const real turning_times_x = product_of(k, sum->turning_times_x, s->turning, s->x);
+    /* off = axial_y + turning_times_x */
+    s->off[k] = axial_y + turning_times_x;
+    /* normal_force = off + foot_weight_y */
+    s->normal_force[k] = with_constant(k, s->off[k], c->foot_weight_y);
+    /* friction_force = coefficient * normal_force */
+    s->friction_force[k] = product_of(k, sum->friction_force, s->coefficient, s->normal_force);
+    /* foot_acceleration = inverse_foot_mass * (tangential_push - friction_force) */
+    s->foot_acceleration[k] =
+        c->inverse_foot_mass * s->tangential_push[k] - c->inverse_foot_mass * s->friction_force[k];
+    /* gravity_y_times_x = gravity_y * x */
+    const real gravity_y_times_x = ramp_times(k, c->gravity_y, c->gravity_y_rate, s->x);
+    /* gravity_x_times_y = gravity_x * y */
+    const real gravity_x_times_y = ramp_times(k, c->gravity_x, c->gravity_x_rate, s->y);
+    /* y_times_foot_acceleration = y * foot_acceleration */
+    const real y_times_foot_acceleration =
+        product_of(k, sum->y_times_foot_acceleration, s->y, s->foot_acceleration);
+    /* power = turning * moment */
+    s->power[k] = product_of(k, sum->power, s->turning, s->moment);
+    /* speed_square = length_rate * length_rate */
+    s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
+    /* friction_power = friction_force * foot_vx */
+    s->friction_power[k] = product_of(k, sum->friction_power, s->friction_force, s->foot_vx);
+    s->torque[k] = ramp_of(k, c->torque, c->torque_rate);
+    integrate(s->vx, k,
+              with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
+                        -c->gravity_x_rate));
+    integrate(s->vy, k, with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate));
+    integrate(s->foot_vx, k, s->foot_acceleration[k]);
+    integrate(s->moment, k,
+              with_ramp(k, gravity_x_times_y - gravity_y_times_x + y_times_foot_acceleration,
+                        c->inverse_body_mass * c->torque, c->inverse_body_mass * c->torque_rate));
+}
+
+/* From coefficient k, even, two further. */
+KERNEL void expand_falling_slip_by_two(const ground_coefficients *c, const falling_slip_factors *by, int k,
+                                       ground_series *s) {
+    const int middle = k / 2;
+    static const falling_slip_sums none = {0};
+    falling_slip_sums sum = none, next = none;
+    begin_falling_slip_sums(s, middle, &sum, &next);
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_falling_slip_sums_ahead(s, i, j, &next);
+        add_falling_slip_sums_ahead(s, i - 1, j, &sum);
+    }
+    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
+        add_falling_slip_sums(s, i, j, &next);
+        add_falling_slip_sums(s, i - 1, j, &sum);
+    }
+    expand_falling_slip_on(c, by, k, &sum, s);
+    add_falling_slip_sums_ahead(s, 1, k, &next);
+    add_falling_slip_sums(s, 1, k, &next);
+    expand_falling_slip_on(c, by, k + 1, &next, s);
+}
+
+/* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
+KERNEL void expand_falling_slip(const ground_coefficients *given, int order, ground_series *s) {
+    const ground_coefficients copy = *given, *c = &copy;
+    static const falling_slip_sums none = {0};
+    falling_slip_sums sum = none, next = none;
+    s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
+    s->length[0] = real_sqrt(s->square[0]);
+    const falling_slip_factors factors = {
+        .inverse_length = 1.0 / s->length[0],
+        .inverse_square = 1.0 / s->square[0],
+    };
+    const falling_slip_factors *by = &factors;
+    expand_falling_slip_on(c, by, 0, &sum, s);
+    begin_falling_slip_sums(s, 0, &sum, &next);
+    expand_falling_slip_on(c, by, 1, &next, s);
+    for (int k = 2; k < order; k += 2) {
+        expand_falling_slip_by_two(c, by, k, s);
+    }
+}
+
+/* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
+static inline void vary_falling_slip(const ground_coefficients *c, const ground_series *s,
+                                     const ground_coefficients *d, int order, ground_variation *t) {
+    const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
+    const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
+    t->square[0] = d_x_times_x + d_y_times_y;
+    t->length[0] = (0.5 * t->square[0] - product_so_far(t->length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        integrate(t->x, k, t->vx[k]);
+        integrate(t->y, k, t->vy[k]);
+        const real d_x_times_x = 2.0 * product(s->x, t->x, k + 1);
+        const real d_y_times_y = 2.0 * product(s->y, t->y, k + 1);
+        t->square[k + 1] = d_x_times_x + d_y_times_y;
+        t->length[k + 1] =
+            (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
+        const real d_length_rate = (double)(k + 1) * t->length[k + 1];
+        t->axial[k] = (with_ramp(k,
+                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                     d->damping * s->length_rate[k] - c->damping * d_length_rate -
+                                     product(s->axial, t->length, k),
+                                 d->stiffness * c->rest_length + c->stiffness * d->rest_length,
+                                 d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate) -
+                       product_so_far(t->axial, s->length, k)) /
+                      s->length[0];
+        const real d_axial_times_x = product(t->axial, s->x, k) + product(s->axial, t->x, k);
+        t->turning[k] = (with_ramp(k, -product(s->turning, t->square, k), d->torque, d->torque_rate) -
+                         product_so_far(t->turning, s->square, k)) /
+                        s->square[0];
+        const real d_turning_times_y = product(t->turning, s->y, k) + product(s->turning, t->y, k);
+        const real d_along = d_axial_times_x - d_turning_times_y;
+        const real d_tangential = with_constant(k, d_along, d->foot_weight_x);
+        const real d_tangential_push = -d_tangential;
+        t->exponent[k] = d->fading * s->foot_vx[k] + c->fading * t->foot_vx[k];
+        const real d_decay = product(s->decay, t->exponent, k);
+        t->share[k] = d->excess * s->decay[k] + c->excess * d_decay;
+        t->coefficient[k] = ramp_times(k, d->friction, d->friction_rate, s->share) +
+                            ramp_times(k, c->friction, c->friction_rate, t->share);
+        const real d_axial_y = product(t->axial, s->y, k) + product(s->axial, t->y, k);
+        const real d_turning_times_x = product(t->turning, s->x, k) + product(s->turning, t->x, k);
+        const real d_off = d_axial_y + d_turning_times_x;
+        t->normal_force[k] = with_constant(k, d_off, d->foot_weight_y);
+        t->friction_force[k] =
+            product(t->coefficient, s->normal_force, k) + product(s->coefficient, t->normal_force, k);
+        t->foot_acceleration[k] =
+            d->inverse_foot_mass * s->tangential_push[k] - d->inverse_foot_mass * s->friction_force[k] +
+            c->inverse_foot_mass * d_tangential_push - c->inverse_foot_mass * t->friction_force[k];
+        const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
+                                         ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
+        const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
+                                         ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
+        const real d_y_times_foot_acceleration =
+            product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
+        t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
+        t->friction_power[k] =
+            product(t->friction_force, s->foot_vx, k) + product(s->friction_force, t->foot_vx, k);
+        t->torque[k] = ramp_of(k, d->torque, d->torque_rate);
+        integrate(t->vx, k,
+                  with_ramp(k,
+                            d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
+                                t->foot_acceleration[k],
+                            -d->gravity_x, -d->gravity_x_rate));
+        integrate(t->vy, k,
+                  with_ramp(k, d->inverse_body_mass * s->off[k] + c->inverse_body_mass * d_off, -d->gravity_y,
+                            -d->gravity_y_rate));
+        integrate(t->foot_vx, k, t->foot_acceleration[k]);
+        integrate(t->moment, k,
+                  with_ramp(k, d_gravity_x_times_y - d_gravity_y_times_x + d_y_times_foot_acceleration,
+                            d->inverse_body_mass * c->torque + c->inverse_body_mass * d->torque,
+                            d->inverse_body_mass * c->torque_rate + c->inverse_body_mass * d->torque_rate));
+    }
+}
+
+#endif

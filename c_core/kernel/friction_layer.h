@@ -1,0 +1,44 @@
+/* How long a step may be where friction falls with speed.
+ *
+ * Within some v_s of rest the foot is in a layer in which slip grows by itself, at up to
+ * kappa = mu (rho - 1) f_n/(m_f v_s). Far above it the friction's excess is below rounding, and no
+ * coefficient tells of the layer ahead: a step that was as long as they allow would jump over it, and find
+ * the motion of v_s = 0. So a step ends before the layer, or changes the speed by a few v_s only, and lasts
+ * but a few 1/kappa; there the coefficients tell the rest. */
+#ifndef TDMF_KERNEL_FRICTION_LAYER_H
+#define TDMF_KERNEL_FRICTION_LAYER_H
+
+#include "motion_series.h"
+#include "powers.h"
+#include "step_size.h"
+
+typedef struct {
+    real velocity;    /* v_s */
+    real growth_rate; /* kappa/f_n */
+} friction_layer;
+
+/* In v_s: e^-60 is 1e-26. */
+static const double layer_width = 60.0;
+
+/* In a step, of the speed in v_s, and of its time in 1/kappa: an exponential's series of the least order that
+ * steps have is as good as their tolerance up to there. */
+static const double most_change_in_layer = 3.0, most_growth_in_layer = 3.0;
+
+/* The size of a step that its series may be trusted for, or less. */
+static inline real size_by_layer(const friction_layer *layer, real slip_sign, const ground_series *g,
+                                 real size, int order) {
+    const real few = most_change_in_layer * layer->velocity;
+    const real beyond = slip_sign * g->foot_vx[0] - layer_width * layer->velocity;
+    const real most = larger(beyond, few);
+    real power[SERIES_TERMS];
+    set_powers(power, size, order);
+    const real change = largest_change(g->foot_vx, power, order);
+    size = pick(change > most, size * most / change, size);
+    set_powers(power, size, order);
+    const real force = real_abs(g->normal_force[0]) + largest_change(g->normal_force, power, order - 1);
+    const real growth = size * layer->growth_rate * force;
+    const choice too_long = (beyond < few) & (growth > most_growth_in_layer);
+    return pick(too_long, size * most_growth_in_layer / growth, size);
+}
+
+#endif

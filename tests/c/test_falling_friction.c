@@ -1,0 +1,143 @@
+/* Friction that falls with speed: the impact's law and its tangent, the limits in which it is Coulomb's
+ * again, the energy that it takes, and steps that respect the layer in which it falls. The gaits of an
+ * independent program are in test_further_gaits.c. */
+#include "compare.h"
+#include "friction.h"
+#include "impact.h"
+#include "integrate.h"
+#include "reference_gaits.h"
+#include "scene.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* ---- impacts ------------------------------------------------------------------------------------------- */
+
+/* dv = -mu(v) dP, integrated by an independent program. */
+typedef struct {
+    double speed_before, normal_speed, friction, ratio, velocity; /* of the law: v_s */
+    double speed_after, stopped;                                  /* up to which it comes to rest */
+} reference_impact;
+
+static const reference_impact reference_impacts[] = {
+    {1.06, 0.127, 0.6, 1.5, 0.1, 0.9837985765917379, 0.09983629768634218},
+    {0.1, 0.127, 0.6, 1.5, 0.1, 0.00020730569894006055, 0.09983629768634218},
+    {0.09, 0.127, 0.6, 1.5, 0.1, 0.0, 0.09983629768634218},
+    {0.095, 0.127, 0.6, 1.5, 0.1, 0.0, 0.09983629768634218},
+    {1.0, 0.12, 0.3, 2.0, 1.0, 0.9504233202384479, 0.07074890886680052},
+    {0.25, 0.2, 1.0, 1.5, 0.02, 0.049161868434265274, 0.20810899949367467},
+    {0.215, 0.2, 1.0, 1.5, 0.02, 0.009611732581818869, 0.20810899949367467},
+    {0.2, 0.2, 1.0, 1.5, 0.02, 0.0, 0.20810899949367467},
+    {1.0, 0.12, 0.3, 2.0, 0.001, 0.964, 0.036693147180559944},
+};
+enum { IMPACTS = sizeof reference_impacts / sizeof *reference_impacts };
+
+/* A foot about to hit the ground under that law, at a speed along it. */
+static runner falling_foot(const reference_impact *law, double speed) {
+    runner runner = scene_in_flight(TDMF_PHASE_PLACE, -1.0);
+    tdmf_parameters parameters = runner.model.parameters;
+    parameters.ground.static_friction_ratio = law->ratio;
+    parameters.ground.stribeck_velocity = law->velocity;
+    assert_null(tdmf_model_create(&runner.model, &parameters).variable);
+    runner.inputs.ground.friction = law->friction;
+    runner.state[TDMF_FOOT_Y] = 0.0;
+    runner.state[TDMF_LEG_ANGLE] = 0.4;
+    runner.state[TDMF_FOOT_VX] = speed;
+    runner.state[TDMF_FOOT_VY] = -law->normal_speed;
+    return runner;
+}
+
+static double speed_after(const reference_impact *law, double speed) {
+    runner runner = falling_foot(law, speed);
+    tdmf_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state);
+    return runner.state[TDMF_FOOT_VX];
+}
+
+static void impacts_are_those_of_the_integral(void **state) {
+    (void)state;
+    for (int i = 0; i < IMPACTS; ++i) {
+        const reference_impact *law = &reference_impacts[i];
+        const double after = speed_after(law, law->speed_before);
+        assert_close(after, law->speed_after, 2e-15);
+        assert_true(speed_after(law, -law->speed_before) == -after);
+        assert_true(speed_after(law, law->stopped * (1.0 - 1e-15)) == 0.0);
+        const double just_slips = speed_after(law, law->stopped * (1.0 + 1e-9));
+        assert_true(just_slips > 0.0 && just_slips < 1.01e-9 * law->ratio * law->stopped);
+    }
+}
+
+/* What friction takes of the foot's kinetic energy is impact loss. */
+static void an_impact_loses_what_the_foot_does(void **state) {
+    (void)state;
+    for (int i = 0; i < IMPACTS; ++i) {
+        const reference_impact *law = &reference_impacts[i];
+        runner runner = falling_foot(law, law->speed_before);
+        const double before =
+            tdmf_mechanical_energy(&runner.model, &runner.inputs, &runner.mode, runner.state).total;
+        const double loss = tdmf_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state);
+        const double after =
+            tdmf_mechanical_energy(&runner.model, &runner.inputs, &runner.mode, runner.state).total;
+        assert_true(loss > 0.0);
+        assert_close(before - after, loss, 1e-14);
+    }
+}
+
+/* mu(v+)/mu(v-) and the like. */
+static double coefficient(const reference_impact *law, double speed) {
+    return law->friction * (1.0 + (law->ratio - 1.0) * exp(-fabs(speed) / law->velocity));
+}
+
+static double change_of_speed(const reference_impact *law, double speed, double d_speed, double d_normal,
+                              double d_friction) {
+    const runner runner = falling_foot(law, speed);
+    double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
+    const tdmf_change change = {.inputs.ground.friction = d_friction};
+    const tdmf_direction d = tdmf_direction_of(&runner.model, &change, NULL);
+    tdmf_vary_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state, &d, d_state);
+    return d_state[TDMF_FOOT_VX];
+}
+
+static void the_impacts_tangent_is_a_ratio_of_frictions(void **state) {
+    int slipped = 0;
+    (void)state;
+    for (int i = 0; i < 2 * IMPACTS; ++i) {
+        const reference_impact *law = &reference_impacts[i / 2];
+        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        const double speed = sign * law->speed_before;
+        const bool slips = law->speed_after != 0.0;
+        const double after = coefficient(law, law->speed_after), before = coefficient(law, law->speed_before);
+        assert_close(change_of_speed(law, speed, 1.0, 0.0, 0.0), slips ? after / before : 0.0, 1e-12);
+        assert_close(change_of_speed(law, speed, 0.0, -1.0, 0.0), slips ? -sign * after : 0.0, 1e-12);
+        assert_close(change_of_speed(law, speed, 0.0, 0.0, 1.0),
+                     slips ? -sign * after * law->normal_speed / law->friction : 0.0, 1e-12);
+        slipped += slips;
+    }
+    assert_int_equal(slipped, 2 * 6);
+}
+
+static void the_widest_fall_is_none_and_the_narrowest_is_one_at_once(void **state) {
+    (void)state;
+    for (int i = 0; i < IMPACTS; ++i) {
+        reference_impact wide = reference_impacts[i], narrow = wide;
+        const double taken = wide.friction * wide.normal_speed;
+        wide.velocity = 1e9;
+        narrow.velocity = 1e-9;
+        assert_close(speed_after(&wide, wide.speed_before), fmax(0.0, wide.speed_before - wide.ratio * taken),
+                     1e-8);
+        assert_close(speed_after(&narrow, narrow.speed_before), fmax(0.0, narrow.speed_before - taken), 1e-8);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(impacts_are_those_of_the_integral),
+        cmocka_unit_test(an_impact_loses_what_the_foot_does),
+        cmocka_unit_test(the_impacts_tangent_is_a_ratio_of_frictions),
+        cmocka_unit_test(the_widest_fall_is_none_and_the_narrowest_is_one_at_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
