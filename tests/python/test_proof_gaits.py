@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -15,6 +16,7 @@ from tdmf_slip.library.strides import strides_from
 pytest.importorskip("flint")
 
 from tdmf_slip.proof.range_proof import Piece
+from tdmf_slip.proof.range_prover import RangeProver
 
 READ = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))["gaits"]
 FURTHER = [gait for gait in READ if "ground.stribeck_velocity" not in gait["start_values"]]
@@ -142,6 +144,40 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
         tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)
 
 
+def unstable_gait():
+    """Of an independent program: it retracts its leg and doubles its period."""
+    gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
+    given = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
+    return orbit_near(tdmf_slip.Runner.of(given), gait["apex"])
+
+
+def test_a_whole_range_of_unstable_gaits_is_proved_to_be():
+    gait = unstable_gait()
+    proof = tdmf_slip.prove(gait, vary={"ground.friction": ("0.6", "0.6000004")}, workers=1)
+    assert proof.proved, proof.sentence
+    assert proof.stable is False
+    assert "all are unstable" in proof.sentence
+
+
+def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
+    """Where every piece of more than a width is left open."""
+    prove, widest = RangeProver._piece, Fraction("0.0000006")
+
+    def open_if_wide(self, begin, end, orbit):
+        piece = prove(self, begin, end, orbit)
+        return replace(piece, stable=None) if end - begin > widest else piece
+
+    monkeypatch.setattr(RangeProver, "_piece", open_if_wide)
+    proof = tdmf_slip.prove(
+        {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, workers=1
+    )
+    assert proof.stable is True
+    assert proof.is_one_branch
+    assert all(piece.end - piece.begin <= widest for piece in proof.pieces)
+    assert proof.pieces[0].begin == 10
+    assert proof.pieces[-1].end == Fraction("10.000004")
+
+
 def test_pieces_that_do_not_meet_are_no_branch(span):
     first, second = span[0].pieces[:2]
     assert first.meets(second)
@@ -182,8 +218,6 @@ def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(attraction):
 
 
 def test_no_ball_is_proved_around_an_unstable_gait():
-    unstable = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
-    gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
-    attraction = tdmf_slip.prove_attraction(orbit_near(tdmf_slip.Runner.of(unstable), gait["apex"]))
+    attraction = tdmf_slip.prove_attraction(unstable_gait())
     assert not attraction.proved
     assert "contracts" in attraction.undecided

@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from .matrices import absolute, floats_above, greatest, row_sums
 
 SMALL = 1e6
-"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish."""
+"""An eigenvalue so many times the enclosure's width, or less, is taken with those that vanish,"""
+LARGE = 0.05
+"""but not where it is more than this much of the largest."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +136,8 @@ def _basis(matrix: arb_mat) -> acb_mat:
     width = max(float(x.rad()) for x in matrix.entries()) + 1e-300
     points = acb_mat(matrix.mid())
     values, left, right = points.eig(left=True, right=True, algorithm="approx")
-    kept = [k for k in range(size) if float(abs(values[k]).mid()) > SMALL * width]
+    sizes = [float(abs(value).mid()) for value in values]
+    kept = [k for k in range(size) if sizes[k] > min(SMALL * width, LARGE * max(sizes))]
     scale = [left_times_right(left, right, k) for k in range(size)]
     columns = [[right[i, k].mid() for i in range(size)] for k in kept]
     if len(kept) < size:

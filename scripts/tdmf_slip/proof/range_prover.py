@@ -174,7 +174,7 @@ def proved_piece(parameters: Parameters, piece: Piece) -> tuple[Piece, Inclusion
 
 
 def _is_stable(stride: Stride) -> bool | None:
-    """Of every gait of a piece; None where that is open."""
+    """Whether every gait of a piece is, or none; None where that is open."""
     assert stride.derivative is not None
     with ctx.workprec(BITS):
         square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
