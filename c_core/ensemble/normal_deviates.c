@@ -108,3 +108,8 @@ double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int co
     uniform_source source = source_of(seed, runner, stride, (uint32_t)coordinate + 1);
     return draw_normal(&source);
 }
+
+double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t stride) {
+    uniform_source source = source_of(seed, runner, stride, (uint32_t)TDMF_SECTION_COUNT + 1);
+    return draw_normal(&source);
+}

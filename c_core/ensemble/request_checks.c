@@ -101,15 +101,36 @@ static bool are_given(const tdmf_given_settings *given, int64_t runners) {
     return true;
 }
 
-static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
-    const int height = tdmf_setting_of("ground.height");
+static bool are_weights(const double *weights, int count) {
+    if (!is_array(weights, count)) {
+        return false;
+    }
+    for (int i = 0; i < count; ++i) {
+        if (!is_moderate(weights[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A size by which something is drawn that nobody else sets; of the return map, unless it is 0. */
+static bool is_drawn_alone(double size, const char *what, const tdmf_ensemble_rules *rules,
+                           const tdmf_ensemble *ensemble) {
+    const int setting = tdmf_setting_of(what);
     const tdmf_given_settings *given = ensemble->given;
-    if (rules->roughness == 0.0) {
+    if (size == 0.0) {
         return true;
     }
-    return isfinite(rules->roughness) && rules->roughness > 0.0 && ensemble->map == TDMF_RETURN_MAP &&
-           !(given != NULL && has(given->settings, given->count, height)) &&
-           !(rules->law != NULL && has(rules->law->settings, rules->law->count, height));
+    return isfinite(size) && size > 0.0 && ensemble->map == TDMF_RETURN_MAP &&
+           !(given != NULL && has(given->settings, given->count, setting)) &&
+           !(rules->law != NULL && has(rules->law->settings, rules->law->count, setting));
+}
+
+static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
+    return is_drawn_alone(rules->roughness, "ground.height", rules, ensemble) &&
+           is_drawn_alone(rules->friction_spread, "ground.friction", rules, ensemble) &&
+           are_weights(rules->step_weights, rules->step_weight_count) &&
+           are_weights(rules->friction_weights, rules->friction_weight_count);
 }
 
 static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {

@@ -105,10 +105,43 @@ static bool resolve(tdmf_runner *runner) {
     return true;
 }
 
+typedef double deviate_of_stride(uint64_t seed, uint64_t runner, uint32_t stride);
+
+/* Of this stride and of those before; numbers of strides before the first wrap. */
+static double weighted_deviates(const tdmf_runner *runner, deviate_of_stride *deviate, const double *weights,
+                                int count) {
+    const uint64_t seed = runner->its_case->rules.seed;
+    const uint32_t stride = (uint32_t)runner->end->strides;
+    double sum = 0.0;
+    if (weights == NULL) {
+        return deviate(seed, runner->number, stride);
+    }
+    for (int j = 0; j < count; ++j) {
+        sum += weights[j] * deviate(seed, runner->number, stride - (uint32_t)j);
+    }
+    return sum;
+}
+
 static void step_ground(tdmf_runner *runner) {
     const tdmf_ensemble_rules *rules = &runner->its_case->rules;
-    const double step = tdmf_ground_step(rules->seed, runner->number, (uint32_t)runner->end->strides);
-    runner->inputs.ground.height += rules->roughness * step;
+    runner->inputs.ground.height +=
+        rules->roughness *
+        weighted_deviates(runner, tdmf_ground_step, rules->step_weights, rules->step_weight_count);
+}
+
+static void draw_friction(tdmf_runner *runner) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    const double largest = tdmf_setting_range(tdmf_setting_of("ground.friction"))->maximum;
+    const double factor =
+        exp(rules->friction_spread * weighted_deviates(runner, tdmf_friction_deviate, rules->friction_weights,
+                                                       rules->friction_weight_count));
+    runner->inputs.ground.friction = fmin(largest, runner->its_case->inputs.ground.friction * factor);
+}
+
+/* The foot is below the step that has just come. */
+static bool trips(const tdmf_runner *runner) {
+    const tdmf_ground_line step = tdmf_ground_line_set(&runner->inputs);
+    return runner->its_case->rules.trips && tdmf_foot_over_ground(&step, runner->motion.state).y < 0.0;
 }
 
 /* False where the run has ended: a runner that has not got onto its last ground in a whole stride is below
@@ -135,7 +168,14 @@ static bool begin_stride(tdmf_runner *runner) {
     if (is_rough) {
         step_ground(runner);
     }
+    if (runner->its_case->rules.friction_spread != 0.0) {
+        draw_friction(runner);
+    }
     note_beginning(runner);
+    if (is_rough && trips(runner)) {
+        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
+    }
     if (runner->map == TDMF_REDUCED_MAP) {
         return leave_apex(runner);
     }

@@ -64,7 +64,18 @@ typedef struct {
     double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
                          0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
                          whole stride has fallen. Of the return map only */
-    uint64_t seed;    /* of the steps */
+    /* Steps that hang together: a step is the roughness times the sum of weight j times the deviate of j
+     * strides before. NULL: each is its own deviate. */
+    const double *step_weights;
+    int step_weight_count;
+    bool trips; /* a foot that is below a step as it comes has met it: a fall. Else it may pass it on its way
+                   up */
+    /* The friction of a stride is the case's times exp(friction_spread times such a sum, of deviates of its
+     * own), within its range; see tdmf_friction_deviate. Of the return map only */
+    double friction_spread;
+    const double *friction_weights;
+    int friction_weight_count;
+    uint64_t seed;              /* of steps and friction */
     const tdmf_affine_law *law; /* by which it sets at each apex, the start's too; NULL: nothing */
 } tdmf_ensemble_rules;
 
@@ -162,15 +173,20 @@ typedef struct {
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
  * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
- * setting is none, is set twice or gets a value out of its range, heights of rough ground are set, a number
- * of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their array NULL, a
- * place to go on from has a contact or phase that there is not, or there is no memory. */
+ * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
+ * is drawn are set, weights or a spread are not finite or the spread is below 0 or above it in the reduced
+ * map, a number of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their
+ * array NULL, a place to go on from has a contact or phase that there is not, or there is no memory. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 
 /* The step of rough ground, over its roughness, with which a runner's stride begins: the first stride is 0.
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
+
+/* The logarithm of a stride's friction over what it is drawn about, over its spread: as the step, drawn by
+ * itself. */
+TDMF_API double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t stride);
 
 /* The noise of a sensor, over its standard deviation, in a coordinate of the section: as the step, and drawn
  * by itself where the seeds are the same. */

@@ -168,7 +168,7 @@ def count_falls(share: Share) -> NDArray[np.int64]:
 
 def strides_to_fall(
     runner: Runner | Mapping[str, Given],
-    roughness: float,
+    roughness: float | RoughGround,
     runners: int = 1000,
     seed: int = 0,
     most_strides: int = 10_000,
@@ -191,8 +191,9 @@ def strides_to_fall(
     ----------
     runner : Runner or mapping of str to float
         Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
-    roughness : float
-        Standard deviation of a step, m.
+    roughness : float or RoughGround
+        Standard deviation of a step, m; or ground whose steps are correlated, that trips, or whose friction
+        is drawn, with a seed of its own.
     runners : int, default 1000
         How many run, each on ground of its own.
     seed : int, default 0
@@ -238,7 +239,7 @@ def strides_to_fall(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
         )
     check_law(law, runner)
-    ground = RoughGround(roughness, seed)
+    ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
     most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
     if gait is not None:

@@ -8,7 +8,13 @@ from ..analysis.first_passage import MOST_RUNNERS, MOST_STRIDES, FirstPassage, s
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
-from ..library.rough_ground import LARGEST, LAST_SEED
+from ..library.rough_ground import (
+    LARGEST,
+    LARGEST_SPREAD,
+    LAST_SEED,
+    RoughGround,
+    correlated_weights,
+)
 from ..terminal.text import columns, quantity
 from ..unit.unit import Unit, load
 from .options import (
@@ -60,6 +66,23 @@ from .runner import runner_of
     help="A runner that has made as many is still up, and counted as censored.",
 )
 @click.option(
+    "--correlation",
+    type=Number(-0.99, 0.99),
+    default=0.0,
+    metavar="C",
+    help="Of each step with the one before.",
+)
+@click.option(
+    "--trips", is_flag=True, help="A foot below a step as it comes is a fall, not only one that stays there."
+)
+@click.option(
+    "--friction-spread",
+    type=Number(0.0, LARGEST_SPREAD),
+    default=0.0,
+    metavar="S",
+    help="Standard deviation of the logarithm of each stride's friction, about the runner's.",
+)
+@click.option(
     "--rare",
     is_flag=True,
     help="By multilevel splitting, for falls that hardly ever come; without --runners and --most-strides.",
@@ -75,6 +98,9 @@ def rough_command(
     runners: int,
     seed: int,
     most_strides: int,
+    correlation: float,
+    trips: bool,
+    friction_spread: float,
     rare: bool,
     scheduler: str | None,
     workers: int | None,
@@ -89,13 +115,21 @@ def rough_command(
     unit = load()
     runner = runner_of(unit, parameters, values_given(friction, settings))
     if rare:
-        _check_alone("runners", "most_strides", "scheduler", "workers")
+        _check_alone(
+            "runners", "most_strides", "scheduler", "workers", "correlation", "trips", "friction_spread"
+        )
         split = rare_falls(runner, roughness, seed=seed, show_progress=True, unit=unit)
         print(json_text(split.as_json()) if as_json_object else _rare_text(split, unit))
         return
     found = strides_to_fall(
         runner,
-        roughness,
+        RoughGround(
+            roughness,
+            seed,
+            step_weights=correlated_weights(correlation),
+            trips=trips,
+            friction_spread=friction_spread,
+        ),
         runners,
         seed,
         most_strides,

@@ -61,7 +61,7 @@ def check_alike(cases: Sequence[Case]) -> None:
     reduced = cases[0].runner.reduced
     if any(case.runner.reduced != reduced for case in cases):
         raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
-    if reduced and any(case.ground.roughness for case in cases):
+    if reduced and any(case.ground.is_drawn for case in cases):
         raise InputError("cases: on rough ground by the reduced map; allowed: by the full model")
 
 
@@ -101,8 +101,7 @@ def c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Stru
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
         its.rules.distance, its.rules.most_strides = near, most_strides
-        its.rules.roughness, its.rules.seed = case.ground.roughness, case.ground.seed
-        kept += [c_gaits, case.runner]
+        kept += [c_gaits, case.runner, *case.ground.write(its.rules)]
         if case.law is not None:
             c_law, arrays = case.law.c_law()
             its.rules.law = c_law

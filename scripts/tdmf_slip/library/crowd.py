@@ -136,7 +136,7 @@ class Crowd(ByContents):
         for k in range(count):
             parameters[k], cases[k].inputs = model.parameters, self.runner.inputs[0]
             cases[k].model, cases[k].rules.law = models + k, c_law
-            cases[k].rules.roughness, cases[k].rules.seed = ground.roughness, ground.seed
+            kept += ground.write(cases[k].rules)
         for member in PARAMETERS:
             for k, value in enumerate(self.varied.get(member.name, ())):
                 member.write(parameters[k], value)

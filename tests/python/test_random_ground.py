@@ -1,0 +1,122 @@
+"""Ground whose steps hang together, that trips, and whose friction is drawn: against the same, given."""
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, find_orbit, run_ensemble, stride_map, strides_to_fall
+from tdmf_slip.library.ensemble import FATES, Case
+from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
+
+RUNNERS, STRIDES = 24, 5
+FELL = FATES.index("fell")
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return find_orbit({"ground.friction": 0.6})
+
+
+def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):
+    starts = np.tile(gait.apex, (runners, 1))
+    return run_ensemble([Case(gait.runner, ground=ground)], starts, most_strides=strides, **how)[0]
+
+
+def given(gait, name, values):
+    starts = np.tile(gait.apex, (RUNNERS, 1))
+    return stride_map(starts, gait.runner, strides=STRIDES, settings={name: values})
+
+
+def same_apices(ends, data):
+    """Of runners that have made all strides."""
+    up = ends["strides"] == STRIDES
+    assert np.count_nonzero(up) > RUNNERS // 2
+    last = data["next_apex"].values[:, -1]
+    assert ends["apex"][up] == pytest.approx(last[up], abs=1e-6)
+
+
+def test_steps_that_hang_together_are_those_given(gait):
+    ground = RoughGround(0.1, 7, step_weights=correlated_weights(0.7))
+    steps = np.array([ground.steps(k, STRIDES) for k in range(RUNNERS)])
+    same_apices(
+        runs(gait, ground, tolerance=1e-11), given(gait, **{"ground.height": np.cumsum(steps, axis=1)})
+    )
+
+
+def test_friction_by_stride_is_that_given(gait):
+    ground = RoughGround(0.0, 7, friction_spread=0.3, friction_weights=correlated_weights(0.5))
+    frictions = 0.6 * np.array([ground.frictions(k, STRIDES) for k in range(RUNNERS)])
+    assert frictions.std() > 0.1
+    same_apices(runs(gait, ground, tolerance=1e-11), given(gait, "ground.friction", frictions))
+
+
+def test_results_do_not_depend_on_lanes(gait):
+    ground = RoughGround(0.2, 3, correlated_weights(0.5), True, 0.2)
+    alone = runs(gait, ground, instructions="one by one", tolerance=1e-11)
+    assert alone["apex"] == pytest.approx(runs(gait, ground, tolerance=1e-11)["apex"], abs=1e-6)
+
+
+@pytest.mark.parametrize("correlation", [-0.6, 0.3, 0.9])
+def test_a_correlation_is_what_it_is_called(correlation):
+    ground = RoughGround(0.2, 5, step_weights=correlated_weights(correlation))
+    steps = np.concatenate([ground.steps(k, 4000) for k in range(4)])
+    assert steps.std() == pytest.approx(0.2, rel=0.1)
+    for lag in (1, 2):
+        told = np.corrcoef(steps[:-lag], steps[lag:])[0, 1]
+        assert told == pytest.approx(correlation**lag, abs=0.05)
+
+
+def test_a_spectrum_is_that_of_the_steps():
+    frequencies = np.linspace(0.0, 0.5, 33)
+    density = 1.0 / (0.05 + frequencies) ** 2
+    steps = RoughGround(1.0, 2, step_weights=spectrum_weights(density)).steps(0, 32_500).reshape(-1, 65)
+    found = (np.abs(np.fft.rfft(steps, axis=1)) ** 2).mean(axis=0)[1:]
+    wanted = np.interp(np.fft.rfftfreq(65)[1:], frequencies, density)
+    ratio = (found / found.sum()) / (wanted / wanted.sum())
+    assert np.all(np.abs(np.log(ratio[:20])) < 0.6)
+
+
+def test_who_trips_falls_at_the_step(gait):
+    """At the start exactly where the step is higher than the foot, which by default passes it."""
+    clearance = gait.stride["foot_clearance"]
+    plain, trips = RoughGround(0.6, 4), RoughGround(0.6, 4, trips=True)
+    first = np.array([plain.steps(k, 1)[0] for k in range(400)])
+    fell = runs(gait, trips, 400, 1)["fate"] == FELL
+    assert np.array_equal(fell, first > clearance) and 5 < np.count_nonzero(fell) < 200
+    assert np.count_nonzero(runs(gait, plain, 400, 1)["fate"] == FELL) < np.count_nonzero(fell)
+
+
+def test_first_passage_takes_such_ground(gait):
+    plain = strides_to_fall(gait.runner, RoughGround(0.5, 1), 100, gait=gait, workers=1)
+    assert plain == strides_to_fall(gait.runner, 0.5, 100, 1, gait=gait, workers=1)
+    trips = strides_to_fall(gait.runner, RoughGround(0.5, 1, trips=True), 100, gait=gait, workers=1)
+    assert trips.mean_strides <= plain.mean_strides
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"friction_spread": -1.0},
+        {"friction_spread": np.nan},
+        {"step_weights": (np.nan,)},
+        {"step_weights": [1.0] * 5000},
+        {"friction_weights": "no"},
+    ],
+)
+def test_what_makes_no_sense_is_refused(arguments):
+    with pytest.raises(InputError, match=next(iter(arguments))):
+        RoughGround(0.1, **arguments)
+
+
+def test_friction_is_drawn_in_the_full_model_only():
+    reduced = find_orbit({"ground.friction": 0.6}, model="reduced")
+    with pytest.raises(InputError):
+        run_ensemble(
+            [Case(reduced.runner, ground=RoughGround(friction_spread=0.1))],
+            np.tile(reduced.apex, (2, 1)),
+            most_strides=2,
+        )
+
+
+def test_the_command_knows_of_it(command):
+    options = ("--roughness", "0.5", "--runners", "40", "--correlation", "0.7", "--friction-spread", "0.1")
+    status, out, _ = command("rough", *options, "--trips", "--json")
+    assert status == 0 and '"falls"' in out
