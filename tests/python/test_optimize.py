@@ -263,3 +263,27 @@ def test_a_search_goes_through_pieces_too_narrow_for_differences():
     asked = {"minimize": "frequency", "at": {"speed": 0.9559354532704964}, "stable": True}
     best = optimize(runner, over, **asked, starts=1)
     assert best.why == "" and best.value < 0.0138 and best.gait.lambda_max < 0.99
+
+
+def test_the_best_place_along_the_edge_of_a_fold_is_found():
+    """Of two parameters one is left along the edge; by a grid over it there is no better place."""
+    slow, over = {**STICKING, TORQUE: 0.11}, {TORQUE: (0.1, 0.12), "leg.damping": (0.19, 0.21)}
+    best = optimize(slow, over, minimize="cost_of_transport", starts=1)
+    assert best.limits == ("fold",) and best.why == "" and max(best.falls.values()) <= 1e-4
+    compared = 0
+    for damping in (0.19, 0.195, 0.2, 0.205, 0.21):
+        at = optimize(
+            {**slow, "leg.damping": damping}, {TORQUE: (0.1, 0.12)}, minimize="cost_of_transport", starts=1
+        )
+        assert best.value <= at.value + 1e-7
+        compared += 1
+    assert compared == 5
+
+
+def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
+    """Along the thrust both ways lead off: to another word, and below zero. Beside it one does not."""
+    asked = {"maximize": "frequency", "stable": True, "starts": 1}
+    best = optimize({"ground.friction": 2.463}, {TORQUE: (0.08, 0.45), "leg.thrust": (0.0, 0.2)}, **asked)
+    assert best.why == "" and best.limits == ("stability",)
+    assert best.gait.lambda_max == pytest.approx(0.99, abs=1e-7)
+    assert best.active_bounds == {"leg.thrust": "lower"}

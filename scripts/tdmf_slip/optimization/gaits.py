@@ -7,7 +7,6 @@ that begin on the tangent of the gaits.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import product
 
 import numpy as np
@@ -40,6 +39,9 @@ DIFFERENCES = (1e-5, 1e-7)
 """Of the width of the bounds: steps of differences along the gaits; the second one where a piece is
 narrow."""
 
+SLANTS = (1.0, -1.0, 10.0, -10.0)
+"""Of directions between two parameters."""
+ON_EDGE = "the gait is on the edge of an event, where its eigenvalues have no derivatives"
 ROOM, OFF_FOLDS = 0.05, 1e-2
 """Below its limit and off folds by so much, it does not matter how the spectrum changes."""
 
@@ -114,16 +116,49 @@ class Gaits:
     def _jacobian_changes(
         self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
     ) -> list[NDArray[np.float64]]:
-        """Of the map's Jacobian along the gaits, by each parameter."""
+        """Of the map's Jacobian along the gaits, by each parameter.
 
-        def stride(k: int, step: float) -> Orbit:
-            there = at.copy()
-            there[k] += step
-            return strides_from(
-                self.space.runner_at(self.runner, there), orbit.apex + step * apex_slopes[:, k]
-            )
+        On the border of a piece both ways along a parameter may lead off it, or off its bounds; a direction
+        between it and another parameter, by which the change is known, may not.
+        """
 
-        return [_jacobian_change(orbit, partial(stride, k)) for k in range(len(at))]
+        def along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+            def stride(step: float) -> Orbit:
+                runner = self.space.runner_at(self.runner, at + step * direction)
+                return strides_from(runner, orbit.apex + step * (apex_slopes @ direction))
+
+            return _jacobian_change(orbit, stride)
+
+        axes, changes, left = np.eye(len(at)), {}, []
+        for k, axis in enumerate(axes):
+            try:
+                changes[k] = along(axis)
+            except RunError:
+                left.append(k)
+        for k in left:
+            changes[k] = self._between(along, axes, k, {j: changes[j] for j in changes if j not in left})
+        return [changes[k] for k in range(len(at))]
+
+    def _between(
+        self,
+        along: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+        axes: NDArray[np.float64],
+        number: int,
+        known: Mapping[int, NDArray[np.float64]],
+    ) -> NDArray[np.float64]:
+        """The change by a parameter, from that in a direction between it and another.
+
+        Raises
+        ------
+        RunError
+            No such direction stays on the piece.
+        """
+        for (other, change), slant in product(known.items(), SLANTS):
+            try:
+                return along(axes[number] + slant * axes[other]) - slant * change
+            except RunError:
+                continue
+        raise RunError(ON_EDGE)
 
     def orbit_from(self, near: Candidate, at: NDArray[np.float64]) -> Orbit:
         """The gait at a place, from one that is known, on the same branch.
@@ -197,4 +232,4 @@ def _jacobian_change(orbit: Orbit, stride: Callable[[float], Orbit]) -> NDArray[
             terms = [w / length * other.jacobian for w, other in zip(weights.values(), orbits, strict=True)]
             change: NDArray[np.float64] = np.sum(terms, axis=0)
             return change
-    raise RunError("the gait is on the edge of an event, where its eigenvalues have no derivatives")
+    raise RunError(ON_EDGE)

@@ -22,6 +22,7 @@ from ..contents import ByContents
 from ..errors import RunError
 from .along import best_along
 from .border import Border, Side, between
+from .fold_edge import best_on_edge, is_near
 from .gaits import Candidate, Gaits
 from .pieces import Piece
 from .problem import MET, Problem
@@ -36,6 +37,8 @@ PROGRESS = 1e-9
 """Of the merit: a run that makes it less by no more has come to nothing."""
 ROUGHLY = 1e-3
 """Violation of the constraints at which a search that makes no progress has nothing to hope for."""
+EDGES = 3
+"""Searches along the edge that is kept off a fold."""
 STATIONARY = 1e-4
 """Fall of the merit, over the size of a step, that counts as none."""
 
@@ -65,6 +68,7 @@ class Search:
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
         best, piece, radius, largest, why = begin, Piece.of(begin.orbit), RADIUS, 1.0, ""
+        edges = 0
         merits: list[float] = []
         for _ in range(ROUNDS):
             ended = self._in_box(best, radius, piece)
@@ -79,6 +83,12 @@ class Search:
                     return Found(best, {best.orbit.word: fall})
                 if ended.lost and not self.problem.goal.fold:
                     return Found(best, {best.orbit.word: fall}, why=ended.lost)
+                if self.problem.goal.fold and edges < EDGES and is_near(best):
+                    edges += 1
+                    best = best_on_edge(self.gaits, self.problem, best, piece, STATIONARY)
+                    fall = self.problem.steepest(best)
+                    if fall <= STATIONARY:
+                        return Found(best, {best.orbit.word: fall})
                 grows = not ended.lost and progress > PROGRESS
                 largest = 0.5 * radius if ended.lost else 1.5 * largest
                 radius = min(1.0, largest, 2.0 * radius) if grows else 0.25 * radius
