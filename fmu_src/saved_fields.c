@@ -3,6 +3,7 @@
  * from the rest: model, solver's limits, views. */
 #include "saved_fields.h"
 
+#include "static_assert.h"
 #include "tdmf_slip/kinematics.h"
 
 #include <float.h>
@@ -113,6 +114,59 @@ static void pass_word(transfer *bytes, const char *name, char word[TDMF_WORD_CAP
 }
 
 /* ---- one struct each ---------------------------------------------------------------------------------- */
+
+/* The fields that are passed below, in the structs' order. A field that is added to a struct and forgotten
+ * here does not compile, unless it is so small that it fits between two others. */
+typedef struct {
+    double height, slope, sine, cosine;
+} passed_ground_line;
+typedef struct {
+    int contact, phase;
+    double liftoff_angle;
+    bool flags[6];
+    double rest_length;
+    passed_ground_line ground;
+    bool fallen;
+} passed_mode;
+typedef struct {
+    int count;
+    double period_to_cost[9];
+    int touchdowns;
+    double stance_time_to_peaks[5];
+    char word[TDMF_WORD_CAPACITY];
+    int word_code;
+} passed_stride;
+typedef struct {
+    double time_and_section[7];
+} passed_apex;
+typedef struct {
+    bool flags[2];
+    double instants[4], starts[3], works[3], so_far[4];
+    int touchdowns;
+    char word[TDMF_WORD_CAPACITY];
+} passed_open_stride;
+typedef struct {
+    int event_count;
+    double last_event_time, impact_loss, now[2];
+    passed_stride stride;
+    passed_apex apex;
+    passed_open_stride open;
+} passed_record;
+typedef struct {
+    double time, state[TDMF_STATE_COUNT];
+    passed_mode mode;
+    passed_record record;
+} passed_motion;
+TDMF_STATIC_ASSERT(sizeof(tdmf_ground_line) == sizeof(passed_ground_line),
+                   every_field_of_a_ground_line_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_mode) == sizeof(passed_mode), every_field_of_a_mode_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_stride) == sizeof(passed_stride), every_field_of_a_stride_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_apex) == sizeof(passed_apex), every_field_of_an_apex_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_open_stride) == sizeof(passed_open_stride),
+                   every_field_of_an_open_stride_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_record) == sizeof(passed_record), every_field_of_a_record_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_motion) == sizeof(passed_motion), every_field_of_a_motion_is_saved);
+TDMF_STATIC_ASSERT(sizeof(tdmf_leg_sample) == 3 * sizeof(double), every_field_of_a_leg_sample_is_saved);
 
 static void pass_ground_line(transfer *bytes, tdmf_ground_line *ground) {
     pass_between(bytes, "the height of the ground", &ground->height, -unit_largest_state, unit_largest_state);

@@ -10,6 +10,7 @@
 #include "margins.h"
 #include "record.h"
 #include "reduced_stride.h"
+#include "static_assert.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
 #include "turns.h"
@@ -70,6 +71,16 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
 static double time_left_of(const tdmf_runner *runner) {
     return TDMF_LONGEST_STRIDE * runner->model->scales.time - (runner->motion.time - runner->stride_began);
 }
+
+/* A field that is added to a member and forgotten below does not compile. */
+TDMF_STATIC_ASSERT(sizeof(flying_member) == sizeof(member_progress) + sizeof(flight_coordinates) +
+                                                2 * sizeof(real) + 2 * sizeof(height_above) +
+                                                sizeof(flight_constants),
+                   every_field_of_a_flying_member_is_filled);
+TDMF_STATIC_ASSERT(sizeof(standing_member) == sizeof(member_progress) + sizeof(ground_coordinates) +
+                                                  sizeof(real) + sizeof(ground_constants) +
+                                                  sizeof(friction_layer),
+                   every_field_of_a_standing_member_is_filled);
 
 static flying_member flying_fields(const tdmf_runner *runner) {
     const tdmf_mode_equations *equations = &runner->equations;
