@@ -1,5 +1,7 @@
 """Proofs of gaits off Table 1: slopes, thrust, retraction, pushes; of whole ranges; of random runners."""
 
+import hashlib
+import itertools
 import json
 import os
 import pathlib
@@ -15,15 +17,19 @@ from tdmf_slip.library.strides import strides_from
 
 pytest.importorskip("flint")
 
+from tdmf_slip.proof.given import gait_of
+from tdmf_slip.proof.parameters import Parameters
 from tdmf_slip.proof.range_proof import Piece
-from tdmf_slip.proof.range_prover import RangeProver
+from tdmf_slip.proof.range_prover import RangeProver, proved_piece
 
 READ = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))["gaits"]
 FURTHER = [gait for gait in READ if "ground.stribeck_velocity" not in gait["start_values"]]
 LONG = pytest.mark.skipif("TDMF_SLIP_LONG" not in os.environ, reason="proofs that take minutes: --long")
 EVERYTHING = next(gait for gait in FURTHER if len(gait["start_values"]) > 4)
 RANDOM, PROVED_AT_LEAST = 40, 35
-RANDOM_TABLE = pathlib.Path(__file__).parents[2] / "documentation/data/proved_random_gaits.jsonl"
+DOCUMENTATION = pathlib.Path(__file__).parents[2] / "documentation"
+RANDOM_TABLE = DOCUMENTATION / "data/proved_random_gaits.jsonl"
+TABLE = DOCUMENTATION / "data/proved_friction.jsonl"
 
 
 def check_further(gait):
@@ -142,6 +148,40 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
     assert file.read_text(encoding="utf-8") == text
     with pytest.raises(InputError, match="not of this range"):
         tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)
+
+
+@pytest.fixture(scope="module")
+def table():
+    """The published table of proved gaits over the friction: its heading, and all its pieces."""
+    head, *parts = (json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines())
+    return head, [Piece.of_row(row) for part in parts for row in part["pieces"]]
+
+
+def test_the_published_table_has_no_gaps_and_is_of_one_branch(table):
+    head, pieces = table
+    assert head["range"] == ["47/100", "12/25"]
+    assert pieces[0].begin == Fraction("0.47")
+    assert all(piece.proved and piece.stable and piece.word == "+0-" for piece in pieces)
+    assert all(one.meets(other) for one, other in itertools.pairwise(pieces))
+    assert len(pieces) > 200
+
+
+def test_pieces_of_the_published_table_are_proved_again(table):
+    _, values = gait_of({"ground.friction": "0.47"})
+    parameters = Parameters(values, "ground.friction")
+    for piece in table[1][:: len(table[1]) // 2]:
+        again, _ = proved_piece(parameters, piece)
+        assert (again.word, again.stable) == (piece.word, piece.stable)
+        assert all(a < b for a, b in zip(again.enclosure, piece.box, strict=True))
+        assert np.allclose(again.enclosure, piece.enclosure, rtol=0.02)
+
+
+def test_the_guide_has_the_hash_of_the_published_table(table):
+    guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
+    assert hashlib.sha256(TABLE.read_bytes()).hexdigest() in guide
+    told = float(table[1][-1].end)
+    assert f"from 0.47 to {told:.6g}" in guide
+    assert f"{len(table[1])} pieces" in guide
 
 
 def unstable_gait():

@@ -1,5 +1,6 @@
 """The command `prove`: a gait, proved by interval arithmetic."""
 
+import hashlib
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -160,7 +161,11 @@ def _prove_range(
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
     proof = prove(told, vary={name: (begin, end)}, output=output, workers=workers, show_progress=True)
-    print(json_text(proof.as_json()) if as_json_object else proof.sentence)
+    digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
+    if as_json_object:
+        print(json_text({**proof.as_json(), "sha256": digest}))
+    else:
+        print(proof.sentence if digest is None else f"{proof.sentence}\nSHA-256 of {output}: {digest}")
     _end(proof.proved)
 
 

@@ -62,9 +62,13 @@ class Piece:
         """Whether its gait at its end is proved to be that of the next piece at its beginning."""
         if not (self.proved and other.proved and self.end == other.begin):
             return False
+        return self._has_in_box(other, self.end) or other._has_in_box(self, self.end)
+
+    def _has_in_box(self, other: "Piece", value: Fraction) -> bool:
+        """Whether another's gait is in the box in which its own is the only one, at a value of both."""
         with ctx.workprec(COMPARING_BITS):
-            places = [_place(piece, self.end) for piece in (self, other)]
-            rows = zip(*places, self.enclosure, other.box, strict=True)
+            places = [_place(piece, value) for piece in (self, other)]
+            rows = zip(*places, other.enclosure, self.box, strict=True)
             return all(abs(a - b) + arb(radius) < arb(room) for a, b, radius, room in rows)
 
 
