@@ -1,4 +1,6 @@
 /* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */
+#ifndef TDMF_DERIVED_EVENT_TABLE_H
+#define TDMF_DERIVED_EVENT_TABLE_H
 
 #include "event_declarations.h"
 #include "friction_laws.h"
@@ -17,6 +19,15 @@ static double armed_leg_too_short(const tdmf_evaluation *at) {
 static double armed_apex(const tdmf_evaluation *at) {
     return tdmf_apex_guard(at) / at->model->scales.speed +
            (at->mode->rises ? TDMF_APEX_MARGIN : TDMF_DEAD_BAND);
+}
+
+static void vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                           const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                           double d_state[TDMF_STATE_COUNT]) {
+    double d_before[TDMF_STATE_COUNT];
+    memcpy(d_before, d_state, sizeof d_before);
+    tdmf_vary_apex_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), &d->model, &d->inputs,
+                        &d->mode.ground, d_before, d_state);
 }
 
 static double armed_touchdown(const tdmf_evaluation *at) {
@@ -59,25 +70,16 @@ static double armed_slip_velocity_zero(const tdmf_evaluation *at) {
            TDMF_GUARD_MARGIN;
 }
 
+static double vary_slip_velocity_zero(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return tdmf_vary_slip_velocity_zero_guard(at, tdmf_sign_of_slip(at->mode), d);
+}
+
 static double armed_graze_to_contact(const tdmf_evaluation *at) {
     return tdmf_graze_to_contact_guard(at) / at->model->scales.force + TDMF_GUARD_MARGIN;
 }
 
 static double armed_graze_to_flight(const tdmf_evaluation *at) {
     return tdmf_graze_to_flight_guard(at) / at->model->scales.force + TDMF_GUARD_MARGIN;
-}
-
-static double vary_slip_velocity_zero(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return tdmf_vary_slip_velocity_zero_guard(at, tdmf_sign_of_slip(at->mode), d);
-}
-
-static void vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                           const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
-                           double d_state[TDMF_STATE_COUNT]) {
-    double d_before[TDMF_STATE_COUNT];
-    memcpy(d_before, d_state, sizeof d_before);
-    tdmf_vary_apex_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), &d->model, &d->inputs,
-                        &d->mode.ground, d_before, d_state);
 }
 
 static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
@@ -94,13 +96,13 @@ static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
     [TDMF_GUARD_APEX] = {.guard = armed_apex,
                          .vary_guard = tdmf_vary_apex_guard,
                          .reset = tdmf_take_apex,
-                         .reach = TDMF_REACH_WITHIN_DEAD_BAND,
-                         .vary_reset = vary_take_apex},
+                         .vary_reset = vary_take_apex,
+                         .reach = TDMF_REACH_WITHIN_DEAD_BAND},
     [TDMF_GUARD_TOUCHDOWN] = {.guard = armed_touchdown,
                               .vary_guard = tdmf_vary_touchdown_guard,
                               .reset = tdmf_take_touchdown,
-                              .reach = TDMF_REACH_WITHIN_DEAD_BAND,
                               .vary_reset = tdmf_vary_take_touchdown,
+                              .reach = TDMF_REACH_WITHIN_DEAD_BAND,
                               .is_impact = true},
     [TDMF_GUARD_CLAMP] = {.guard = armed_clamp,
                           .vary_guard = tdmf_vary_clamp_guard,
@@ -195,3 +197,5 @@ static const watch_list watched_by[] = {
     [TDMF_CONTACT_SLIP_NEGATIVE] = LIST(in_slip, OBSERVED_IN_SLIP),
     [TDMF_CONTACT_GRAZE] = LIST(in_graze, OBSERVED_IN_GRAZE),
 };
+
+#endif

@@ -63,7 +63,7 @@ static inline void expand_load(const real *axial_y, const real *torque, const re
 }
 
 /* gain (target - theta) - rate_gain thetadot + torque, now. */
-static inline void expand_torque(const real *angle, const real *angle_rate, const hip_law *servo, int order,
+static inline void expand_torque(const hip_law *servo, const real *angle, const real *angle_rate, int order,
                                  real torque[SERIES_TERMS]) {
     int k = 0;
     do {

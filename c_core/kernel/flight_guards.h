@@ -115,7 +115,7 @@ static inline void watch_ramped_apex(event_search *search, const flight_constant
 static inline void watch_clamp(event_search *search, const flight_constants *c, const flight_series *f) {
     const int order = search->order - 1;
     real torque[SERIES_TERMS];
-    expand_torque(f->angle, f->angle_rate, &c->servo, order, torque);
+    expand_torque(&c->servo, f->angle, f->angle_rate, order, torque);
     const guard_series g = {torque, real_of(1.0), torque[0], order};
     watch(search, TDMF_GUARD_CLAMP, search->live, &g,
           TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor * c->mode.energy_scale);

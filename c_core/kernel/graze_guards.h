@@ -61,7 +61,7 @@ static inline void watch_graze(event_search *search, const ground_constants *c, 
     real angles[SERIES_TERMS], lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
     watch_apex_in_graze(search, c, g, retracts);
     integrate_angle(g, angle, order, angles);
-    expand_torque(angles, g->angle_rate, &c->servo, order, flight);
+    expand_torque(&c->servo, angles, g->angle_rate, order, flight);
     clamp_servo(search, c, retracts, order, flight);
     flight[0] += c->law.torque;
     flight[1] += c->law.torque_rate;

@@ -1,54 +1,70 @@
 """The table of events in C: what announces each, what takes it, and who watches it in what order."""
 
 from ..events import ALL, EVENTS, Event
+from .c import header
 
 BANDS = {
     "": "TDMF_GUARD_MARGIN",
     "dead": "TDMF_DEAD_BAND",
     "apex": "(at->mode->rises ? TDMF_APEX_MARGIN : TDMF_DEAD_BAND)",
 }
-REACHES = {"margin": "TDMF_REACH_WITHIN_MARGIN", "dead": "TDMF_REACH_WITHIN_DEAD_BAND"}
 CONTACTS = {
     "flight": ["FLIGHT"],
     "stick": ["STICK"],
     "slip": ["SLIP_POSITIVE", "SLIP_NEGATIVE"],
     "graze": ["GRAZE"],
 }
-ORIGIN = "/* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */\n"
+# Of the functions of a row, by the row's members.
+SIGNATURES = {
+    "reset": "void {}(tdmf_run *run)",
+    "vary_reset": "void {}(const tdmf_model *model, const tdmf_inputs *inputs, "
+    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
+    "const tdmf_direction *d, double d_state[TDMF_STATE_COUNT])",
+    "guard": "double {}(const tdmf_evaluation *at)",
+    "vary_guard": "double {}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
+}
+VARY_JUMP = """\
+double d_before[TDMF_STATE_COUNT];
+memcpy(d_before, d_state, sizeof d_before);
+tdmf_vary_{name}_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), &d->model, &d->inputs,
+                      &d->mode.ground, d_before, d_state);"""
+TABLE = """\
+#include <string.h>
+
+{functions}
+static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {{
+{rows}}};
+
+/* In the order in which they are taken at one instant. */
+{lists}
+#define END(events) ((events) + sizeof(events) / sizeof((events)[0]))
+#define LIST(events, observed) {{events, END(events) - (observed), END(events)}}
+
+static const watch_list watched_by[] = {{
+{watched_by}}};
+"""
 
 
-JUMP_CHANGE = (
-    "const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground, "
-    "const double before[TDMF_STATE_COUNT], const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]"
-)
-
-
-def taken_by(event: Event) -> str:
-    """Name the C function of an event's reset."""
-    return "NULL" if event.takes == "" else f"tdmf_take_{event.takes or event.name}"
-
-
-def is_varied_by_hand(event: Event) -> bool:
-    """Whether C has the change of an event's guard."""
-    return event.varied == "by hand" or bool(event.band == "by hand" and event.varied)
+def functions_of(event: Event) -> dict[str, str]:
+    """Name the C functions of an event's row; those that begin with tdmf_take and tdmf_armed are by hand."""
+    name, by_hand = event.name, event.band == "by hand"
+    found = {"guard": f"tdmf_armed_{name}" if by_hand else f"armed_{name}"}
+    if event.varied:
+        derived = f"vary_{name}" if event.arguments else f"tdmf_vary_{name}_guard"
+        found["vary_guard"] = f"tdmf_vary_armed_{name}" if by_hand or event.varied == "by hand" else derived
+    if event.takes != "":
+        found["reset"] = f"tdmf_take_{event.takes or name}"
+    if event.jump:
+        found["vary_reset"] = f"tdmf_vary_take_{name}" if event.jump == "by hand" else f"vary_take_{name}"
+    return found
 
 
 def declarations() -> str:
     """Declare what is written by hand: resets, changes of states that jump, and some guards."""
-    takes = dict.fromkeys(taken_by(event) for event in EVENTS if event.takes != "")
-    lines = [f"void {name}(tdmf_run *run);" for name in takes]
-    lines += [f"void {jump_change_of(event)}({JUMP_CHANGE});" for event in EVENTS if event.jump == "by hand"]
-    lines += [
-        f"double tdmf_armed_{e.name}(const tdmf_evaluation *at);" for e in EVENTS if e.band == "by hand"
-    ]
-    lines += [
-        f"double tdmf_vary_armed_{e.name}(const tdmf_evaluation *at, const tdmf_evaluation *d);"
-        for e in EVENTS
-        if is_varied_by_hand(e)
-    ]
-    guard = "TDMF_DERIVED_EVENT_DECLARATIONS_H"
-    opening = f'#ifndef {guard}\n#define {guard}\n\n#include "events.h"\n\n'
-    return ORIGIN + opening + "\n".join(lines) + "\n\n#endif\n"
+    named = [(member, functions_of(event).get(member, "")) for member in SIGNATURES for event in EVENTS]
+    by_hand = [(member, name) for member, name in named if "_take_" in name or "_armed_" in name]
+    lines = [f"{SIGNATURES[member].format(name)};\n" for member, name in by_hand if name.startswith("tdmf_")]
+    return header("event_declarations", "events.py", '#include "events.h"\n', "".join(dict.fromkeys(lines)))
 
 
 def armed(event: Event) -> str:
@@ -64,52 +80,31 @@ def armed(event: Event) -> str:
         flag = event.only_while.removeprefix("not ")
         wait = "!" if event.only_while == flag else ""
         text = f"{wait}at->mode->{flag} ? 1.0 : {text}"
-    return f"static double armed_{event.name}(const tdmf_evaluation *at) {{\nreturn {text};\n}}\n"
+    return f"return {text};"
 
 
-def varied(event: Event) -> str:
-    """Write the change of a guard that has further arguments."""
+def functions(event: Event) -> str:
+    """Write the functions of a row that are derived here."""
+    names = functions_of(event)
     arguments = ", ".join(["at", *(text for _, text in event.arguments), "d"])
-    return (
-        f"static double vary_{event.name}(const tdmf_evaluation *at, const tdmf_evaluation *d) {{\n"
-        f"return tdmf_vary_{event.name}_guard({arguments});\n}}\n"
-    )
-
-
-def change_of(event: Event) -> str:
-    """Name the C function of the change of an event's guard."""
-    if is_varied_by_hand(event):
-        return f"tdmf_vary_armed_{event.name}"
-    return f"vary_{event.name}" if event.arguments else f"tdmf_vary_{event.name}_guard"
-
-
-def jump_change_of(event: Event) -> str:
-    """Name the C function of what an event's jump makes of a change of the state."""
-    return f"{'tdmf_' * (event.jump == 'by hand')}vary_take_{event.name}"
-
-
-def varied_jump(event: Event) -> str:
-    """Write what a jump that is a law makes of a change of the state."""
-    return (
-        f"static void {jump_change_of(event)}({JUMP_CHANGE}) {{\ndouble d_before[TDMF_STATE_COUNT];\n"
-        "memcpy(d_before, d_state, sizeof d_before);\n"
-        f"tdmf_vary_{event.name}_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), "
-        "&d->model, &d->inputs, &d->mode.ground, d_before, d_state);\n}\n"
-    )
+    texts = {"guard": armed(event)} if event.band != "by hand" else {}
+    if names.get("vary_guard") == f"vary_{event.name}":
+        texts["vary_guard"] = f"return tdmf_vary_{event.name}_guard({arguments});"
+    if callable(event.jump):
+        texts["vary_reset"] = VARY_JUMP.format(name=event.name)
+    written = [f"static {SIGNATURES[m].format(names[m])} {{\n{text}\n}}\n" for m, text in texts.items()]
+    return "\n".join([*written, ""])
 
 
 def row(event: Event) -> str:
     """Write an event's row."""
-    by_hand = event.band == "by hand"
-    members = [
-        f".guard = {'tdmf_armed_' if by_hand else 'armed_'}{event.name}",
-        *([f".vary_guard = {change_of(event)}"] if event.varied else []),
-        *([f".reset = {taken_by(event)}"] if event.takes != "" else []),
-        *([f".reach = {REACHES[event.reach]}"] if event.takes != "" else []),
-        *([f".vary_reset = {jump_change_of(event)}"] if event.jump else []),
-        *([".is_impact = true"] if event.is_impact else []),
-    ]
-    return f"[TDMF_GUARD_{event.name.upper()}] = {{{', '.join(members)}}},\n"
+    members = functions_of(event)
+    if event.takes != "":
+        members["reach"] = f"TDMF_REACH_WITHIN_{'MARGIN' if event.reach == 'margin' else 'DEAD_BAND'}"
+    if event.is_impact:
+        members["is_impact"] = "true"
+    told = ", ".join(f".{member} = {text}" for member, text in members.items())
+    return f"[TDMF_GUARD_{event.name.upper()}] = {{{told}}},\n"
 
 
 def watch_list(contact: str) -> str:
@@ -129,25 +124,13 @@ def watch_list(contact: str) -> str:
 
 def table() -> str:
     """Write the table."""
-    by_table = [event for event in EVENTS if event.band != "by hand"]
-    watched_by = "".join(
-        f"[TDMF_CONTACT_{mode}] = LIST(in_{contact}, OBSERVED_IN_{contact.upper()}),\n"
-        for contact, modes in CONTACTS.items()
-        for mode in modes
+    by_mode = [(mode, contact) for contact, modes in CONTACTS.items() for mode in modes]
+    lists = [f"[TDMF_CONTACT_{m}] = LIST(in_{c}, OBSERVED_IN_{c.upper()}),\n" for m, c in by_mode]
+    text = TABLE.format(
+        functions="".join(map(functions, EVENTS)),
+        rows="".join(map(row, EVENTS)),
+        lists="\n".join(map(watch_list, CONTACTS)),
+        watched_by="".join(lists),
     )
-    return "\n".join(
-        [
-            ORIGIN,
-            '#include "event_declarations.h"\n#include "friction_laws.h"\n#include "guard_laws.h"\n',
-            "#include <string.h>\n",
-            *(armed(event) for event in by_table),
-            *(varied(event) for event in by_table if event.varied is True and event.arguments),
-            *(varied_jump(event) for event in EVENTS if callable(event.jump)),
-            "static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {\n" + "".join(map(row, EVENTS)) + "};\n",
-            "/* In the order in which they are taken at one instant. */",
-            *(watch_list(contact) for contact in CONTACTS),
-            "#define END(events) ((events) + sizeof(events) / sizeof((events)[0]))\n"
-            "#define LIST(events, observed) {events, END(events) - (observed), END(events)}\n",
-            "static const watch_list watched_by[] = {\n" + watched_by + "};\n",
-        ]
-    )
+    includes = ("event_declarations.h", "friction_laws.h", "guard_laws.h")
+    return header("event_table", "events.py", "".join(f'#include "{name}"\n' for name in includes), text)

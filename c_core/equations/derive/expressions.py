@@ -103,48 +103,37 @@ def forget() -> None:
 
 
 def made(operation: str, *operands: Expression) -> Expression:
-    """Give an operation on operands: done where these are numbers, left out where it changes nothing."""
+    """Give an operation on operands: done where these are numbers, left out where it changes nothing.
+
+    Of a product the number comes first, then what is constant, then what is but for a ramp.
+    """
     a, b = operands[0], operands[-1]
     if operation in ARITHMETIC and all(operand.operation == "number" for operand in operands):
         return number(ARITHMETIC[operation](*(operand.value for operand in operands)))
-    if operation == "negative":
-        return a.operands[0] if a.operation == "negative" else Expression("negative", a)
-    simpler = {"+": of_sum, "-": of_difference, "*": of_product, "/": of_quotient}.get(operation)
-    return simpler(a, b) if simpler else Expression(operation, *operands)
-
-
-def of_sum(a: Expression, b: Expression) -> Expression:
-    """Give a + b."""
-    if a.is_number(0) or b.is_number(0):
-        return b if a.is_number(0) else a
-    if b.operation == "negative":
-        return a - b.operands[0]
-    return b - a.operands[0] if a.operation == "negative" else Expression("+", a, b)
-
-
-def of_difference(a: Expression, b: Expression) -> Expression:
-    """Give a - b."""
-    if a is b:
-        return number(0)
-    if a.is_number(0) or b.is_number(0):
-        return -b if a.is_number(0) else a
-    return a + b.operands[0] if b.operation == "negative" else Expression("-", a, b)
-
-
-def of_product(a: Expression, b: Expression) -> Expression:
-    """Give a b: a number first, then what is constant, then what is but for a ramp; their signs in front."""
-    if steadiness(b) > steadiness(a):
-        a, b = b, a
-    if a.is_number(0) or a.is_number(1):
-        return b if a.is_number(1) else a
-    if is_minus(a) or is_minus(b):
-        return -(-a * b) if is_minus(a) else -(a * -b)
-    return Expression("*", a, b)
-
-
-def is_minus(a: Expression) -> bool:
-    """Whether it is a constant with a sign in front."""
-    return a.is_number(-1) or (a.operation == "negative" and a.is_constant)
+    match operation:
+        case "negative" if a.operation == "negative":
+            return a.operands[0]
+        case "-" if a is b:
+            return number(0)
+        case "+" | "-" if b.is_number(0):
+            return a
+        case "+" | "-" if a.is_number(0):
+            return b if operation == "+" else -b
+        case "+" | "-" if b.operation == "negative":
+            return made("-" if operation == "+" else "+", a, b.operands[0])
+        case "+" if a.operation == "negative":
+            return b - a.operands[0]
+        case "*" if steadiness(b) > steadiness(a):
+            return b * a
+        case "*" if a.is_number(1):
+            return b
+        case "*" | "/" if a.is_number(0):
+            return a
+        case "*" if is_minus(a) or is_minus(b):
+            return -(-a * b) if is_minus(a) else -(a * -b)
+        case "/" if b.operation == "number":
+            return a * number(1 / b.value)
+    return Expression(operation, *operands)
 
 
 def steadiness(a: Expression) -> int:
@@ -152,11 +141,9 @@ def steadiness(a: Expression) -> int:
     return 3 if a.operation == "number" else 2 if a.is_constant else 1 if "ramp" in a.marks else 0
 
 
-def of_quotient(a: Expression, b: Expression) -> Expression:
-    """Give a / b."""
-    if b.operation == "number":
-        return a * number(1 / b.value)
-    return a if a.is_number(0) else Expression("/", a, b)
+def is_minus(a: Expression) -> bool:
+    """Whether it is a constant with a sign in front."""
+    return a.is_number(-1) or (a.operation == "negative" and a.is_constant)
 
 
 # The first variation of y = f(a), or f(a, b).

@@ -1,6 +1,6 @@
 """C that expands a law of quantities whose series there are: a guard, or what one is made of."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from types import SimpleNamespace as Record
 from typing import Any
 
@@ -18,48 +18,42 @@ do {{
 """
 
 
-def law_series(name: str, law: Callable[..., Any], rates: dict[str, str], **given: Any) -> str:
-    """Write a function that expands a law.
+def law_series(law: Callable[..., Any], given: dict[str, Any], rates: dict[str, str] | None = None) -> str:
+    """Write a function that expands a law of series, by the names of its parameters.
 
-    It is given None for a series, the text of a constant, two texts of one that drifts, a dict of all that
-    for a record; `rates` are those of series that it turns by.
+    Of those that are none, `given` has the text of a constant, two texts of one that drifts, or a dict of
+    that for a record; `rates` are those of series that it turns by.
     """
+    rates = rates or {}
     forget()
-    quantity = lift(trace(law, **{key: symbols(key, value) for key, value in given.items()}))
+    name, names = law.__name__, law.__code__.co_varnames[: law.__code__.co_argcount]
+    told = [handed(parameter, given.get(parameter)) for parameter in names]
+    told += [handed(rate, None) for rate in rates.values()]
+    quantity = lift(trace(law, *(value for value, _ in told[: len(names)])))
     expansion = Expansion({name: quantity}, {symbol(of): symbol(rate) for of, rate in rates.items()})
     step = expansion.quantities()
-    names = dict.fromkeys(parameters({**given, **dict.fromkeys(rates.values())}))
-    local = [
-        f"real {expansion.arrays[node]}[SERIES_TERMS];\n"
-        for node in expansion.made
-        if node in expansion.arrays
-    ]
+    arrays = [expansion.arrays[node] for node in expansion.made if node in expansion.arrays]
     constants = [f"const real {factor} = {c_text(node)};\n" for node, factor in expansion.factors.items()]
     return LAW.format(
         what=comment(law.__doc__),
         name=name,
-        parameters=", ".join(names),
-        local="".join([line for line in [*local, *constants] if f" {name}[" not in line]),
+        parameters=", ".join(dict.fromkeys(text for _, declared in told for text in declared)),
+        local="".join([*(f"real {array}[SERIES_TERMS];\n" for array in arrays if array != name), *constants]),
         step="\n".join(step),
     )
 
 
-def parameters(given: dict[str, Any]) -> Iterable[str]:
-    """Name the C parameters that hand in what a law is told; a servo is a struct."""
-    for name, text in given.items():
-        if isinstance(text, dict):
-            yield from parameters(text)
-        elif text is None:
-            yield f"const real *{name}"
-        else:
-            for part in text if isinstance(text, tuple) else (text,):
-                yield f"const hip_law *{part.split('->')[0]}" if "->" in part else f"real {part}"
-
-
-def symbols(name: str, given: Any) -> Any:
-    """Give what a law is told: records, series, constants and drifts."""
+def handed(name: str, given: Any) -> tuple[Any, list[str]]:
+    """Give what a law is handed as a parameter, and the C parameters that hand it in; a servo is a struct."""
+    if given is None:
+        return symbol(name), [f"const real *{name}"]
     if isinstance(given, dict):
-        return Record(**{key: symbols(key, value) for key, value in given.items()})
-    if isinstance(given, tuple):
-        return symbol(given[0], ramp=symbol(given[1], constant=True), word="drift")
-    return symbol(name) if given is None else symbol(given, constant=True)
+        members = {member: handed(member, value) for member, value in given.items()}
+        record = Record(**{member: value for member, (value, _) in members.items()})
+        return record, [text for _, declared in members.values() for text in declared]
+    value, *rate = texts = given if isinstance(given, tuple) else (given,)
+    marks = {"ramp": symbol(rate[0], constant=True), "word": "drift"} if rate else {"constant": True}
+    declared = [f"real {text}" for text in texts]
+    return symbol(value, **marks), declared if "->" not in value else [
+        f"const hip_law *{value.split('->')[0]}"
+    ]

@@ -136,25 +136,24 @@ class Family:
         motions = [self.motion(case) for case in self.cases]
         states, changes, names = self.begin()
         given = [*self.constants, *self.ramps, *(ramp + "_rate" for ramp in self.ramps)]
-        stored = {
-            "series": [member for motion in motions for member in motion.members("s->")],
-            "variation": [member for motion in motions for member in motion.members("t->")],
-        }
         lines = [f"t->{state}[0] = {c_text(value)};\n" for state, value in changes.items()]
+        unused = "" if any("start->" in line for line in lines) else "(void)start;\n"
         return STRUCTS.format(
             family=self.name,
             what=comment(self.page.start.__doc__),
             coefficients=struct(f"{self.name}_coefficients", given, "real"),
+            series=self.stored("series", [member for motion in motions for member in motion.members("s->")]),
+            variation=self.stored(
+                "variation", [name for motion in motions for name in motion.members("t->")]
+            ),
             start=struct(f"{self.name}_start", names, "real"),
             values="".join(f"s->{state}[0] = {c_text(value)};\n" for state, value in states.items()),
-            changes="".join(
-                lines if any("start->" in line for line in lines) else ["(void)start;\n", *lines]
-            ),
-            **{
-                name: struct(f"{self.name}_{name}", members, "real", "[SERIES_TERMS]")
-                for name, members in stored.items()
-            },
+            changes=unused + "".join(lines),
         )
+
+    def stored(self, what: str, members: list[str]) -> str:
+        """Write a struct of series."""
+        return struct(f"{self.name}_{what}", members, "real", "[SERIES_TERMS]")
 
 
 class Motion:
@@ -215,11 +214,10 @@ class Motion:
         """Write the functions of the case, the last of which expands the series."""
         value, step = self.value, self.value.step()
         summed = [node for node in value.made if "{inner}" in "".join(RECURSIONS.get(kind_of(node), ""))]
-        dividing = [node for node in summed if kind_of(node) in ("quotient", "sqrt")]
-        divisors = {value.inverse(node): value.divisor(node) for node in dividing}
-        made = {name: f"1.0 / {value.arrays[node]}[0]" for name, node in divisors.items()}
+        divisors = [value.series_in(node)[-1] for node in summed if kind_of(node) in ("quotient", "sqrt")]
+        made = {f"inverse_{node.name}": f"1.0 / {value.arrays[node]}[0]" for node in divisors}
         made |= {name: c_text(node) for node, name in value.factors.items()}
-        first = [node for node in ordered(divisors.values()) if node in value.arrays and node.operands]
+        first = [node for node in ordered(divisors) if node in value.arrays and node.operands]
         ahead, sums = [node for node in summed if node in value.ahead], f"{self.case}_sums"
         groups = {f"{sums}_ahead": ahead} if ahead else {}
         groups[sums] = [node for node in summed if node not in ahead]

@@ -61,43 +61,34 @@ def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> 
     """Write a header of some cases; without a torque variations are those of a leg that turns."""
     parts = [family.motion(case).source() for case in cases]
     parts += [family.motion(case).variation() for case in varied]
-    if mode == family.name:
-        parts = [family.structs(), *parts]
-    include = "series_products.h" if mode == family.name else f"{family.name}_series.h"
+    is_first = mode == family.name
+    include = "series_products.h" if is_first else f"{family.name}_series.h"
+    parts = [family.structs(), *parts] if is_first else parts
     return header(f"{mode}_series", f"{family.name}.py", f'#include "{include}"\n', *parts)
 
 
-SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
 LAW = members(hip.signed)
+SERVO: dict[str, Any] = {name: f"servo->{name}" for name in LAW if name != "torque_rate"}
+SERVO["torque"] = ("servo->torque", "servo->torque_rate")
+SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
+CONE = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
 
 
 def guard_series() -> str:
     """Write guards that are made of series of the motion, and what they are made of."""
-
-    def torque(angle, angle_rate, servo):  # type: ignore[no-untyped-def]
-        return hip.torque(servo, angle, angle_rate)
-
-    torque.__doc__ = hip.torque.__doc__
-    servo: dict[str, Any] = {name: f"servo->{name}" for name in LAW}
-    servo["torque"] = (servo["torque"], servo.pop("torque_rate"))
-    cone = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
-    made = [
-        ("ahead", ground.ahead, {"x": None, "y": None, "slope": SLOPE}),
-        ("room", ground.room, {"normal_force": None, "tangential_push": None, "cone": cone, "side": "side"}),
-        ("rise", ground.rise, {"vx": None, "vy": None, "foot_vx": None, "slope": SLOPE, "share": "share"}),
-        ("lever", ground.lever, {"x": None, "square": None}),
-        ("load", ground.load, {"axial_y": None, "torque": None, "lever": None, "weight_y": "weight_y"}),
-        ("torque", torque, {"angle": None, "angle_rate": None, "servo": servo}),
-        (
-            "drop",
-            flight.drop,
-            {"length": None, "angle": None, "slope": "slope", "rates": {"angle": "angle_rate"}},
-        ),
-    ]
-    servos = comment(hip.signed.__doc__) + struct("hip_law", LAW, "real")
-    expanded = [law_series(name, law, **{"rates": {}, **given}) for name, law, given in made]
-    sources = "ground.py, flight.py and hip.py"
-    return header("guard_series", sources, '#include "series_products.h"\n', servos, *expanded)
+    return header(
+        "guard_series",
+        "ground.py, flight.py and hip.py",
+        '#include "series_products.h"\n',
+        comment(hip.signed.__doc__) + struct("hip_law", LAW, "real"),
+        law_series(ground.ahead, {"slope": SLOPE}),
+        law_series(ground.room, {"cone": CONE, "side": "side"}),
+        law_series(ground.rise, {"slope": SLOPE, "share": "share"}),
+        law_series(ground.lever, {}),
+        law_series(ground.load, {"weight_y": "weight_y"}),
+        law_series(hip.torque, {"law": SERVO}),
+        law_series(flight.drop, {"slope": "slope"}, {"angle": "angle_rate"}),
+    )
 
 
 FILES = {

@@ -141,11 +141,12 @@ class Expansion:
         text = texts[0] if self.by_pairs else texts[-1]
         a, b = node.operands[0], node.operands[-1]
         arrays = {name: self.arrays.get(part) for name, part in (("n", node), ("a", a), ("b", b))}
+        names = {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
         if "over" in text:
             arrays["over"] = self.coefficient(a, k)
         if kind_of(node) == "ramp":
             arrays |= {"ramp": a.marks["word"], "value": a.value, "rate": a.marks["ramp"].value}
-        return text.format(k=k, inner=f"sum->{node.name}", inverse=self.inverse(node), **arrays)
+        return text.format(k=k, **names, **arrays)
 
     def linear(self, node: Expression, k: str) -> str:
         """Write coefficient k of a sum: constants stand in coefficient 0 alone, ramps in 0 and 1."""
@@ -182,14 +183,6 @@ class Expansion:
         if list(self.factors.values()).count(name) > 1:
             raise ValueError(f"two constants are called {name}: give them variables in their page")
         return f"by->{name}" if self.by_pairs else name
-
-    def divisor(self, node: Expression) -> Expression:
-        """Give what a quotient divides by; a root divides by itself."""
-        return node.operands[-1] if node.operation == "/" else node
-
-    def inverse(self, node: Expression) -> str:
-        """Name what is multiplied by instead."""
-        return f"inverse_{self.divisor(node).name}"
 
     def define(self, node: Expression, k: str) -> list[str]:
         """Write coefficient k of a quantity into its place, below the page's formula."""

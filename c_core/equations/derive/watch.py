@@ -11,10 +11,9 @@ from typing import Any
 
 from .. import flight, ground
 from ..events import EVENTS, Event
-from .c import c_text, comment
-from .expressions import Expression, derivative, forget, lift, number, ordered, symbol, trace
+from .c import c_text, comment, header, struct
+from .expressions import Expression, derivative, forget, leaves, lift, symbol, trace
 
-ORIGIN = "/* Derived from c_core/equations/events.py by equations/derive: edit that, not this. */"
 MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
 PAGES = {"flight": flight, "ground": ground}
 # Of which modes of a motion an event may be watched by all, and which flags of the case tell them apart.
@@ -33,34 +32,54 @@ LEG = {"leg.length": ("length", 0), "leg.length_rate": ("length_rate", 1)}
 SERIES = {"flight": LEG, "ground": LEG | {"force.normal": ("normal_force", 1)}}
 CONSTANTS = {"slip_sign"}  # of a step, that a page's guard may ask for
 SHORTER = {"length_rate", "normal_force", "tangential_push"}  # on the ground
-FORCES = ("forces", "watch_forces(search, c, s, !is.slips);")
-GRAZE = ("graze", "watch_graze(search, c, s, at->angle);")
-HEIGHTS = ("heights", "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);")
+FORCES = "watch_forces(search, c, s, !is.slips);"
+GRAZE = "watch_graze(search, c, s, at->angle);"
+HEIGHTS = "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);"
+# Calls of what is by hand, of which one may watch several events.
 BY_HAND = {
     "flight": {
-        "new_ground": (
-            "new_ground",
-            "if (is.awaits_ground) {watch_new_ground(search, c, s, tolerance, com);}",
-        ),
+        "new_ground": "if (is.awaits_ground) {watch_new_ground(search, c, s, tolerance, com);}",
         "body_down": HEIGHTS,
         "touchdown": HEIGHTS,
-        "apex": ("apex", "watch_apex(search, c, com, is.rising);"),
-        "clamp": ("clamp", "if (is.retracts) {watch_clamp(search, c, s);}"),
+        "apex": "watch_apex(search, c, com, is.rising);",
+        "clamp": "if (is.retracts) {watch_clamp(search, c, s);}",
     },
     "ground": {
-        "mid_stance": ("mid_stance", "watch_mid_stance(search, c, s);"),
-        "lift_off": FORCES,
-        "slip_onset_positive": FORCES,
-        "slip_onset_negative": FORCES,
-        "apex": GRAZE,
-        "graze_to_contact": GRAZE,
-        "graze_to_flight": GRAZE,
+        "mid_stance": "watch_mid_stance(search, c, s);",
+        **dict.fromkeys(("lift_off", "slip_onset_positive", "slip_onset_negative"), FORCES),
+        **dict.fromkeys(("apex", "graze_to_contact", "graze_to_flight"), GRAZE),
     },
 }
 GIVEN = {
     "flight": "const ballistic *com, flight_case is, real length_change, double tolerance",
     "ground": "const ground_coordinates *at, ground_case is, real length_change",
 }
+
+WATCH = """\
+{what}static inline void {name}(event_search *search, const {motion}_constants *c,
+                          const {motion}_series *s{given}) {{
+    const guard_series g = {{s->{series}, {weight}, {start}, {order}}};
+    const choice watching = {watching};
+    if (any(watching)) {{
+        watch(search, TDMF_GUARD_{guard}, watching, &g, {floor});
+    }}
+}}
+"""
+WATCH_ALL = """\
+/* What ends a step, in the order of the table. */
+static inline void watch_{motion}(event_search *search, const {motion}_constants *c, const {motion}_series *s,
+                                  {given}) {{
+{calls}search_pending(search);
+}}
+"""
+PARAMETERS = """\
+/* Parameters that guards are made of. */
+{struct}
+static inline guard_parameters guard_parameters_of(const tdmf_model *model) {{
+    const guard_parameters values = {{{values}}};
+    return values;
+}}
+"""
 
 
 class Runner:
@@ -96,38 +115,33 @@ def guard(event: Event, motion: str) -> Expression:
     return lift(trace(law, *given))
 
 
-def watched(event: Event, motion: str) -> tuple[list[str], str]:
+def watched(event: Event, motion: str) -> tuple[str, str]:
     """Write what watches an event whose guard is one series, times a constant and plus one, and its call."""
     value = guard(event, motion)
-    series = [leaf for leaf in ordered([value]) if leaf.operation == "symbol" and not leaf.is_constant]
-    factor = derivative(value, {series[0]: number(1)}) if len(series) == 1 else None
+    series = [leaf for leaf in leaves([value]) if not leaf.is_constant]
+    factor = derivative(value, {series[0]: 1}) if len(series) == 1 else None
     if event.law is None or factor is None or not factor.is_constant:
         raise ValueError(f"{event.name}: give it a function by hand, it is more than a series in {motion}")
-    start = c_text(value, lambda node: f"{node.value}[0]" if node is series[0] else None)
-    weight = f"real_of({c_text(factor)})" if factor.operation == "number" else c_text(factor)
-    order = "search->order - 1" if series[0].name in SHORTER else "search->order"
-    band = (
-        "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor" if event.band == "dead" else "search->beyond_margin"
-    )
-    floor = f"{band} * c->mode.{event.scale}_scale" if event.scale else band
+    dead = "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor"
+    band = dead if event.band == "dead" else "search->beyond_margin"
     flag = FLAGS.get(event.only_while, "")
-    by_length = series[0].name == "length" and factor.operation == "number" and abs(factor.value) == 1
+    by_length = series[0].name == "length" and (factor.is_number(1) or factor.is_number(-1))
     near = "not(g.start > length_change)" if by_length else ""
     name = f"watch_{event.name}_{'in' if motion == 'flight' else 'on'}_{motion}"
-    more = ", length_change" if by_length else ""
-    lines = [
-        comment(event.law.__doc__).strip(),
-        f"static inline void {name}(event_search *search, const {motion}_constants *c, "
-        f"const {motion}_series *s{more.replace(' ', ' real ')}) {{",
-        f"const guard_series g = {{s->{series[0].name}, {weight}, {start}, {order}}};",
-        f"const choice watching = {' & '.join(filter(None, ['search->live', flag and f'({flag})', near]))};",
-        "if (any(watching)) {",
-        f"watch(search, TDMF_GUARD_{event.name.upper()}, watching, &g, {floor});",
-        "}",
-        "}",
-        "",
-    ]
-    return lines, f"{name}(search, c, s{more});"
+    text = WATCH.format(
+        what=comment(event.law.__doc__),
+        name=name,
+        motion=motion,
+        given=", real length_change" if by_length else "",
+        series=series[0].name,
+        weight=f"real_of({c_text(factor)})" if factor.operation == "number" else c_text(factor),
+        start=c_text(value, lambda node: f"{node.value}[0]" if node is series[0] else None),
+        order="search->order - 1" if series[0].name in SHORTER else "search->order",
+        watching=" & ".join(filter(None, ["search->live", flag and f"({flag})", near])),
+        guard=event.name.upper(),
+        floor=f"{band} * c->mode.{event.scale}_scale" if event.scale else band,
+    )
+    return text, f"{name}(search, c, s{', length_change' if by_length else ''});\n"
 
 
 def by_motion(motion: str) -> list[Event]:
@@ -135,43 +149,27 @@ def by_motion(motion: str) -> list[Event]:
     return [e for e in EVENTS if e.takes != "" and set(e.watched) & set(MODES[motion])]
 
 
-def header(motion: str) -> str:
-    """Write who watches what in a motion."""
-    functions, calls, done = list[str](), list[str](), set[str]()
+def watch(motion: str) -> str:
+    """Write who watches what in a motion: functions, and the calls of all, each once."""
+    functions, calls = list[str](), dict[str, str]()
     for event in by_motion(motion):
-        name, call = BY_HAND[motion].get(event.name, ("", ""))
-        if name in done:
-            continue
-        together = [e for e in by_motion(motion) if name and BY_HAND[motion].get(e.name) == (name, call)]
-        modes = {mode for e in together or [event] for mode in e.watched}
+        together = [e for e in by_motion(motion) if e is event or shares(e, event, motion)]
+        modes = {mode for e in together for mode in e.watched}
         case = CASES[tuple(mode for mode in MODES[motion] if mode in modes)]
-        if name:
-            done.add(name)
+        if event.name in BY_HAND[motion]:
+            call = BY_HAND[motion][event.name] + "\n"
         else:
-            lines, call = watched(event, motion)
-            functions += lines
-        calls += [f"if ({case}) {{", call, "}"] if case else [call]
-    macro = f"TDMF_DERIVED_{motion.upper()}_WATCH_H"
-    return "\n".join(
-        [
-            ORIGIN,
-            f"#ifndef {macro}",
-            f"#define {macro}",
-            "",
-            f'#include "{motion}_guards.h"',
-            "",
-            *functions,
-            "/* What ends a step, in the order of the table. */",
-            f"static inline void watch_{motion}(event_search *search, const {motion}_constants *c, "
-            f"const {motion}_series *s, {GIVEN[motion]}) {{",
-            *calls,
-            "search_pending(search);",
-            "}",
-            "",
-            "#endif",
-            "",
-        ]
-    )
+            function, call = watched(event, motion)
+            functions.append(function)
+        calls[call] = f"if ({case}) {{\n{call}}}\n" if case else call
+    text = WATCH_ALL.format(motion=motion, given=GIVEN[motion], calls="".join(calls.values()))
+    return header(f"{motion}_watch", "events.py", f'#include "{motion}_guards.h"\n', *functions, text)
+
+
+def shares(event: Event, other: Event, motion: str) -> bool:
+    """Whether one function by hand watches both."""
+    calls = [BY_HAND[motion].get(e.name) for e in (event, other)]
+    return calls[0] is not None and calls[0] == calls[1]
 
 
 def parameters() -> str:
@@ -180,37 +178,16 @@ def parameters() -> str:
     for motion in MODES:
         for event in by_motion(motion):
             if event.name not in BY_HAND[motion]:
-                leaves = [leaf for leaf in ordered([guard(event, motion)]) if "path" in leaf.marks]
-                found |= {str(leaf.name): leaf.marks["path"] for leaf in leaves}
-    fields = [f"real {name};" for name in found]
+                given = [leaf for leaf in leaves([guard(event, motion)]) if "path" in leaf.marks]
+                found |= {str(leaf.name): leaf.marks["path"] for leaf in given}
     values = [f".{name} = real_of({path.replace('model.', 'model->', 1)})," for name, path in found.items()]
-    return "\n".join(
-        [
-            ORIGIN,
-            "#ifndef TDMF_DERIVED_GUARD_PARAMETERS_H",
-            "#define TDMF_DERIVED_GUARD_PARAMETERS_H",
-            "",
-            '#include "tdmf_slip/parameters.h"',
-            '#include "width.h"',
-            "",
-            "/* Parameters that guards are made of. */",
-            "typedef struct {",
-            *fields,
-            "} guard_parameters;",
-            "",
-            "static inline guard_parameters guard_parameters_of(const tdmf_model *model) {",
-            f"const guard_parameters values = {{{' '.join(values)}}};",
-            "return values;",
-            "}",
-            "",
-            "#endif",
-            "",
-        ]
-    )
+    text = PARAMETERS.format(struct=struct("guard_parameters", found, "real"), values=" ".join(values))
+    includes = '#include "tdmf_slip/parameters.h"\n#include "width.h"\n'
+    return header("guard_parameters", "events.py", includes, text)
 
 
 FILES = {
     "guard_parameters.h": parameters,
-    "flight_watch.h": lambda: header("flight"),
-    "ground_watch.h": lambda: header("ground"),
+    "flight_watch.h": lambda: watch("flight"),
+    "ground_watch.h": lambda: watch("ground"),
 }
