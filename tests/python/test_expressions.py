@@ -2,6 +2,7 @@
 
 import importlib
 import math
+import re
 import sys
 from pathlib import Path
 
@@ -72,7 +73,10 @@ def test_parentheses_are_those_that_are_needed(expressions):
 
 def evaluate(node, values, expressions):
     text = expressions.c_text(node, lambda node: None)
-    functions = {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p")}
+    text = re.sub(r"^\((.*) >= (.*) \? (.*) : (.*)\)$", r"\3 if \1 >= \2 else \4", text)
+    functions = {
+        name: getattr(math, name) for name in ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2")
+    }
     return eval(text, {**functions, **values})
 
 
@@ -86,6 +90,10 @@ def test_derivatives_agree_with_differences(expressions):
         "root": (a * a + b * b).sqrt(),
         "circle": (a * b).sin() * (c - a).cos(),
         "exponentials": (-a * c).exp() + (a / b).expm1(),
+        "inverse": 1 / (a + b * c),
+        "angle": (a * b).atan2(c - a),
+        "larger": (a * b).larger(c),
+        "smaller": (a - b).larger(c * c * a),
         "logarithms": (a + b).log() * (b * c).log1p() - (-a),
     }
     changes = {a: 0.3, b: -0.7, c: 1.1}

@@ -23,6 +23,7 @@ def derive():
     try:
         return Record(
             motion=importlib.import_module("equations.derive.motion"),
+            laws=importlib.import_module("equations.derive.law_series"),
             functions=importlib.import_module("equations.functions"),
         )
     finally:
@@ -190,21 +191,64 @@ def test_variations_are_those_of_the_closed_form(coefficients):
             )
 
 
-def test_what_is_not_known_ahead_has_no_rate(derive):
-    """A rate is taken of what is made of states that are the integrals of others, else of nothing."""
+def made_of(derive, quantities, noted, rates=()):
+    """An oscillator of which a page makes `quantities`."""
     family = derive.motion.Family(
         "oscillator",
         Record(
-            __name__="oscillator",
             start=page(derive.functions).start,
-            motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), power=s.x * s.v, power_rate=s.v),
+            motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), **quantities(s)),
         ),
         constants=["stiffness"],
         ramps={},
-        rates={"power_rate": "power"},
-        noted="power_rate",
+        rates=dict(rates),
+        noted=noted,
         varied="",
         cases={"swinging": {}},
     )
+    return family.motion("swinging")
+
+
+def test_what_is_not_known_ahead_has_no_rate(derive):
+    """A rate is taken of what is made of states that are the integrals of others, else of nothing."""
+
+    def powers(s):
+        return {"power": s.x * s.v, "power_rate": s.v}
+
     with pytest.raises(ValueError, match="a coefficient ahead"):
-        family.motion("swinging")
+        made_of(derive, powers, "power_rate", {"power_rate": "power"})
+
+
+def test_a_sine_asks_for_the_rate_of_its_angle(derive):
+    """Its rate is a sum that no page has named, and that nobody else needs."""
+    with pytest.raises(ValueError, match="needed as a series"):
+        made_of(derive, lambda s: {"wave": (s.x + s.v).sin()}, "wave")
+
+
+def test_two_series_of_one_name_are_refused(derive):
+    def twice(s):
+        product = s.x * s.v
+        product.name = "x"
+        return {"square": product * product}
+
+    with pytest.raises(ValueError, match="two series are called s->x"):
+        made_of(derive, twice, "square")
+
+
+def test_a_law_of_series_has_no_root(derive):
+    def distance(x):
+        """|x|."""
+        return derive.functions.sqrt(x * x)
+
+    with pytest.raises(ValueError, match="is a root"):
+        derive.laws.law_series(distance, {})
+
+
+def test_a_law_of_series_is_handed_what_it_asks_for(derive):
+    def height(length, share):
+        """Some of it."""
+        return share.part * length
+
+    text = derive.laws.law_series(height, {"share": {"part": ("part", "part_rate")}})
+    assert "const real *length, real part, real part_rate, int order" in text
+    assert "height[k] = drift_times(k, part, part_rate, length);" in text

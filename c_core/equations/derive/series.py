@@ -4,6 +4,7 @@ A quantity is expanded by the recursion of its last operation; what is linear ne
 of a motion is one more expansion, of the derivatives of its quantities: they are expressions like any other.
 """
 
+from collections import Counter
 from collections.abc import Callable
 
 from .c import c_text
@@ -91,6 +92,9 @@ class Expansion:
                     raise ValueError(f"{c_text(series)} is needed as a series: let its page give it")
                 series.name = name_of(series)
                 self.arrays.setdefault(series, place(series.name))
+        twice = [array for array, count in Counter(self.arrays.values()).items() if count > 1]
+        if twice:
+            raise ValueError(f"two series are called {twice[0]}: give one another name in its page")
 
     def find_ahead(self) -> None:
         """Find what is known a coefficient ahead, and what of that has to be: for a rate."""
@@ -142,6 +146,8 @@ class Expansion:
         a, b = node.operands[0], node.operands[-1]
         arrays = {name: self.arrays.get(part) for name, part in (("n", node), ("a", a), ("b", b))}
         names = {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
+        if node.operation == "sqrt" and not self.by_pairs:
+            raise ValueError(f"{node.name} is a root, which a motion alone can expand: let it have it")
         if "over" in text:
             arrays["over"] = self.coefficient(a, k)
         if kind_of(node) == "ramp":
