@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_orbit, strides_to_fall
+from tdmf_slip import Runner, compare, find_orbit, strides_to_fall
 from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust
 from tdmf_slip.pictures import style
 
@@ -17,11 +17,28 @@ OF_THE_GAITS = {"snapshots", "stride"}
 
 def test_a_mean_on_rough_ground_is_what_is_kept():
     data = stored.columns("rough")
-    (place,) = np.flatnonzero((data["roughness"] == 0.5) & (data["friction"] == 1.2))
+    of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
+    (place,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall(
         {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, workers=1
     )
     assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.05)
+
+
+def test_matched_runners_on_rough_ground_are_what_is_kept():
+    """From friction 0.15 to 10 they stay up alike, where runners as they come differ by a factor of 20."""
+    data = stored.columns("rough")
+    matched = (data["matched"] == 1.0) & (data["friction"] >= 0.15)
+    assert np.count_nonzero(matched) == 13
+    low, high = data["mean_strides_low"][matched], data["mean_strides_high"][matched]
+    assert np.all(low < 800.0) and np.all(high > 570.0)
+    runners = compare(
+        [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
+    )
+    runner = Runner(runners.gaits[1].runner.values)
+    found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, workers=1)
+    (place,) = np.flatnonzero(matched & (data["friction"] == 10.0))
+    assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.1)
 
 
 def test_gaits_on_slopes_are_what_is_kept():

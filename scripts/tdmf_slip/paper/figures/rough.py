@@ -1,4 +1,7 @@
-"""Does the slipping runner stay up longer? Strides until the fall on rough ground, over the friction."""
+"""Does the slipping runner stay up longer? Strides until the fall on rough ground, over the friction.
+
+As runners come, and, as the control, with the speed, apex height and leg angle of one friction at all others.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
+from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
 from ...analysis.first_passages import Place, stay_all
 from ...library.runner import Runner
@@ -22,8 +26,13 @@ RUNNERS, MOST_STRIDES, SEED = 256, 400, 20261122
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00")
 DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
-Measured = Sequence[tuple[float, FirstPassage]]
-"""Frictions, and what was found at each."""
+REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.5
+"""The friction whose kinematics the matched runners have, and the ground that they run on."""
+HOLD = ("speed", "apex_height", "apex_leg_angle")
+VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
+
+Measured = Sequence[tuple[float, bool, FirstPassage]]
+"""Frictions, whether the runner was matched, and what was found at each."""
 
 
 def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
@@ -38,24 +47,42 @@ def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
 
     Returns
     -------
-    sequence of (float, FirstPassage)
-        Frictions, and what was found.
+    sequence of (float, bool, FirstPassage)
+        Frictions, whether the runner was matched, and what was found.
     """
     places = [
         Place(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MOST_STRIDES)
         for roughness in ROUGHNESS
         for friction in FRICTIONS
     ]
+    as_they_come = len(places)
+    for one in _matched(runner):
+        places.append(Place(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MOST_STRIDES))
     found = stay_all(places, show_progress=show_progress)
-    return [(place.runner.values[FRICTION], one) for place, one in zip(places, found, strict=True)]
+    return [
+        (place.runner.values[FRICTION], number >= as_they_come, one)
+        for number, (place, one) in enumerate(zip(places, found, strict=True))
+    ]
+
+
+def _matched(runner: Runner) -> list[Runner]:
+    """Of all frictions at which the kinematics of the reference are to be had by a stable gait."""
+    found = compare([runner.but(FRICTION, mu) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
+    missed = {of.runner for of in found.not_held}
+    return [
+        matched.after.runner
+        for number, matched in enumerate(found.runners)
+        if number and number not in missed and matched.after.stable
+    ]
 
 
 def table(measured: Measured) -> Columns:
     """The figure's data, by column; where none fell, the mean and the upper end of its interval are inf."""
-    found = [passage for _, passage in measured]
+    found = [passage for _, _, passage in measured]
     return {
+        "matched": [float(is_matched) for _, is_matched, _ in measured],
         "roughness": [one.roughness for one in found],
-        "friction": [friction for friction, _ in measured],
+        "friction": [friction for friction, _, _ in measured],
         "word": [one.word for one in found],
         "runners": [one.runners for one in found],
         "falls": [one.falls for one in found],
@@ -73,22 +100,37 @@ def draw(path: Path, data: Columns) -> None:
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 4.8), layout="constrained")
         for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
-            chosen = np.asarray(data["roughness"], float) == roughness
-            _curve(axes, {n: np.asarray(data[n], float)[chosen] for n in DRAWN}, colour, f"{roughness:g}")
+            for matched in (False, True):
+                chosen = (np.asarray(data["roughness"], float) == roughness) & (
+                    np.asarray(data["matched"], float) == matched
+                )
+                if chosen.any():
+                    drawn = {n: np.asarray(data[n], float)[chosen] for n in DRAWN}
+                    _curve(axes, drawn, colour, f"{roughness:g}{', matched' * matched}", matched)
         axes.set_yscale("log")
         axes.set_ylabel("mean number of strides until the fall")
         figure_9.friction_axis(axes, FRICTIONS)
         axes.plot([], [], "^", color=style.FAINT, markersize=5, label="none fell: at least")
         axes.legend(title="steps of the ground  / l₀", loc="upper right")
+        axes.set_title(
+            "matched: with the speed, apex height and leg angle of the runner at friction 0.2",
+            fontsize="small",
+        )
         style.save(figure, path)
 
 
-def _curve(axes: Axes, data: Columns, colour: str, label: str) -> None:
+def _curve(axes: Axes, data: Columns, colour: str, label: str, matched: bool) -> None:
     """With its confidence; where none fell a triangle at the lower end of the interval."""
     friction, mean, low, high = (np.asarray(data[name]) for name in DRAWN)
     fell = np.isfinite(mean)
     axes.plot(
-        friction, np.where(fell, mean, np.nan), "o-", color=colour, markersize=3.5, label=label, clip_on=False
+        friction,
+        np.where(fell, mean, np.nan),
+        "s--" if matched else "o-",
+        color=colour,
+        markersize=3.5,
+        label=label,
+        clip_on=False,
     )
     axes.fill_between(friction, low, high, where=fell, color=colour, alpha=0.18, linewidth=0)
     axes.vlines(friction[fell], low[fell], high[fell], color=colour, alpha=0.4, linewidth=1.0, clip_on=False)
