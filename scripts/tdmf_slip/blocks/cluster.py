@@ -59,7 +59,8 @@ def client_of(scheduler: str | None, workers: int) -> "Iterator[Client]":
         from distributed.utils import silence_logging_cmgr
     except ImportError:
         raise InputError(
-            "work on a cluster needs Dask, which is missing; install it by: pip install 'tdmf-slip[cluster]'"
+            "work on a cluster needs Dask (the extra cluster), which is missing; "
+            "install it by: pip install distributed"
         ) from None
     with silence_logging_cmgr(SILENCE), contextlib.ExitStack() as parts:
         if scheduler is not None:

@@ -8,6 +8,6 @@ try:
     from xarray.backends import NetCDF4DataStore as NetCDF4DataStore
 except ImportError as problem:
     raise InputError(
-        f"datasets and NetCDF files need xarray and netCDF4, of which one is missing ({problem}); "
-        "install them by: pip install 'tdmf-slip[data]'"
+        "datasets and NetCDF files need xarray and netCDF4 (the extra data), of which one is missing "
+        f"({problem}); install them by: pip install xarray netCDF4"
     ) from None

@@ -6,5 +6,5 @@ try:
     import matplotlib  # noqa: F401 # only whether it is there
 except ImportError:
     raise InputError(
-        "pictures need Matplotlib, which is missing; install it by: pip install 'tdmf-slip[plots]'"
+        "pictures need Matplotlib (the extra plots), which is missing; install it by: pip install matplotlib"
     ) from None

@@ -9,7 +9,8 @@ try:
     import flint  # noqa: F401 # only whether it is there
 except ImportError:
     raise InputError(
-        "proofs need python-flint, which is missing; install it by: pip install python-flint"
+        "proofs need python-flint (the extra proof), which is missing; "
+        "install it by: pip install python-flint"
     ) from None
 
 from . import pickled  # noqa: F401 # it tells pickle of balls
