@@ -11,7 +11,7 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx
 
-from .laws import rates
+from .laws import fades, fading_of, rates
 from .modes import Mode, kept_names, moving_names, names_of
 from .recursion import coefficients
 from .tube import Span, Tube
@@ -20,6 +20,8 @@ from .undecided import UndecidedError
 INCLUSIONS = 8
 """How often a remainder that is not enclosed yet is widened."""
 WIDENED = 2
+HELPERS = ("sine", "cosine", "decay")
+"""Functions of the motion's numbers that are carried along with them."""
 Values = dict[str, arb]
 
 
@@ -42,6 +44,14 @@ def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     return {**values, "sine": angle.sin(), "cosine": angle.cos()}
 
 
+def with_helpers(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[str, Any]:
+    """All that the rates ask for beside the numbers of a motion: see `laws`."""
+    whole = with_direction(runner, values)
+    if fades(runner, mode):
+        whole["decay"] = (fading_of(runner, mode) * values["foot_speed"]).exp()
+    return whole
+
+
 def fall(runner: Any) -> tuple[Any, Any]:
     """Acceleration of the centre of mass in flight, along the line and away from it."""
     share = runner.body_share
@@ -50,7 +60,7 @@ def fall(runner: Any) -> tuple[Any, Any]:
 
 def speeds(runner: Any, mode: Mode, values: Values) -> Values:
     """Time derivatives of all numbers that tell the motion in a mode, at an instant."""
-    at = with_direction(runner, values)
+    at = with_helpers(runner, mode, values)
     found = rates(runner, mode, Record(**at))
     if mode.contact == "flight":
         found["along"], found["off"] = fall(runner)
@@ -85,9 +95,9 @@ class Flow:
         """
         self.runner, self.mode, self.names = runner, mode, names_of(runner, mode)
         self.start, self.degree = start, degree
-        whole = with_direction(runner, start)
+        whole = with_helpers(runner, mode, start)
         self.kept = {name: start[name] for name in kept_names(runner, mode)}
-        moving = (*moving_names(runner, mode), "sine", "cosine")
+        moving = (*moving_names(runner, mode), *(name for name in HELPERS if name in whole))
         begin = {name: whole[name] for name in moving}
         terms = coefficients(begin, self.kept, lambda z: rates(runner, mode, Record(**z)), degree)
         if not all(term.is_finite() for row in terms.values() for term in row):

@@ -19,7 +19,8 @@ KNOWN = frozenset(
     {
         *("body.mass", "foot.mass", "gravity", "body.external_fx", "body.external_fy"),
         *("leg.stiffness", "leg.damping", "leg.free_length", "leg.min_length", "leg.thrust", "leg.extension"),
-        *("ground.friction", "ground.static_friction_ratio", "ground.slope", "ground.height"),
+        *("ground.friction", "ground.static_friction_ratio", "ground.stribeck_velocity"),
+        *("ground.slope", "ground.height"),
         *("hip.stance_torque", "hip.touchdown_angle", "hip.kp", "hip.kd", "hip.liftoff_angle_factor"),
         *("hip.retraction_rate", "hip.external_torque"),
         *("control.touchdown_angle", "control.stance_torque", "control.thrust"),
@@ -76,7 +77,7 @@ def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
 
 
 def check_laws(values: Mapping[str, float]) -> None:
-    """Refuse a runner of laws that are not enclosed here, such as friction that falls with speed, or a patch.
+    """Refuse a runner of laws that are not enclosed here, such as a patch of ground.
 
     Parameters
     ----------

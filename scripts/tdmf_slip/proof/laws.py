@@ -2,11 +2,12 @@
 
 Forces, torques, friction and impact are those of the pages in `c_core/equations`. What is added here is the
 motion in each mode, which `equations/dynamics.py` has in other axes: t along the line and n away from it. The
-leg's angle is measured from n where its sine and cosine are taken, and both are carried along as states, so
-that nothing but sums, products and quotients by the leg's length, and in graze by that sine, remains.
+leg's angle is measured from n where its sine and cosine are taken, and both are carried along as states, as is
+the exponential of a friction that falls with speed, so that nothing but sums, products and quotients by the
+leg's length, and in graze by that sine, remains.
 
 `runner` is a record of parameters, `at` one of the motion: length, angle, length_rate, angle_rate, sine,
-cosine, and by mode foot_speed, latched_angle, clock.
+cosine, and by mode foot_speed, decay, latched_angle, clock.
 """
 
 from types import SimpleNamespace as Record
@@ -83,13 +84,49 @@ def static_friction(runner: Any) -> Number:
 
 
 def impulse_taken(runner: Any, speed: Number, fall: Number) -> Number:
-    """What an impact that slips leaves of ``|v_t|``, of which `speed` was before, with ``|v_n|`` = `fall`."""
+    """What an impact that slips leaves of ``|v_t|``, of which `speed` was before, with ``|v_n|`` = `fall`.
+
+    Where friction falls with speed, 0 says that it is not proved to leave anything.
+    """
+    if runner.friction_falls:
+        return friction.after_falling_impact(runner.model, runner.inputs, 1, speed, -fall)
     return friction.after_impact(runner.inputs, 1, speed, -fall)
 
 
 def sticking_speed(runner: Any, fall: Number) -> Number:
     """Up to which ``|v_t|`` an impact with ``|v_n|`` = `fall` comes to rest."""
-    return static_friction(runner) * fall
+    return friction.stopped_speed(runner.model, runner.inputs, fall, runner.friction_falls)
+
+
+class _Exponent:
+    """-s v/v_s, of which the exponential is known, as it is carried along."""
+
+    def __init__(self, decay: Number) -> None:
+        self.decay = decay
+
+    def __mul__(self, one: int) -> "_Exponent":
+        return self
+
+    def exp(self) -> Number:
+        return self.decay
+
+
+def sliding_friction(runner: Any, mode: Mode, at: Any) -> Number:
+    """Mu of a foot that slips, with the sign of its velocity; `at.decay` is e^(-s v/v_s) where it falls."""
+    sliding = friction.sliding(runner.inputs, mode.sign)
+    if not runner.friction_falls:
+        return sliding
+    return friction.falling(sliding, friction.excess(runner.model), _Exponent(at.decay), 1)
+
+
+def fading_of(runner: Any, mode: Mode) -> Number:
+    """-s/v_s, at what rate the excess of friction fades with the foot's velocity."""
+    return friction.fading(runner.model, mode.sign)
+
+
+def fades(runner: Any, mode: Mode) -> bool:
+    """Whether friction changes with the foot's speed."""
+    return bool(mode.contact == "slip" and runner.friction_falls)
 
 
 # ---- motion --------------------------------------------------------------------------------------------
@@ -107,7 +144,7 @@ def foot_acceleration(runner: Any, mode: Mode, at: Any, axial: Number, across: N
     """Of a foot on the ground along the line, in slip and graze: m_f a = p + f_t, where f_t = -s mu f_n."""
     pushed = push(runner, at, axial, across)
     if mode.contact == "slip":
-        sliding = friction.sliding(runner.inputs, mode.sign)
+        sliding = sliding_friction(runner, mode, at)
         pushed = pushed - friction.sliding_force(sliding, normal_force(runner, at, axial, across))
     return pushed * runner.inverse_foot_mass
 
@@ -137,6 +174,8 @@ def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
         along_leg = along_leg + at.sine * acceleration
         across_leg = across_leg + at.cosine * acceleration
         changes["foot_speed"] = acceleration
+        if fades(runner, mode):
+            changes["decay"] = fading_of(runner, mode) * acceleration * at.decay
     turn = at.length * at.angle_rate
     changes |= {
         "length": at.length_rate,

@@ -84,6 +84,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         slope=slope,
         slope_sine=sine,
         slope_cosine=cosine,
+        friction_falls=matters("ground.stribeck_velocity"),
         is_stickier=matters("ground.static_friction_ratio", 1),
         retracts=matters("hip.retraction_rate"),
         has_servo=matters("hip.kp") or matters("hip.kd"),

@@ -106,7 +106,10 @@ class Transition:
         )
         if slides:
             sign = 1 if positive(foot.along, "the foot's velocity along the ground") else -1
-            self.speed = laws.impulse_taken(runner, foot.along * sign, fall) * sign
+            left = laws.impulse_taken(runner, foot.along * sign, fall)
+            if not positive(left, "what the impact leaves of the foot's velocity"):
+                raise UndecidedError("what the impact leaves of the foot's velocity")
+            self.speed = left * sign
         lost = laws.kick(at, foot.along - self.speed, foot.off)
         at.length_rate, at.angle_rate = lost.length_rate, lost.angle_rate
         return slides
@@ -157,7 +160,8 @@ class Transition:
 
     def _onset(self, sign: int) -> Entered:
         """At the edge of the cone the foot is at rest and not accelerated, if friction does not jump."""
-        self.zeros["end of slip"] = 1 if self.runner.is_stickier else 2
+        jumps = self.runner.is_stickier and not self.runner.friction_falls
+        self.zeros["end of slip"] = 1 if jumps else 2
         self.speed = arb(0)
         return self._enter(replace(self.mode, contact="slip", sign=sign))
 

@@ -15,7 +15,7 @@ from flint import arb, arb_mat, arb_poly
 
 from .dual import Dual, slope_of, value_of
 from .flow import Flow, fall
-from .laws import rates
+from .laws import fades, fading_of, rates
 from .matrices import identity, norm
 from .modes import BALLISTIC, PARAMETER, kept_names, moving_names
 from .tube import Tube
@@ -46,6 +46,8 @@ class VariedFlow(Flow):
         turn = {"angle": one} | slopes_of_slope(self.dual_runner)
         numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
         numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
+        if fades(self.runner, self.mode):
+            numbers["decay"] = self._dual_decay()
         found = rates(self.dual_runner, self.mode, Record(**numbers))
         size, zero = len(self.active), arb(0)
         entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
@@ -56,6 +58,15 @@ class VariedFlow(Flow):
         ]
         rest = arb_mat(size, size, [abs(remainder_of(entry)) for row in entries for entry in row])
         return matrices, norm(rest, self._weights())
+
+    def _dual_decay(self) -> Dual:
+        """e^(-s v/v_s), by the foot's velocity and, where it is varied, by v_s."""
+        decay, fading = self.tubes["decay"], fading_of(self.dual_runner, self.mode)
+        gradient = {"foot_speed": decay * value_of(fading)}
+        by_parameter = slope_of(fading, PARAMETER)
+        if not by_parameter == 0:
+            gradient[PARAMETER] = decay * self.tubes["foot_speed"] * by_parameter
+        return Dual(decay, gradient)
 
     def _weights(self) -> list[arb]:
         """Of what moves, in the norm, so that a fast swing is as large one way as the other."""
