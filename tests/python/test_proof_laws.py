@@ -16,7 +16,7 @@ from types import SimpleNamespace as Record
 from flint import arb, ctx
 from tdmf_slip.proof import laws
 from tdmf_slip.proof.exact import exact_values
-from tdmf_slip.proof.flow import fall, with_direction
+from tdmf_slip.proof.flow import fall, with_helpers
 from tdmf_slip.proof.guards import FUNCTIONS, watched
 from tdmf_slip.proof.modes import Mode, names_of
 from tdmf_slip.proof.parameters import Parameters
@@ -72,6 +72,7 @@ class Point:
             "hip.retraction_rate": draw(-0.5, 0.5),
             "leg.thrust": draw(0, 0.2),
             "ground.static_friction_ratio": draw(1, 2),
+            "ground.stribeck_velocity": rng.choice([0.0, draw(0.1, 2)]),
             "ground.friction": draw(0.05, 0.9),
             "ground.slope": draw(-0.4, 0.4),
             "hip.external_torque": draw(-0.1, 0.1),
@@ -109,7 +110,7 @@ class Point:
             "along": draw(-1, 1),
             "off": draw(-1, 1),
         }
-        whole = with_direction(self.balls, {n: arb(v) for n, v in self.values.items()})
+        whole = with_helpers(self.balls, self.mode, {n: arb(v) for n, v in self.values.items()})
         if off and not self.mode.places:
             clamped = laws.servo_torque(self.balls, self.mode, Record(**whole)) < 0
             self.mode = Mode(**{**vars(self.mode), "clamped": bool(clamped)})
@@ -167,7 +168,7 @@ def close(one, other, scale=1.0):
 
 def test_rates_are_those_of_the_library():
     rng = np.random.default_rng(27)
-    seen = set()
+    seen, falls = set(), 0
     for _ in range(POINTS):
         point = Point(rng)
         if point.contact == "graze" and abs(float(point.at.sine)) < 0.05:
@@ -192,7 +193,9 @@ def test_rates_are_those_of_the_library():
         )
         assert close(laws.torque(point.balls, point.mode, point.at), torque, size)
         seen.add((point.contact, point.mode.places, point.mode.drives, point.mode.clamped))
+        falls += point.contact == "slip" and point.given["ground.stribeck_velocity"] > 0
     assert len(seen) >= 16
+    assert falls > 50
 
 
 def test_the_centre_of_mass_falls_as_in_the_library():

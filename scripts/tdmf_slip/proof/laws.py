@@ -2,7 +2,7 @@
 
 Forces, torques, friction and impact are those of the pages in `c_core/equations`. What is added here is the
 motion in each mode, which `equations/dynamics.py` has in other axes: t along the line and n away from it. The
-leg's angle is measured from n where its sine and cosine are taken, and both are carried along as states, as is
+leg's angle is measured from n where its sine and cosine are taken. Both are carried along as states, as is
 the exponential of a friction that falls with speed, so that nothing but sums, products and quotients by the
 leg's length, and in graze by that sine, remains.
 

@@ -64,7 +64,7 @@ class VariedFlow(Flow):
         decay, fading = self.tubes["decay"], fading_of(self.dual_runner, self.mode)
         gradient = {"foot_speed": decay * value_of(fading)}
         by_parameter = slope_of(fading, PARAMETER)
-        if not by_parameter == 0:
+        if by_parameter != 0:
             gradient[PARAMETER] = decay * self.tubes["foot_speed"] * by_parameter
         return Dual(decay, gradient)
 
