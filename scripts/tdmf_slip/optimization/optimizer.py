@@ -23,6 +23,8 @@ from .starts import Spread, Start
 
 ROUGHLY = 1e-4
 """Violation of constraints from which SLSQP is left to meet them."""
+NEARLY = 1e-2
+"""The same where the search for them has ended: its square is so flat there that it ends early."""
 FEASIBLE = 1e-7
 """Violation of constraints, over their scales, that is rounding."""
 ACTIVE = 1e-5
@@ -141,7 +143,7 @@ class Optimizer:
         """From one start; where it is far from meeting the constraints, first to where they are met."""
         if problem.violation(self._gaits(problem.goal).candidate(start.orbit, start.at)) > ROUGHLY:
             nearest = self._off_folds(Feasibility(problem.goal, problem.scales), start)
-            if problem.violation(nearest.gait) > ROUGHLY:
+            if problem.violation(nearest.gait) > NEARLY:
                 return nearest
             start = Start(nearest.gait.at, nearest.gait.orbit)
         return self._off_folds(problem, start)

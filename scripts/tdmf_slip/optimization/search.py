@@ -39,6 +39,7 @@ ROUGHLY = 1e-3
 """Violation of the constraints at which a search that makes no progress has nothing to hope for."""
 EDGES = 3
 """Searches along the edge that is kept off a fold."""
+TOUCHES = "a foot just touches the ground once more there, where gaits end or change as a square root does"
 STATIONARY = 1e-4
 """Fall of the merit, over the size of a step, that counts as none."""
 
@@ -58,6 +59,11 @@ class Found(ByContents):
     """What kept the search from an optimum; empty where it is one."""
 
 
+def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
+    """Whether between two gaits a foot just touches the ground once more within a stride."""
+    return gait.orbit.stride["touchdowns"] != beyond.orbit.stride["touchdowns"]
+
+
 class Search:
     """From a gait to the best one of a problem that is reached."""
 
@@ -68,7 +74,7 @@ class Search:
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
         best, piece, radius, largest, why = begin, Piece.of(begin.orbit), RADIUS, 1.0, ""
-        edges = 0
+        edges, touches = 0, False
         merits: list[float] = []
         for _ in range(ROUNDS):
             ended = self._in_box(best, radius, piece)
@@ -100,6 +106,7 @@ class Search:
                     went = self._at_border(best, ended.beyond, piece)
                 except RunError as problem:
                     went, why = (best, piece, True), str(problem)
+                    touches = touches or _touches_again(best, ended.beyond)
                 if isinstance(went, Found):
                     return went
                 best, piece, stays = went
@@ -107,7 +114,8 @@ class Search:
                 why = why or "words change too often"
             if radius < SMALLEST:
                 break
-        return Found(best, {best.orbit.word: self.problem.steepest(best)}, why=why)
+        falls = {best.orbit.word: self.problem.steepest(best)}
+        return Found(best, falls, why=TOUCHES if touches else why)
 
     def _in_box(self, best: Candidate, radius: float, piece: Piece) -> Ended:
         low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
