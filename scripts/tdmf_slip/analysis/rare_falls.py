@@ -276,6 +276,14 @@ def rare_falls(
         A value is not allowed, the runner goes by the reduced map, or the law does not fit it.
     RunError
         There is no gait to start from, or no fall was seen on much rougher ground either.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> rare = tdmf_slip.rare_falls({"ground.friction": 0.6}, 0.4, walkers=8, strides=16)
+    >>> low, high = rare.interval
+    >>> low < rare.mean_strides < high
+    True
     """
     runner = Runner.of(runner, unit)
     if runner.reduced:
