@@ -42,7 +42,7 @@ def test_every_notebook_reads_without_sphinx():
             texts += 1
             assert not re.search(r"^```\{|\{[\w-]+\}`", text, re.MULTILINE), (name, text)
             for told, target in re.findall(r"\[([^\]]*)\]\(([^)]+)\)", text):
-                assert told and target.startswith(("https://", "attachment:")), (name, told, target)
+                assert told and target.startswith(("https://", "attachment:", "#")), (name, told, target)
             named = set(re.findall(r"\(attachment:([^)]+)\)", text))
             assert named == set(attached), name
             pictures += len(named)
