@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 
 from ..contents import ByContents
 from ..library.runner import Runner
@@ -27,7 +27,7 @@ class Validation(ByContents):
     """The paper's statements beside what is computed."""
     drifts: Sequence[Drift]
     """Every value beside its reference."""
-    own: OwnClaims
+    own: OwnClaims = field(default_factory=lambda: OwnClaims(0, ()))
     """What this project says of its own, recomputed if that was asked for."""
 
     @property
@@ -53,8 +53,8 @@ class Validation(ByContents):
 
     def as_text(self) -> str:
         """The gaits, the paper's claims, the project's own, and the verdict on the reference."""
-        told = self._gait_table(), self._claim_table(), self.own.as_text(), self._drift_summary()
-        return "\n\n".join(told)
+        own = [self.own.as_text()] if self.own.claims else []
+        return "\n\n".join([self._gait_table(), self._claim_table(), *own, self._drift_summary()])
 
     def _gait_table(self) -> str:
         header = [
