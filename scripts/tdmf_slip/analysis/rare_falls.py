@@ -27,6 +27,7 @@ from ..terminal import progress
 from ..unit.unit import Unit
 from ..unit.variable import Given
 from .fates import TOLERANCE
+from .logistic import logistic_weights
 from .search import find_orbit
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
 
@@ -43,7 +44,6 @@ COMMON = (12.0, 60.0)
 ROUGHER = 1.25
 TRIES = 12
 LEVELS, SHARE_OF_STRIDES = 16, 40
-RIDGE, ITERATIONS = 1e-3, 25
 MOST_WALKERS, MOST_STEPS = 10_000, 100_000
 
 
@@ -165,7 +165,7 @@ class RoughRunner:
         self.roughness = own
         if not falls.any():
             raise RunError(f"no fall was seen on steps of {roughness:g} m, where the score is to be learned")
-        self.weights = _logistic(features, falls)
+        self.weights = logistic_weights(features, falls)
         highest = float(np.quantile(features[falls] @ self.weights[1:], 0.9) + self.weights[0])
         scores = []
         rows = self.begin(PILOT_WALKERS)
@@ -206,22 +206,6 @@ def _features(away: NDArray[np.float64]) -> NDArray[np.float64]:
     bounded = np.tanh(away)
     left, right = np.triu_indices(bounded.shape[1])
     return np.concatenate([bounded, bounded[:, left] * bounded[:, right]], axis=1)
-
-
-def _logistic(features: NDArray[np.float64], falls: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Logistic regression with a ridge, by Newton's method: intercept and weights."""
-    rows = np.concatenate([np.ones((len(features), 1)), features], axis=1)
-    weights = np.zeros(rows.shape[1])
-    ridge = RIDGE * len(rows) * np.eye(rows.shape[1])
-    for _ in range(ITERATIONS):
-        chance = 1.0 / (1.0 + np.exp(-np.clip(rows @ weights, -30.0, 30.0)))
-        slope = rows.T @ (falls - chance) - ridge @ weights
-        bend = (rows * (chance * (1.0 - chance))[:, None]).T @ rows + ridge
-        step = np.linalg.solve(bend, slope)
-        weights += step
-        if np.max(np.abs(step)) < 1e-8:
-            break
-    return weights
 
 
 def rare_falls(
