@@ -117,8 +117,8 @@ static inline ground_coefficients tdmf_vary_ground_coefficients_of(
 }
 
 /* The law times a sign, as guards have it while it drifts: its target stays, its torque moves. */
-static inline hip_law tdmf_signed_law(const tdmf_hip_law *law, double sign) {
-    const hip_law result = {
+static inline signed_law tdmf_signed_law(const tdmf_hip_law *law, double sign) {
+    const signed_law result = {
         .gain = sign * law->gain,
         .rate_gain = sign * law->rate_gain,
         .target = law->target,

@@ -11,7 +11,7 @@ typedef struct {
     real target;
     real torque;
     real torque_rate;
-} hip_law;
+} signed_law;
 
 /* r sin theta, how far the foot is ahead of the body: it falls through 0 with theta. */
 static inline void expand_ahead(const real *x, const real *y, real slope_sine, real slope_cosine, int order,
@@ -63,8 +63,8 @@ static inline void expand_load(const real *axial_y, const real *torque, const re
 }
 
 /* gain (target - theta) - rate_gain thetadot + torque, now. */
-static inline void expand_torque(const hip_law *servo, const real *angle, const real *angle_rate, int order,
-                                 real torque[SERIES_TERMS]) {
+static inline void expand_torque(const signed_law *servo, const real *angle, const real *angle_rate,
+                                 int order, real torque[SERIES_TERMS]) {
     int k = 0;
     do {
         torque[k] = with_drift(k, -servo->gain * angle[k] - servo->rate_gain * angle_rate[k],

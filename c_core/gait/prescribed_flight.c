@@ -8,6 +8,7 @@
 
 #include "free_fall.h"
 #include "ground_line.h"
+#include "prescribed_flight_laws.h"
 #include "swinging_height.h"
 
 #include <math.h>
@@ -27,10 +28,6 @@ static tdmf_vector vary_acceleration(const tdmf_model *model, const tdmf_inputs 
 
 static const tdmf_vector steady = {0.0, 0.0};
 
-tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from, double t) {
-    return tdmf_ballistic_after(from, acceleration_of(model, inputs), steady, t);
-}
-
 tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                                tdmf_point from, tdmf_point d_from, double t, double d_time) {
     return tdmf_vary_ballistic_after(from, acceleration_of(model, inputs), steady, t, d_from,
@@ -39,65 +36,38 @@ tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *input
 
 double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from) {
     const tdmf_vector a = acceleration_of(model, inputs);
-    return a.y < 0.0 ? from.vy / -a.y : INFINITY;
+    return a.y < 0.0 ? tdmf_rise_time(from, a) : INFINITY;
 }
 
 double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                               tdmf_point from, tdmf_point d_from) {
-    const tdmf_vector a = acceleration_of(model, inputs);
-    const tdmf_vector d_a = vary_acceleration(model, inputs, d);
-    return (d_from.vy + tdmf_time_to_apex(model, inputs, from) * d_a.y) / -a.y;
+    return tdmf_vary_rise_time(from, acceleration_of(model, inputs), d_from,
+                               vary_acceleration(model, inputs, d));
 }
 
 /* ---- the leg ------------------------------------------------------------------------------------------ */
 
-static double placed_length(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return model->parameters.leg.free_length + inputs->leg.extension;
-}
-
-static double placed_angle(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle;
-}
-
-/* Linear in what it is made of, so that it serves changes too. */
-static void write_leg(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                      double state[TDMF_STATE_COUNT]) {
-    const tdmf_parameters *p = &model->parameters;
-    state[TDMF_LEG_LENGTH] = placed_length(model, inputs);
-    state[TDMF_LEG_ANGLE] = placed_angle(model, inputs) - p->hip.retraction_rate * time;
-    state[TDMF_LEG_LENGTH_RATE] = 0.0;
-    state[TDMF_LEG_ANGLE_RATE] = -p->hip.retraction_rate;
-}
-
 void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex, double time,
                            double state[TDMF_STATE_COUNT]) {
-    write_leg(model, inputs, time, state);
-    const tdmf_point center = tdmf_ballistic(model, inputs, apex, time);
+    tdmf_placed_leg(model, inputs, time, state);
+    const tdmf_point center = tdmf_center_of_mass_after(model, inputs, apex, time);
     tdmf_set_foot(tdmf_foot_below(model, center, state, tdmf_leg_direction_of(state)), state);
     state[TDMF_HIP_PLACE_TIME] = time;
 }
 
-/* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
 void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
-    const tdmf_vector a = acceleration_of(model, inputs);
-    const double rate = state[TDMF_LEG_ANGLE_RATE];
-    const tdmf_point from_foot = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
     memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
-    derivatives[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
-    derivatives[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
-    derivatives[TDMF_LEG_ANGLE] = rate;
-    derivatives[TDMF_FOOT_VX] = a.x + model->body_share * rate * rate * from_foot.x;
-    derivatives[TDMF_FOOT_VY] = a.y + model->body_share * rate * rate * from_foot.y;
-    derivatives[TDMF_HIP_PLACE_TIME] = 1.0;
+    tdmf_prescribed_rates(model, state, tdmf_leg_direction_of(state), acceleration_of(model, inputs),
+                          derivatives);
 }
 
 void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                                 tdmf_point apex, tdmf_point d_apex, double time,
                                 const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
-    write_leg(&d->model, &d->inputs, time, d_state);
-    const tdmf_point center = tdmf_ballistic(model, inputs, apex, time);
+    tdmf_vary_placed_leg(model, inputs, time, &d->model, &d->inputs, 0.0, d_state);
+    const tdmf_point center = tdmf_center_of_mass_after(model, inputs, apex, time);
     const tdmf_point d_center = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
     tdmf_set_foot(tdmf_vary_foot_below(model, center, state, tdmf_leg_direction_of(state), &d->model,
                                        d_center, d_state),
@@ -114,12 +84,14 @@ static bool body_may_come_first(const tdmf_swinging_height *foot, double time) {
 
 tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                           tdmf_point apex) {
-    const double length = placed_length(model, inputs);
+    double apex_leg[TDMF_STATE_COUNT];
+    tdmf_placed_leg(model, inputs, 0.0, apex_leg);
+    const double length = apex_leg[TDMF_LEG_LENGTH];
     const tdmf_vector a = acceleration_of(model, inputs);
     tdmf_swinging_height foot = {
-        tdmf_height_over(ground, apex.x, apex.y),    tdmf_velocity_off(ground, apex.vx, apex.vy),
-        tdmf_velocity_off(ground, a.x, a.y),         model->body_share * length,
-        placed_angle(model, inputs) - ground->slope, model->parameters.hip.retraction_rate};
+        tdmf_height_over(ground, apex.x, apex.y), tdmf_velocity_off(ground, apex.vx, apex.vy),
+        tdmf_velocity_off(ground, a.x, a.y),      model->body_share * length,
+        apex_leg[TDMF_LEG_ANGLE] - ground->slope, model->parameters.hip.retraction_rate};
     tdmf_swinging_height body = foot;
     body.swing = foot.swing - length;
     tdmf_descent descent = {INFINITY, false};

@@ -6,8 +6,7 @@
 #include "direction.h"
 #include "kinematics.h"
 
-/* The centre of mass `time` later, and its change, where the time changes, too. */
-tdmf_point tdmf_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from, double time);
+/* The change of tdmf_center_of_mass_after, where the time changes, too. */
 tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
                                tdmf_point from, tdmf_point d_from, double time, double d_time);
 

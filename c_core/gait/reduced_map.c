@@ -58,7 +58,7 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
     const double time = tdmf_time_to_apex(model, inputs, com);
     const double d_time = tdmf_vary_time_to_apex(model, inputs, &d, com, d_com);
     const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);
-    const double apex_x = tdmf_ballistic(model, inputs, com, time).x;
+    const double apex_x = tdmf_center_of_mass_after(model, inputs, com, time).x;
     const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
     const tdmf_reduced_change result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
                                         .period = d_time,

@@ -84,7 +84,7 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
         return TDMF_REDUCED_NO_TOUCHDOWN;
     }
     move_time(motion, descent.time);
-    push_along(inputs, apex, motion, tdmf_ballistic(model, inputs, apex, descent.time));
+    push_along(inputs, apex, motion, tdmf_center_of_mass_after(model, inputs, apex, descent.time));
     tdmf_prescribed_state(model, inputs, apex, descent.time, motion->state);
     if (descent.body_first) {
         return TDMF_REDUCED_FELL;
@@ -113,7 +113,7 @@ tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs
     if (!(lift_off.vy > 0.0) || isinf(time)) {
         return TDMF_REDUCED_NO_APEX;
     }
-    tdmf_point apex = tdmf_ballistic(model, inputs, lift_off, time);
+    tdmf_point apex = tdmf_center_of_mass_after(model, inputs, lift_off, time);
     apex.vy = 0.0;
     push_along(inputs, lift_off, motion, apex);
     write_apex(model, inputs, apex, motion->state);

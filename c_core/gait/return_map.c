@@ -36,6 +36,19 @@ void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
     state[TDMF_FOOT_VY] = -model->body_share * body.vy;
 }
 
+void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
+                           const double state[TDMF_STATE_COUNT], double section[TDMF_SECTION_COUNT]) {
+    const tdmf_point com = tdmf_center_of_mass(model, state);
+    const double coordinates[TDMF_SECTION_COUNT] = {
+        [TDMF_SECTION_COM_HEIGHT] = com.y - tdmf_ground_height_at(ground, com.x),
+        [TDMF_SECTION_COM_SPEED] = com.vx,
+        [TDMF_SECTION_LEG_LENGTH] = state[TDMF_LEG_LENGTH],
+        [TDMF_SECTION_LEG_ANGLE] = state[TDMF_LEG_ANGLE],
+        [TDMF_SECTION_LEG_LENGTH_RATE] = state[TDMF_LEG_LENGTH_RATE],
+        [TDMF_SECTION_LEG_ANGLE_RATE] = state[TDMF_LEG_ANGLE_RATE]};
+    memcpy(section, coordinates, sizeof coordinates);
+}
+
 /* Of the map above, which has made `state`, along a direction on the section and in masses and ground. */
 static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *ground,
                                const double state[TDMF_STATE_COUNT],
@@ -166,10 +179,7 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     if (!result.outcome.closed) {
         return result;
     }
-    const tdmf_apex *apex = &motion.record.apex;
-    const double next[TDMF_SECTION_COUNT] = {apex->com_height, apex->com_speed,       apex->leg_length,
-                                             apex->leg_angle,  apex->leg_length_rate, apex->leg_angle_rate};
-    memcpy(result.apex, next, sizeof next);
+    tdmf_section_of_state(model, &motion.mode.ground, motion.state, result.apex);
     result.stride = motion.record.stride;
     result.liftoff_angle = motion.mode.liftoff_angle;
     result.external_work = motion.state[TDMF_ENERGY_EXTERNAL_WORK];

@@ -19,7 +19,7 @@ typedef struct {
     real body_share;     /* of the mass */
     real slope;          /* of the ground */
     real normal_gravity; /* away from it */
-    hip_law servo;       /* retract: its torque is what the clamp is decided by, with its sign now */
+    signed_law servo;    /* retract: its torque is what the clamp is decided by, with its sign now */
     real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
 } flight_constants;
 

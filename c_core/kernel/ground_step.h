@@ -26,7 +26,7 @@ typedef struct {
     ground_coefficients law;                             /* its rates come last */
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
-    hip_law servo, stance;
+    signed_law servo, stance;
     real retracting_share;
 } ground_constants;
 

@@ -1,12 +1,21 @@
 /* Positions and velocities as the world asks for them. */
 #include "kinematics.h"
 
+#include "free_fall.h"
+
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
     return tdmf_body_along(state, tdmf_leg_direction_of(state));
 }
 
 tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
     return tdmf_center_of_mass_along(model, state, tdmf_leg_direction_of(state));
+}
+
+tdmf_point tdmf_center_of_mass_after(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from,
+                                     double time) {
+    static const tdmf_vector steady = {0.0, 0.0};
+    return tdmf_ballistic_after(from, tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs)), steady,
+                                time);
 }
 
 void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,

@@ -3,7 +3,7 @@
  * that is shifted; one at an event is met where the event is. */
 #include "stride_measures.h"
 
-#include "coefficients.h"
+#include "constant_laws.h"
 #include "evaluation.h"
 #include "first_root.h"
 #include "ground_line.h"
@@ -155,16 +155,12 @@ static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *alon
 
 /* By the law in flight. */
 static void expand_torque_in_flight(const tdmf_step *step, double torque[SERIES_TERMS]) {
-    const flight_series *f = &step->series.flight;
-    const flight_coefficients c = tdmf_flight_coefficients(step->equations);
-    for (int k = 0; k < step->order; ++k) {
-        torque[k] = with_drift(k, -c.gain * f->angle[k] - c.rate_gain * f->angle_rate[k],
-                               c.gain * c.target + c.torque, c.torque_rate);
-    }
+    const signed_law law = tdmf_signed_law(&step->equations->law, 1.0);
+    expand_torque(&law, step->series.flight.angle, step->series.flight.angle_rate, step->order - 1, torque);
 }
 
 static double integral_of_product(const double *a, const double *b, int order, double t) {
-    double c[SERIES_TERMS];
+    double c[SERIES_TERMS] = {0.0};
     for (int k = 0; k <= order; ++k) {
         c[k] = product(a, b, k);
     }

@@ -384,8 +384,45 @@ static void linear_systems_are_solved(void **state) {
     assert_false(tdmf_solve_linear(2, singular, b));
 }
 
+/* On a slope, which the height is taken from. */
+static void a_section_comes_back_from_its_state(void **unused) {
+    (void)unused;
+    const double section[TDMF_SECTION_COUNT] = {1.8, 1.25, 0.97, 0.9, -0.02, 0.3};
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.slope = 0.2;
+    inputs.ground.height = -0.3;
+    double state[TDMF_STATE_COUNT];
+    tdmf_section_state(&model, &inputs, section, state);
+    const tdmf_ground_line ground = tdmf_ground_line_of(inputs.ground.height, inputs.ground.slope);
+    tdmf_section_of_state(&model, &ground, state, state);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_close(state[i], section[i], 1e-15);
+    }
+}
+
+/* A throw: half a second up against gravity's share of the push. */
+static void a_center_of_mass_flies_as_a_stone(void **unused) {
+    (void)unused;
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.body.external_fx = 0.22; /* 0.2 m/s2 of 1.1 kg, under a gravity of 0.01 */
+    const tdmf_point start = {1.0, 2.0, 3.0, 0.5};
+    const tdmf_point later = tdmf_center_of_mass_after(&model, &inputs, start, 4.0);
+    assert_close(later.x, 1.0 + 12.0 + 0.5 * 0.2 * 16.0, 1e-14);
+    assert_close(later.y, 2.0 + 2.0 - 0.5 * 0.01 * 16.0, 1e-14);
+    assert_close(later.vx, 3.0 + 0.8, 1e-15);
+    assert_close(later.vy, 0.5 - 0.04, 1e-15);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_section_comes_back_from_its_state),
+        cmocka_unit_test(a_center_of_mass_flies_as_a_stone),
         cmocka_unit_test(the_jacobian_is_that_of_the_map),
         cmocka_unit_test(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map),
         cmocka_unit_test(parameters_and_inputs_are_differentiated),

@@ -55,5 +55,5 @@ def handed(name: str, given: Any) -> tuple[Any, list[str]]:
     marks = {"ramp": symbol(rate[0], constant=True), "word": "drift"} if rate else {"constant": True}
     declared = [f"real {text}" for text in texts]
     return symbol(value, **marks), declared if "->" not in value else [
-        f"const hip_law *{value.split('->')[0]}"
+        f"const signed_law *{value.split('->')[0]}"
     ]

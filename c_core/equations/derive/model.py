@@ -107,6 +107,10 @@ dynamics
     tdmf_leg_rates acceleration_of_leg = dynamics.leg_acceleration
     double external_power = dynamics.external_power
     void rates_with = dynamics.rates
+prescribed_flight
+    void placed_leg = prescribed_flight.placed_leg
+    void prescribed_rates = prescribed_flight.rates | only
+    double rise_time = prescribed_flight.time_to_apex
 impact
     tdmf_after_impact impact_with = impact.after
 energy
@@ -114,7 +118,7 @@ energy
 constant
     flight_coefficients flight_coefficients_of = constants.of_flight
     ground_coefficients ground_coefficients_of = constants.on_ground
-    hip_law signed_law = hip.signed | only
+    signed_law signed_law = hip.signed | only
 guard
 """
 for event in (event for event in EVENTS if event.law is not None):

@@ -80,7 +80,7 @@ def guard_series() -> str:
         "guard_series",
         "ground.py, flight.py and hip.py",
         '#include "series_products.h"\n',
-        comment(hip.signed.__doc__) + struct("hip_law", LAW, "real"),
+        comment(hip.signed.__doc__) + struct("signed_law", LAW, "real"),
         law_series(ground.ahead, {"slope": SLOPE}),
         law_series(ground.room, {"cone": CONE, "side": "side"}),
         law_series(ground.rise, {"slope": SLOPE, "share": "share"}),

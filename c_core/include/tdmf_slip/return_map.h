@@ -38,6 +38,10 @@ typedef struct {
     double greatest_foot_height;   /* m, in flight, above the ground vertically below */
 } tdmf_stride_measures;
 
+/* The inverse: the coordinates of a state at an apex over a ground. `section` may lie within `state`. */
+TDMF_API void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
+                                    const double state[TDMF_STATE_COUNT], double section[TDMF_SECTION_COUNT]);
+
 /* How the next apex and the stride change with something. */
 typedef struct {
     double apex[TDMF_SECTION_COUNT];        /* of the next apex */

@@ -1,0 +1,38 @@
+"""Flight in the reduced map: the leg is where the hip is to place it, as one rigid body.
+
+r = l0 + u, theta = theta0 - omega t, t after the apex; the centre of mass is ballistic, at the body's share
+of the leg from the foot.
+"""
+
+from . import coordinates, hip, leg
+from .functions import Record
+
+
+def placed_leg(model, inputs, time):
+    """The leg some time after the apex."""
+    law = hip.place(model.parameters.hip, inputs.control, time)
+    return Record(
+        leg_length=leg.rest_length(model, inputs, thrusts=False),
+        leg_angle=law.target,
+        leg_length_rate=0,
+        leg_angle_rate=law.target_rate,
+    )
+
+
+def rates(model, state, direction, fall):
+    """Where the leg has a constant length and rate, the foot swings about the centre of mass."""
+    from_foot = coordinates.body_from_foot(state, direction)
+    towards = model.body_share * state.leg_angle_rate * state.leg_angle_rate
+    return Record(
+        foot_x=state.foot_vx,
+        foot_y=state.foot_vy,
+        leg_angle=state.leg_angle_rate,
+        foot_vx=fall.x + towards * from_foot.x,
+        foot_vy=fall.y + towards * from_foot.y,
+        hip_place_time=1,
+    )
+
+
+def time_to_apex(start, fall):
+    """How long a centre of mass rises that falls so fast."""
+    return start.vy / -fall.y
