@@ -132,15 +132,17 @@ static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_grou
 }
 
 static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_motion *motion, tdmf_return *result) {
+                         const tdmf_motion *motion, bool measures, tdmf_return *result) {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < bundle->count; ++i) {
         tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
                                                bundle->start_com_x[i], &bundle->variations[i]);
-        tdmf_vary_measured_end(&bundle->measured, i, model, inputs, motion, derivatives, change.period);
         change.foot_clearance = bundle->foot_clearance[i];
-        change.measures = bundle->measured.varied[i];
+        if (measures) {
+            tdmf_vary_measured_end(&bundle->measured, i, model, inputs, motion, derivatives, change.period);
+            change.measures = bundle->measured.varied[i];
+        }
         if (i < TDMF_SECTION_COUNT) {
             result->by_section[i] = change;
         } else {
@@ -149,9 +151,9 @@ static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inp
     }
 }
 
-tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                            const tdmf_change *changes, int count) {
+static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                               const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                               const tdmf_change *changes, int count, bool measures) {
     tdmf_return result;
     tdmf_motion motion;
     bundle bundle;
@@ -174,8 +176,11 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     }
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
-    result.outcome = tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.changes,
-                                                 bundle.variations, bundle.count, &bundle.measured);
+    result.outcome = measures
+                         ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.changes,
+                                                       bundle.variations, bundle.count, &bundle.measured)
+                         : tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
+                                                     bundle.variations, bundle.count);
     if (!result.outcome.closed) {
         return result;
     }
@@ -186,9 +191,23 @@ tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const 
     result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
     result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
     result.impact_loss = motion.record.impact_loss;
-    result.measures = bundle.measured.so_far;
+    if (measures) {
+        result.measures = bundle.measured.so_far;
+    }
     if (derivatives) {
-        close_bundle(&bundle, model, inputs, &motion, &result);
+        close_bundle(&bundle, model, inputs, &motion, measures, &result);
     }
     return result;
+}
+
+tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                            const tdmf_change *changes, int count) {
+    return stride_from(solver, model, inputs, section, until, derivatives, changes, count, false);
+}
+
+tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                     const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                                     const tdmf_change *changes, int count) {
+    return stride_from(solver, model, inputs, section, until, derivatives, changes, count, true);
 }

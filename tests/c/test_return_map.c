@@ -280,6 +280,27 @@ static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
                         (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *section_state));
 }
 
+static void only_what_asks_is_measured(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const scene_at_apex scene = at_gait(&reference_gaits[i]);
+        const tdmf_return plain = stride_of(&scene, true, NULL);
+        tdmf_solver solver = tdmf_solver_default();
+        tdmf_model model;
+        solver.relative_tolerance = tight;
+        assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+        const tdmf_return measured =
+            tdmf_measured_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, NULL, 0);
+        assert_true(is_zero(&plain.measures, sizeof plain.measures));
+        assert_true(is_zero(&plain.by_section[0].measures, sizeof plain.by_section[0].measures));
+        assert_true(measured.measures.squared_torque > 0.0);
+        assert_false(is_zero(&measured.by_section[0].measures, sizeof measured.by_section[0].measures));
+        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
+            assert_close(measured.apex[k], plain.apex[k], 1e-12);
+        }
+    }
+}
+
 static void the_lift_off_angle_is_that_of_the_last_lift_off(void **state) {
     (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
@@ -431,6 +452,7 @@ int main(void) {
         cmocka_unit_test(derivatives_are_as_good_as_the_strides),
         cmocka_unit_test(what_is_too_much_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
+        cmocka_unit_test(only_what_asks_is_measured),
         cmocka_unit_test(the_lift_off_angle_is_that_of_the_last_lift_off),
         cmocka_unit_test(gaits_are_found_to_rounding),
         cmocka_unit_test(what_is_no_gait_is_said_to_be_none),

@@ -49,7 +49,7 @@ typedef struct {
     double stance_time, slip_distance;      /* of these, too */
     double peak_force, peak_vertical_force; /* and of these */
     double foot_clearance;                  /* of the return's */
-    tdmf_stride_measures measures;          /* and of these */
+    tdmf_stride_measures measures;          /* and of these, where they were asked for */
 } tdmf_stride_change;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */
@@ -65,7 +65,7 @@ typedef struct {
     double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double foot_clearance;         /* m, of the foot above the ground at the apex where the stride begins */
-    tdmf_stride_measures measures; /* of the stride */
+    tdmf_stride_measures measures; /* of the stride, where they were asked for */
     tdmf_stride_change by_section[TDMF_SECTION_COUNT];    /* by each coordinate of the start */
     tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES]; /* along each change that was given */
 } tdmf_return;
@@ -77,6 +77,12 @@ typedef struct {
 TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_change *changes, int count);
+
+/* The same, with what is measured along the stride: without derivatives it takes twice as long. */
+TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model,
+                                              const tdmf_inputs *inputs,
+                                              const double section[TDMF_SECTION_COUNT], double until,
+                                              bool derivatives, const tdmf_change *changes, int count);
 
 #ifdef __cplusplus
 }

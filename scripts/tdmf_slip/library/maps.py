@@ -20,6 +20,8 @@ class Map:
 
     stride: Callable[..., Return]
     """Of solver, model, inputs, apex, longest time, whether derivatives, changes and how many."""
+    measured_stride: Callable[..., Return]
+    """The same, with what is measured along the stride."""
     settle: Callable[..., int]
     """Of solver, model, inputs, strides and the apex, which becomes the last one: how many closed."""
     find: Callable[..., FoundOrbit]
@@ -106,6 +108,7 @@ def _find_reduced(solver: Struct, model: Struct, inputs: Struct, guess: Any, cha
 _MAPS: Mapping[bool, Map] = {
     False: Map(
         stride=c.tdmf_return_map,
+        measured_stride=c.tdmf_measured_return_map,
         settle=c.tdmf_settle,
         find=c.tdmf_find_orbit,
         fixed_point=lambda found: found.section,
@@ -113,6 +116,7 @@ _MAPS: Mapping[bool, Map] = {
     ),
     True: Map(
         stride=c.tdmf_reduced_map,
+        measured_stride=c.tdmf_reduced_map,
         settle=c.tdmf_settle_reduced,
         find=_find_reduced,
         fixed_point=lambda found: found.apex,

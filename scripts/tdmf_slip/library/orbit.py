@@ -240,7 +240,9 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
         raise RunError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0
     fixed_point = map.fixed_point(found)
-    map.stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
+    stride = map.measured_stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
+    if not runner.reduced:
+        found.stride.measures = stride.measures
     orbit = orbit_of(runner, np.array(list(fixed_point)), found.stride, log, along)
     return replace(orbit, error=found.error, iterations=found.iterations)
 
@@ -257,7 +259,7 @@ def orbit_of(
     apex : ndarray of float, shape (n,)
         Where it begins.
     stride : Return
-        Closed, with its derivatives.
+        Closed and measured, with its derivatives.
     log : EventLog
         What the solver has noted of it.
     along : str or mapping of str to float, optional

@@ -148,7 +148,7 @@ def _stride(
     """The next apex, and the stride as an orbit that need not close."""
     log: EventLog = ffi.new("tdmf_event_log *")
     change, map = direction(along), map_of(runner)
-    stride = map.stride(
+    stride = map.measured_stride(
         runner.solver(log),
         runner.model,
         runner.inputs,

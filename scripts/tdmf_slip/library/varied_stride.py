@@ -179,7 +179,7 @@ def _stride(
     map, changes = map_of(runner), ffi.new("tdmf_change[]", len(parameters) or 1)
     for k, name in enumerate(parameters):
         changes[k] = direction(name)[0]
-    stride = map.stride(
+    stride = map.measured_stride(
         runner.solver(),
         runner.model,
         runner.inputs,
