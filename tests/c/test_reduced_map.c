@@ -186,6 +186,7 @@ static void parameters_and_inputs_are_differentiated(void **state) {
         scene.apex[0] += 0.01;
         scene.parameters.hip.retraction_rate += 1e-3;
         scene.parameters.ground.static_friction_ratio += 0.01;
+        scene.parameters.ground.stribeck_velocity = 0.3;
         scene.parameters.leg.thrust = 0.01;
         scene.inputs.hip.external_torque = -0.003;
         scene.inputs.leg.extension = 0.02;

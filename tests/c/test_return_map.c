@@ -18,6 +18,8 @@ enum {
     COORDINATES = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
     STATIC_FRICTION_RATIO =
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
+    STRIBECK_VELOCITY =
+        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
     THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double),
     CONTROL_THRUST = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, control.thrust) / sizeof(double),
     EXTERNAL_FX = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, body.external_fx) / sizeof(double),
@@ -133,6 +135,10 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             scene_at_apex scene = at_gait(&reference_gaits[i]);
             if (k == STATIC_FRICTION_RATIO) { /* Table 1 has the least that there is */
                 scene.parameters.ground.static_friction_ratio = 1.1;
+            }
+            if (k == STRIBECK_VELOCITY) { /* no less than 0, and of no effect where the ratio is 1 */
+                scene.parameters.ground.static_friction_ratio = 1.1;
+                scene.parameters.ground.stribeck_velocity = 0.3;
             }
             if (k == THRUST || k == CONTROL_THRUST) { /* no less than 0 */
                 scene.parameters.leg.thrust = 0.01;
