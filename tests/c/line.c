@@ -77,7 +77,7 @@ line line_random(random_source *source, const runner *runner) {
         line.variation.state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
     }
     for (int i = 0; i < PARAMETERS; ++i) {
-        directions[i] = of_parameters[i] * random_uniform(source, -1.0, 1.0);
+        directions[i] = of_parameters[i] != 0.0 ? of_parameters[i] * random_uniform(source, -1.0, 1.0) : 0.0;
     }
     line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
     line.change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);

@@ -320,7 +320,7 @@ static void assert_saw_everything(const tally *seen) {
         assert_true(seen->contact[contact] > runs / 200);
     }
     assert_true(seen->strides > runs / 100);
-    assert_true(seen->with_further_inputs > runs / 5 && seen->waiting > runs / 20);
+    assert_true(seen->with_further_inputs > runs / 5 && seen->waiting > runs / 25);
     assert_true(seen->leg_work > runs / 5 && seen->external_work > runs / 5);
 }
 

@@ -28,7 +28,10 @@ typedef struct {
 static const struct {
     const char *name;
     double value;
-} always[] = {{"leg.thrust", 0.02}, {"ground.static_friction_ratio", 1.2}, {"hip.retraction_rate", 0.1}};
+} always[] = {{"leg.thrust", 0.02},
+              {"ground.static_friction_ratio", 1.2},
+              {"ground.stribeck_velocity", 0.3},
+              {"hip.retraction_rate", 0.1}};
 
 #define FOOT(y_value, vx_value, vy_value)                                                                    \
     {"foot.y", y_value}, {"foot.vx", vx_value}, {                                                            \
@@ -230,7 +233,7 @@ static void they_are_those_of_the_start_values(void **state) {
                 ++columns;
             }
         }
-        assert_int_equal(columns + edges, 34); /* 15 parameters, a tolerance, 10 inputs, 8 states */
+        assert_int_equal(columns + edges, 35); /* 16 parameters, a tolerance, 10 inputs, 8 states */
         assert_true(nonzero > 30);
         fmi2FreeInstance(component);
     }

@@ -7,13 +7,18 @@
 #include "stride_results.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 enum {
     RUNNERS = sample_of(120),
     PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
-    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS
+    STRIBECK_VELOCITY =
+        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
+    SLOPE = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.slope) / sizeof(double),
+    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
+    PEAK_VERTICAL_FORCE = RESULTS - 1
 };
 
 static const double longest = 1e3;
@@ -36,6 +41,13 @@ static void choose_ground(random_source copy, tdmf_inputs *inputs) {
     }
 }
 
+/* Of every other runner friction falls with speed: where v_s is 0, there is no derivative by it. */
+static void choose_friction(random_source copy, tdmf_parameters *p) {
+    if (random_chance(&copy, 0.5)) {
+        p->ground.stribeck_velocity = random_magnitude(&copy, 0.03, 1.0);
+    }
+}
+
 static start random_start(random_source *source) {
     start start = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
     tdmf_parameters *p = &start.parameters;
@@ -52,6 +64,7 @@ static start random_start(random_source *source) {
     p->hip.retraction_rate = random_uniform(source, -0.02, 0.02);
     p->ground.static_friction_ratio = random_uniform(source, 1.1, 1.5);
     p->leg.thrust = random_uniform(source, 0.001, 0.02);
+    choose_friction(*source, p);
     set_zero(source, 0.5, &p->hip.retraction_rate);
     set_zero(source, 0.3, &p->hip.stance_torque);
     set_zero(source, 0.2, random_chance(source, 0.5) ? &p->hip.kp : &p->hip.kd);
@@ -149,6 +162,12 @@ static bool estimate_difference(const start *at, const tdmf_event_log *events, i
     return estimate->error < 1e-4 * estimate->size;
 }
 
+/* On the level the peak of the vertical force has a kink in the slope if it is where the tangential force
+ * jumps: uphill one side of the jump is the larger one, downhill the other. */
+static bool has_kink(const start *at, int k, int result) {
+    return k == SLOPE && at->inputs.ground.slope == 0.0 && result == PEAK_VERTICAL_FORCE;
+}
+
 static void assert_is_differentiated(const start *at, int k, const estimate *estimate) {
     tdmf_event_log log;
     start unit;
@@ -161,7 +180,9 @@ static void assert_is_differentiated(const start *at, int k, const estimate *est
     const tdmf_return stride = stride_of(at, true, &change, &log);
     derivatives_of(k < TDMF_SECTION_COUNT ? &stride.by_section[k] : &stride.by_parameter[0], derivatives);
     for (int r = 0; r < RESULTS; ++r) {
-        assert_close(derivatives[r], estimate->values[r], 2e-6 * estimate->size + estimate->error);
+        if (!has_kink(at, k, r)) {
+            assert_close(derivatives[r], estimate->values[r], 2e-6 * estimate->size + estimate->error);
+        }
     }
 }
 
@@ -214,6 +235,9 @@ static void every_stride_is_differentiated(void **state) {
         }
         for (int k = 0; k < DIRECTIONS; ++k) {
             estimate estimate;
+            if (k == STRIBECK_VELOCITY && start.parameters.ground.stribeck_velocity == 0.0) {
+                continue;
+            }
             if (estimate_difference(&start, &events, k, &estimate)) {
                 assert_is_differentiated(&start, k, &estimate);
                 count_events(&start, &events, k, &seen);
