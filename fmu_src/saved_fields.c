@@ -399,10 +399,13 @@ static bool code_suits_word(const tdmf_stride *stride) {
     return left == 0 && code == 0;
 }
 
+/* The ground's axes are turned against those of the state, whose rounding is left in them. */
 static bool foot_suits_contact(const tdmf_model *model, const tdmf_motion *motion) {
     const tdmf_point foot = tdmf_foot_over_ground(&motion->mode.ground, motion->state);
-    const double length = margin * model->scales.length;
-    const double speed = margin * model->scales.speed;
+    const double rounding = 4.0 * DBL_EPSILON;
+    const double length = margin * model->scales.length +
+                          rounding * (fabs(motion->mode.ground.height) + fabs(motion->state[TDMF_FOOT_X]));
+    const double speed = margin * model->scales.speed + rounding * fabs(motion->state[TDMF_FOOT_VX]);
     return motion->mode.contact == TDMF_CONTACT_FLIGHT ||
            (fabs(foot.y) <= length && fabs(foot.vy) <= speed &&
             (motion->mode.contact != TDMF_CONTACT_STICK || fabs(foot.vx) <= speed));
