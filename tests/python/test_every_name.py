@@ -8,8 +8,8 @@ import pytest
 from tdmf_slip import basin, find_orbit
 from tdmf_slip.library.members import INPUTS, PARAMETERS, VARIED
 
-NOTHING_MOVES = {"ground.height", "leg.min_length"}
-"""Of these the unit's own gait does not depend."""
+NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "leg.min_length"}
+"""Of these the unit's own gait does not depend: its foot at rest has no more friction than one that slips."""
 
 
 @pytest.fixture(scope="module")
@@ -20,7 +20,7 @@ def spans(unit):
         start, variable = unit.start_of(name), unit.variables[name]
         low, high = (0.98 * start, 1.03 * start) if start else (0.0, 0.002)
         found[name] = max(low, float(variable.minimum)), high
-    assert len(found) == len(PARAMETERS) + len(INPUTS) == 25
+    assert len(found) == len(PARAMETERS) + len(INPUTS) == 26
     return found
 
 
@@ -35,7 +35,7 @@ def test_all_can_be_swept_over(command, spans):
         assert values == pytest.approx(np.linspace(low, high, 3), rel=1e-12) and not found["missing"]
         assert all(math.isfinite(gait["speed"]) for gait in found["gaits"])
         swept += 1
-    assert swept == 25
+    assert swept == 26
 
 
 def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit):
@@ -51,7 +51,7 @@ def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit
         assert data.attrs["settled_share"] == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1
-    assert tried == 25 and unmoved == NOTHING_MOVES
+    assert tried == 26 and unmoved == NOTHING_MOVES
 
 
 def test_none_takes_what_is_beyond_its_range(command, unit):
@@ -70,4 +70,4 @@ def test_none_takes_what_is_beyond_its_range(command, unit):
             (sentence,) = err.splitlines()
             assert name in sentence and repr(beyond) in sentence and "allowed: " in sentence
             refused += 1
-    assert refused == 4 * 25
+    assert refused == 4 * 26

@@ -9,11 +9,12 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from .identifiability import Identified, identified
 from .measurements import Measurements
-from .problem import FIRST_STEP, MOST_STRIDES, Parameter, Problem, bounds_of
+from .problem import FIRST_STEP, MOST_STRIDES, Problem, bounds_of
 from .profile import End, Profile
 from .request import Request
 from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Residual
 from .search import Ended, is_stationary, weights_of
+from .unknowns import Parameter
 
 FAR_OFF = 1e4
 """Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from ..analysis.search import find_orbit, runner_by
 from ..checks import checked_whole
 from ..errors import InputError, RunError
-from ..given import row_of
-from ..library.members import check_varied
 from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.section import Apex
@@ -21,6 +19,7 @@ from ..unit.unit import Unit, load
 from ..unit.variable import Given
 from .across import cross
 from .concluded import Conclusion, is_met
+from .free_names import check_names, checked_names, profiled_names
 from .kinks import past_kinks
 from .measurements import Measurements, measurements_of
 from .priors import PriorGiven, checked_priors
@@ -120,15 +119,15 @@ def fit(
     1.0
     """
     measurements = measurements_of(data)
-    shared, each = _checked_names(free, "free"), _checked_names(free_each, "free_each")
+    shared, each = checked_names(free, "free"), checked_names(free_each, "free_each")
     loaded = load(unit)
     known = checked_priors(priors, each, loaded)
     begun = runner_by(Runner.of(runner, unit), model)
     for prior in known:
         if prior.name not in shared:
             begun, shared = begun.but(prior.name, prior.value), (*shared, prior.name)
-    _check_names(shared, each, measurements, len(known))
-    profiled = _profiled(profile, (*shared, *each))
+    check_names(shared, each, measurements, len(known))
+    profiled = profiled_names(profile, (*shared, *each))
     request = Request(
         measurements=measurements,
         shared=shared,
@@ -273,41 +272,3 @@ def _crossed(request: Request, problem: Problem, ended: Ended, bounds: Bounds) -
             return found
         problem.restart(ended.at, apexes)
     return ended
-
-
-def _profiled(profile: object, names: Sequence[str]) -> tuple[str, ...]:
-    """Names of the parameters whose intervals are by the profile likelihood."""
-    if isinstance(profile, bool | np.bool_):
-        return tuple(names) if profile else ()
-    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of free parameters"))
-    for name in chosen:
-        if name not in names:
-            raise InputError(f"profile: {name} is not free; allowed: {', '.join(names)}")
-    return chosen
-
-
-def _checked_names(given: object, what: str) -> tuple[str, ...]:
-    """Names of parameters, each once."""
-    names = tuple(row_of(given, what, "a list of names of parameters and inputs"))
-    for name in names:
-        check_varied(name, what)
-        if names.count(name) > 1:
-            raise InputError(f"{what}: {name} is given twice; allowed: once")
-    return names
-
-
-def _check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
-    """Refuse names that are shared and not, and more of them than data."""
-    both = next((name for name in shared if name in each), None)
-    if both is not None:
-        raise InputError(f"free and free_each: {both} is in both; allowed: in one of them")
-    rows = len(measurements.rows)
-    wanted = len(shared) + rows * len(each)
-    if not wanted:
-        raise InputError("free: nothing is free; allowed: one parameter or more, shared or for each row")
-    if wanted > measurements.count + priors:
-        many = f" and {len(each)} for each of {rows} rows" if each else ""
-        raise InputError(
-            f"free: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
-            f"{measurements.count} measured; allowed: no more than are measured"
-        )

@@ -9,7 +9,7 @@ from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..unit.unit import Unit
 from ..unit.variable import Given
-from .problem import Prior
+from .unknowns import Prior
 
 PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
 """A value, also a text with its unit, and its standard error in the unit's unit."""

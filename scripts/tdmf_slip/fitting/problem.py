@@ -5,7 +5,7 @@ from its first value in tenths of its scale. A residual is a quantity less the m
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,9 @@ from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait
 from ..library.varied_stride import PlainStride, plain_stride
+from .happenings import Happenings
 from .measurements import Measurements
+from .unknowns import Parameter, Prior
 
 FIRST_STEP = 0.1
 """Of a parameter's scale: the first step of the search is no longer."""
@@ -34,33 +36,6 @@ CHORDS = 16
 """Steps of Newton's method with the Jacobian of a gait nearby, before its own is asked for."""
 
 
-@dataclass(frozen=True)
-class Parameter:
-    """A parameter that is looked for."""
-
-    name: str
-    """Of the runner."""
-    row: int | None
-    """Number of the row whose own it is; None where all rows share it."""
-
-    @property
-    def label(self) -> str:
-        """The name, with the number of its row, from 1, where each has its own."""
-        return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
-
-
-@dataclass(frozen=True)
-class Prior:
-    """What is known of a parameter beside the data."""
-
-    name: str
-    """Of the parameter, which all rows share."""
-    value: float
-    """In the unit's unit."""
-    error: float
-    """Its standard error, in the same unit."""
-
-
 @dataclass(frozen=True, eq=False)
 class _Place(ByContents):
     """A gait of a row and how it changes."""
@@ -69,20 +44,6 @@ class _Place(ByContents):
     varied: VariedGait
     values: NDArray[np.float64]
     """Of the row's parameters."""
-
-
-@dataclass
-class Happenings:
-    """What came in the way of the search."""
-
-    strides: int = 0
-    """Made by all rows."""
-    lost: int = 0
-    """Tries at which a row had no gait."""
-    crossed: bool = False
-    """The search went on across a fold."""
-    words: list[list[str]] = field(default_factory=list)
-    """Of each row, those that its gait had, in their order."""
 
 
 class Problem:

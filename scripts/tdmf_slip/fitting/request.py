@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..contents import ByContents
 from .measurements import Measurements
-from .problem import Prior
+from .unknowns import Prior
 
 
 @dataclass(frozen=True, eq=False)

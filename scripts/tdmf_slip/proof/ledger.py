@@ -6,9 +6,9 @@ from flint import arb
 
 from ..equations import leg
 from . import laws
+from .entered import Entered
 from .flow import Flow, Values
 from .modes import Mode
-from .transitions import Entered
 from .tube import Tube
 
 

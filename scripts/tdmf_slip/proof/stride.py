@@ -8,6 +8,7 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from .dual import slope_of
+from .entered import Entered
 from .flow import Flow, Values, speeds, with_direction
 from .forced import Forced
 from .guards import FUNCTIONS, watched
@@ -17,7 +18,7 @@ from .parameters import Parameters
 from .roots import Guard
 from .section import COORDINATES, apex_of, motion_at, seeds
 from .starts import Fineness
-from .transitions import Entered, Transition
+from .transitions import Transition
 from .undecided import UndecidedError
 
 MOST_STEPS = 5000

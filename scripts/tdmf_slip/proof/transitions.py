@@ -5,7 +5,7 @@ or graze or flight, stick or slip. Guards of the new mode that are exactly zero 
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from types import SimpleNamespace as Record
 from typing import Any
 
@@ -13,6 +13,7 @@ from flint import arb
 
 from . import laws
 from .dual import Number, value_of
+from .entered import Entered
 from .flow import with_direction
 from .forced import Forced
 from .guards import cone_backwards, cone_forwards, holding, normal_force, servo
@@ -22,24 +23,6 @@ from .undecided import UndecidedError
 
 NARROWEST_GRAZE = arb(10) ** -10
 """In units of k l0^2: nearer than this both laws agree at a lift-off, and the foot flies."""
-
-
-@dataclass
-class Entered:
-    """The mode that an event leads to."""
-
-    mode: Mode
-    """After the event and what follows it at the same instant."""
-    values: dict[str, Number]
-    """Of the motion, by the names of the mode."""
-    zeros: Mapping[str, int] = field(default_factory=dict)
-    """By guard: to which order in time it begins at exactly zero."""
-    closes: bool = False
-    """A stride ends here, at an apex in flight."""
-    impact: bool = False
-    """The foot came down."""
-    margin: Number | None = None
-    """Of an event that is forced: zero on the border."""
 
 
 class Transition:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from flint import arb, arb_mat, ctx
 
 from .dual import Number, slope_of, value_of
+from .entered import Entered
 from .flow import Flow, Values, speeds
 from .forced import Forced
 from .guards import FUNCTIONS
@@ -23,7 +24,7 @@ from .section import COORDINATES, apex_of, motion_at, seeds
 from .spread import Drift, Spread, narrower
 from .starts import Fineness, Starts
 from .stride import Met, Stride, Traveller, gradient_of_guard
-from .transitions import Entered, Transition
+from .transitions import Transition
 from .undecided import UndecidedError
 from .varied_flow import VariedFlow
 

@@ -1,0 +1,99 @@
+"""Names of what a fit is asked to free, shared by all rows or for each of them: checked."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..errors import InputError
+from ..given import row_of
+from ..library.members import check_varied
+from .measurements import Measurements
+
+
+def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
+    """Names of the parameters whose intervals are by the profile likelihood.
+
+    Parameters
+    ----------
+    profile : object
+        As given: whether all or none, or a list of names.
+    names : sequence of str
+        What is free.
+
+    Returns
+    -------
+    tuple of str
+        Some of them.
+
+    Raises
+    ------
+    InputError
+        One is not free.
+    """
+    if isinstance(profile, bool | np.bool_):
+        return tuple(names) if profile else ()
+    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of free parameters"))
+    for name in chosen:
+        if name not in names:
+            raise InputError(f"profile: {name} is not free; allowed: {', '.join(names)}")
+    return chosen
+
+
+def checked_names(given: object, what: str) -> tuple[str, ...]:
+    """Names of parameters, each once.
+
+    Parameters
+    ----------
+    given : object
+        A list of names.
+    what : str
+        It is, for the message.
+
+    Returns
+    -------
+    tuple of str
+        The names.
+
+    Raises
+    ------
+    InputError
+        It is no list, a name is unknown or given twice.
+    """
+    names = tuple(row_of(given, what, "a list of names of parameters and inputs"))
+    for name in names:
+        check_varied(name, what)
+        if names.count(name) > 1:
+            raise InputError(f"{what}: {name} is given twice; allowed: once")
+    return names
+
+
+def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
+    """Refuse names that are shared and not, and more of them than data.
+
+    Parameters
+    ----------
+    shared, each : sequence of str
+        Names of what all rows share, and of what each has of its own.
+    measurements : Measurements
+        What is fitted to.
+    priors : int
+        How many parameters have one.
+
+    Raises
+    ------
+    InputError
+        A name is in both, nothing is free, or more than is measured.
+    """
+    both = next((name for name in shared if name in each), None)
+    if both is not None:
+        raise InputError(f"free and free_each: {both} is in both; allowed: in one of them")
+    rows = len(measurements.rows)
+    wanted = len(shared) + rows * len(each)
+    if not wanted:
+        raise InputError("free: nothing is free; allowed: one parameter or more, shared or for each row")
+    if wanted > measurements.count + priors:
+        many = f" and {len(each)} for each of {rows} rows" if each else ""
+        raise InputError(
+            f"free: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
+            f"{measurements.count} measured; allowed: no more than are measured"
+        )
