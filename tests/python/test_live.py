@@ -296,6 +296,15 @@ def test_no_gait_is_told(driver, address):
     wait(driver, "document.getElementById('gait-hint').textContent.includes('nothing fixes')", "the reason")
 
 
+def changes_within(page, body, events):
+    """Whether contact or phase change within so many events: some, as the clamp's, change neither."""
+    for _ in range(events):
+        body.send_keys("e")
+        if page.execute_script("return tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time"):
+            return True
+    return False
+
+
 def test_keys_and_taps_run_pause_and_step(page):
     body = page.find_element(By.TAG_NAME, "body")
     body.send_keys(" ")
@@ -303,8 +312,7 @@ def test_keys_and_taps_run_pause_and_step(page):
     time = page.execute_script("return tdmfSlip.run.time")
     body.send_keys(".")
     assert page.execute_script("return tdmfSlip.run.time") == pytest.approx(time + 0.01)
-    body.send_keys("e")
-    assert page.execute_script("return tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time")
+    assert changes_within(page, body, 4)
     assert "centre of mass" in find(page, "scene").get_attribute("aria-label")
     body.send_keys("]")
     assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.63
