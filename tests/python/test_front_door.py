@@ -147,7 +147,7 @@ def test_every_page_describes_itself():
         text = path.read_text(encoding="utf-8")
         (description,) = re.findall(r'<meta name="description" content="([^"]*)">', text)
         assert 30 < len(description) < 260, path
-        assert '<meta property="og:title" content="' in text and 'rel="icon"' in text, path
+        assert '<meta property="og:title" content="' in text and 'icon" href=' in text, path
         told.setdefault(description, []).append(path)
     assert len(told) > 20
 

@@ -42,7 +42,7 @@ class Functions:
         values = np.array([value + self.kink * sign * side, at.sum()])
         slopes = np.array([slope + self.kink * sign * normal, np.ones(2)])
         sizes = np.array([self.radii[orbit.word == "B"]])
-        spectrum = Spectrum(sizes, np.zeros((1, 2)), np.inf, np.zeros(2))
+        spectrum = Spectrum(sizes, np.zeros((1, 2)), np.ones(1, dtype=bool), np.inf, np.zeros(2))
         return Candidate(at, orbit, np.zeros((1, 2)), values, slopes, spectrum)
 
     def follow(self, near, at):

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import RunError
 from .problem import Problem
 from .search import Bounds, Ended, is_stationary, loss_of, searched, weights_of
@@ -68,8 +69,8 @@ def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> 
     return ended
 
 
-@dataclass(frozen=True)
-class _Step:
+@dataclass(frozen=True, eq=False)
+class _Step(ByContents):
     """Where to go on."""
 
     to: NDArray[np.float64] | None
