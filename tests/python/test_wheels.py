@@ -92,6 +92,16 @@ def test_a_wheel_is_what_its_name_says(tag):
 
 
 @each_platform
+def test_nothing_in_a_wheel_names_the_folder_that_it_was_built_in(tag):
+    """Else two people who build the same sources get different bytes, and a stranger's folder is on show."""
+    folder = str(ROOT).encode()
+    with zipfile.ZipFile(WHEELS[tag]) as wheel:
+        contents = {member: wheel.read(member) for member in wheel.namelist()}
+    assert len(contents) > 100
+    assert [member for member, content in contents.items() if folder in content] == []
+
+
+@each_platform
 def test_a_wheels_library_is_for_its_processor_and_exports_what_the_headers_declare(tag, library_of):
     form, processor, _ = PLATFORMS[tag]
     file = library_of(tag)
@@ -141,6 +151,7 @@ def test_a_wheel_for_macos_asks_for_the_system_of_its_tag_and_for_no_other_libra
     promised = list(map(int, re.fullmatch(r"macosx_(\d+)_(\d+)_.*", tag).groups()))
     assert list(file.build_version.minos)[:2] == promised
     own = lief.MachO.LoadCommand.TYPE.ID_DYLIB
+    assert [used.name for used in file.libraries if used.command == own] == [f"@rpath/{PLATFORMS[tag][2]}"]
     assert {used.name for used in file.libraries if used.command != own} == {"/usr/lib/libSystem.B.dylib"}
     assert file.has_code_signature or not tag.endswith("arm64")
 
