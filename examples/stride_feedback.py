@@ -151,7 +151,7 @@ def run(law, start_values, strides=STRIDES):
 
 def main():
     """Run with the law, and print what is left of the push after each stride."""
-    gait = tdmf_slip.find_orbit()
+    gait = tdmf_slip.find_gait()
     law = law_of(gait)
     apices, settings = run(law, pushed(gait))
     print("stride  height - gait's  speed - gait's  " + "  ".join(SETTINGS))

@@ -5,8 +5,8 @@
     >>> run.stride["word"], run.fallen
 
 `simulate` runs the FMI unit once, `simulate_over` over the uneven ground of a `Profile`, and `run_batch` many
-times; `find_orbit` finds the periodic gait of a `Runner` with its eigenvalues, `find_gait` the one that has a
-given speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
+times; `find_gait` finds the periodic gait of a `Runner` with its eigenvalues, or the one that has a given
+speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
 its bifurcations, `basin` what a gait attracts; `dead_beat`, `lqr` and `place_poles` make a feedback that
 holds a gait; `fit` fits a runner to measured gaits; `optimize` finds the best runner; `run_ensemble` follows
 many runners at once; `prove`, `prove_border` and `prove_attraction` prove by interval arithmetic; `validate`
@@ -21,4 +21,19 @@ What is loaded is what is used: the names and their modules are in `__init__.pyi
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+from . import renamed
+
+_loaded, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> object:
+    """A name of the package, loaded when it is asked for.
+
+    Raises
+    ------
+    AttributeError
+        There is none; the message has the new name of one that was replaced.
+    """
+    if name in renamed.NAMES:
+        raise AttributeError(renamed.sentence(f"tdmf_slip.{name}", f"tdmf_slip.{renamed.NAMES[name]}"))
+    return _loaded(name)

@@ -4,13 +4,12 @@ from .analysis.comparison import Comparison, compare
 from .analysis.curve import Curve
 from .analysis.curves import continue_curves
 from .analysis.first_passage import strides_to_fall
-from .analysis.ordered import OrderNotMetError, find_gait
 from .analysis.rare_falls import RareFalls, rare_falls
-from .analysis.search import find_orbit
 from .analysis.stride_map import stride_map
 from .analysis.sweep import Sweep, sweep
+from .analysis.targeted import TargetNotMetError, find_gait
 from .analysis.tracing import continue_branch
-from .errors import InputError, RunError, TdmfSlipError
+from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
 from .feedback.controllability import Controllability, controllability
 from .feedback.feedback import Feedback
 from .feedback.gains import dead_beat, lqr, place_poles
@@ -19,7 +18,7 @@ from .fitting.fitted import fit
 from .fitting.result import Fit
 from .library.affine_law import AffineLaw
 from .library.ensemble import run_ensemble
-from .library.orbit import Orbit
+from .library.gait import Gait
 from .library.runner import Runner
 from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
@@ -48,10 +47,10 @@ __all__ = [
     "Feedback",
     "Fit",
     "Front",
+    "Gait",
+    "GaitNotFoundError",
     "InputError",
     "Optimum",
-    "Orbit",
-    "OrderNotMetError",
     "Profile",
     "Proof",
     "RareFalls",
@@ -59,6 +58,7 @@ __all__ = [
     "RunError",
     "Runner",
     "Sweep",
+    "TargetNotMetError",
     "TdmfSlipError",
     "Unit",
     "Validation",
@@ -71,7 +71,6 @@ __all__ = [
     "controllability",
     "dead_beat",
     "find_gait",
-    "find_orbit",
     "fit",
     "fmu_path",
     "load",

@@ -17,6 +17,10 @@ class RunError(TdmfSlipError):
     """A run was begun and failed; the message carries what the unit and FMPy said."""
 
 
+class GaitNotFoundError(RunError):
+    """No periodic gait was found; the message says what happened on the way."""
+
+
 def reason(problem: Exception) -> str:
     """Why a file could not be read, in words for its user."""
     if isinstance(problem, UnicodeDecodeError):

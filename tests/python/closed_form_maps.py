@@ -3,7 +3,7 @@
 import numpy as np
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis.family import Family
-from tdmf_slip.library.orbit import Orbit
+from tdmf_slip.library.gait import Gait
 
 
 class MapFamily(Family):
@@ -28,7 +28,7 @@ class MapFamily(Family):
             jacobian, change = by_place @ jacobian, by_place @ change + by_parameter
             words.append(word)
         left_over = place - places[0]
-        return Orbit(
+        return Gait(
             runner=None,
             apex=places[0],
             word=" ".join(words),
@@ -44,10 +44,10 @@ class MapFamily(Family):
             left_over=left_over,
         )
 
-    def value_of(self, orbit):
-        return orbit.stride["p"]
+    def value_of(self, gait):
+        return gait.stride["p"]
 
-    def orbit(self, value, guess):
+    def gait(self, value, guess):
         found = self.strides_at(value, guess)
         for _ in range(50):
             if found.error < 1e-13:
@@ -60,8 +60,8 @@ class MapFamily(Family):
 
     def beginning(self, value, guess, towards=1.0):
         """A first point, in the direction in which the parameter grows or falls."""
-        orbit = self.orbit(value, np.atleast_1d(np.array(guess, dtype=float)))
-        return self.point(orbit, np.append(np.zeros(len(orbit.apex)), towards))
+        gait = self.gait(value, np.atleast_1d(np.array(guess, dtype=float)))
+        return self.point(gait, np.append(np.zeros(len(gait.apex)), towards))
 
 
 def logistic(x, p):

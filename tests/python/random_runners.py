@@ -1,4 +1,4 @@
-"""Random runners, and their gaits by a search that is far more expensive than that of `find_orbit`.
+"""Random runners, and their gaits by a search that is far more expensive than that of `find_gait`.
 
 Run as a program, with a number of processes, this writes `random_runners.json`: of each runner every gait
 that was found from other drawings of starts, one of them in a wider box, with three times the places from
@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from tdmf_slip import RunError, Runner
 from tdmf_slip.analysis import spread
-from tdmf_slip.library.orbit import settled_orbit
+from tdmf_slip.library.gait import settled_gait
 
 STORED = Path(__file__).with_suffix(".json")
 SEED, RUNNERS, DRAWINGS = 22, 16, 2
@@ -48,7 +48,7 @@ def gaits_of(values):
     spread.ITERATIONS, spread.SHORTENINGS, spread.GAIN = 24, 8, 0.97
     found = []
     with contextlib.suppress(RunError):
-        found.append(settled_orbit(runner))
+        found.append(settled_gait(runner))
     box = spread.SPEEDS, spread.ANGLES, spread.LENGTHS
     for drawing in range(1, DRAWINGS + 1):
         if drawing == DRAWINGS:

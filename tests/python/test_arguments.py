@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip import InputError, Runner, find_orbit
+from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import (
     attraction,
     basin,
@@ -17,6 +17,7 @@ from tdmf_slip.analysis import (
     tracing,
     volume,
 )
+from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.blocks import running
 from tdmf_slip.cli import gait_file
 from tdmf_slip.feedback import judgement
@@ -37,16 +38,16 @@ def runner():
 
 @pytest.fixture(scope="module")
 def found(runner):
-    return find_orbit(runner)
+    return find_gait(runner)
 
 
 TAKE_A_RUNNER = {
-    "find_orbit": lambda given, found: find_orbit(given).apex,
+    "find_gait": lambda given, found: find_gait(given).apex,
     "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
     "Case": lambda given, found: ensemble.Case(given).runner.values,
     "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], most_strides=2)[0]["apex"],
-    "find_orbit from a guess": lambda given, found: search.find_orbit(given, found.apex).apex,
-    "sweep": lambda given, found: sweep.sweep(given, [0.3]).orbits[0].apex,
+    "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
+    "sweep": lambda given, found: sweep.sweep(given, [0.3]).gaits[0].apex,
     "grid": lambda given, found: (
         grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
     ),
@@ -78,10 +79,10 @@ def test_start_values_stand_for_a_runner(runner, found, tmp_path, monkeypatch, n
 
 
 WRONG = [
-    lambda r, o: find_orbit(r, ["a"] * 6),
-    lambda r, o: find_orbit(r, o),
-    lambda r, o: find_orbit(r, along=3),
-    lambda r, o: find_orbit(r, along=[FRICTION]),
+    lambda r, o: find_gait(r, guess=["a"] * 6),
+    lambda r, o: find_gait(r, guess=o),
+    lambda r, o: periodic_gait(r, along=3),
+    lambda r, o: periodic_gait(r, along=[FRICTION]),
     lambda r, o: Runner(START),
     lambda r, o: Runner(3),
     lambda r, o: Runner.of({3: 4}),
@@ -201,7 +202,7 @@ def test_what_is_of_another_kind_is_told(runner, found, tmp_path, monkeypatch, n
 def test_a_wrong_name_is_told_with_the_nearest(runner, found):
     for call in (
         lambda: runner.but("leg.dampin", 1.0),
-        lambda: find_orbit(runner, along="leg.dampin"),
+        lambda: periodic_gait(runner, along="leg.dampin"),
         lambda: tracing.trace(runner, "leg.dampin", found, 1.0),
         lambda: tdmf_slip.simulate({"leg.dampin": 1.0}),
     ):

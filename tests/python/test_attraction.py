@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_orbit, read_parameters
+from tdmf_slip import InputError, Runner, find_gait, read_parameters
 from tdmf_slip.analysis import attraction, basin, fates, robustness, volume
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
@@ -101,9 +101,9 @@ def test_disturbances_and_starts_are_measured_by_the_runner(gait, unit, monkeypa
         return {"fate": np.zeros(len(starts))}
 
     monkeypatch.setattr(robustness, "fates", all_recover)
-    found = robustness.robustness(find_orbit(human))
+    found = robustness.robustness(find_gait(human))
     assert found == robustness.Robustness(*[math.inf] * 4)
-    apex = find_orbit(human).apex
+    apex = find_gait(human).apex
     ends = np.array([starts[-1] - apex for starts in tried]) / human.scales
     np.testing.assert_allclose(ends[:, :2], [[0, 5], [0, -5], [5, 0], [-5, 0]], atol=1e-9)
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_orbit
+from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.bifurcations import happenings
 from tdmf_slip.analysis.family import Family, Point
 
@@ -13,7 +13,7 @@ NAME = "leg.damping"
 
 @pytest.fixture(scope="module")
 def gait(unit):
-    return find_orbit(Runner.of({}, unit))
+    return find_gait(Runner.of({}, unit))
 
 
 class Made(Family):
@@ -28,7 +28,7 @@ class Made(Family):
         for place, entry in enumerate(self.eigenvalues(s)):
             jacobian[2 * place : 2 * place + 2, 2 * place : 2 * place + 2] = entry
         value = float(self.at(s))
-        orbit = replace(
+        gait = replace(
             self.gait,
             runner=self.gait.runner.but(NAME, value),
             apex=np.array([s, 0, 0, 0, 0, 0]),
@@ -37,7 +37,7 @@ class Made(Family):
         )
         slope = (self.at(s + 1e-7) - self.at(s - 1e-7)) / 2e-7
         direction = np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope)
-        return Point(orbit, value, along * direction)
+        return Point(gait, value, along * direction)
 
     def on_plane(self, goal, normal):
         """By halving the way through the plane."""
@@ -75,9 +75,9 @@ def test_each_bifurcation_by_its_eigenvalues(gait):
 
 def test_a_gait_is_stable_inside_the_unit_circle(gait):
     for radius, stable in ((0.9, True), (1.1, False)):
-        orbit = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).made(1.0).orbit
-        assert orbit.stable == stable
-        assert np.abs(orbit.eigenvalues[:3]) == pytest.approx([radius, radius, 0.3])
+        found = Made(gait, lambda s, radius=radius: [real(0.3), pair(radius, 2.0)]).made(1.0).gait
+        assert found.stable == stable
+        assert np.abs(found.eigenvalues[:3]) == pytest.approx([radius, radius, 0.3])
 
 
 def test_located_where_it_is(gait):
@@ -85,7 +85,7 @@ def test_located_where_it_is(gait):
     found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
     assert [special.kind for special in found] == ["period doubling"]
     assert found[0].value == pytest.approx(1.0, abs=1e-10)
-    assert found[0].between == (0.5, 1.5) and found[0].orbit.runner.values[NAME] == found[0].value
+    assert found[0].between == (0.5, 1.5) and found[0].gait.runner.values[NAME] == found[0].value
 
 
 @pytest.mark.parametrize(

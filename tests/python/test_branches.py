@@ -61,10 +61,10 @@ def test_the_default_runner_over_the_touchdown_angle(over_angle):
     told = [(s.kind, np.degrees(s.value)) for s in over_angle.specials if s.kind != "word border"]
     assert [kind for kind, _ in told] == ["fold", "fold", "Neimark-Sacker"]
     assert [value for _, value in told] == pytest.approx([52.437, 41.2245, 42.9303], abs=1e-3)
-    pair = one(over_angle, "Neimark-Sacker").orbit.eigenvalues[:2]
+    pair = one(over_angle, "Neimark-Sacker").gait.eigenvalues[:2]
     assert np.abs(pair) == pytest.approx([1.0, 1.0], abs=1e-9) and abs(pair[0].imag) > 0.1
     assert over_angle.ended == "end of the range" and over_angle.values[-1] == np.radians(53.0)
-    unstable = [orbit.unstable for orbit in over_angle.orbits]
+    unstable = [gait.unstable for gait in over_angle.gaits]
     assert [n for n, m in zip(unstable, [None, *unstable], strict=False) if n != m] == [0, 1, 2, 0]
 
 
@@ -89,16 +89,16 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
     """Beyond the period doubling a runner settles on a gait that repeats itself after two strides."""
     doubling = one(over_torque, "period doubling")
     (doubled,) = over_torque.branches
-    assert doubled.strides == 2 and all(orbit.stable for orbit in doubled.orbits)
+    assert doubled.strides == 2 and all(gait.stable for gait in doubled.gaits)
     assert min(doubled.values) > doubling.value and doubled.values[-1] == 0.6
     compared = 0
-    for orbit in doubled.orbits[len(doubled.orbits) // 3 :: 4]:
-        apex, ran = settled(orbit.runner, orbit.apex + 1e-3 * orbit.runner.scales)
+    for gait in doubled.gaits[len(doubled.gaits) // 3 :: 4]:
+        apex, ran = settled(gait.runner, gait.apex + 1e-3 * gait.runner.scales)
         assert ran == STRIDES
-        both = [apart(orbit.runner, apex, place) for place in (orbit.apex, *orbit.following)]
+        both = [apart(gait.runner, apex, place) for place in (gait.apex, *gait.following)]
         assert min(both) < 1e-9 < 1e-3 < max(both)
-        next_apex, _ = settled(orbit.runner, apex, 1)
-        assert apart(orbit.runner, next_apex, apex) == pytest.approx(max(both), rel=1e-6)
+        next_apex, _ = settled(gait.runner, apex, 1)
+        assert apart(gait.runner, next_apex, apex) == pytest.approx(max(both), rel=1e-6)
         compared += 1
     assert compared >= 3
 
@@ -110,29 +110,29 @@ def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
     assert doublings == pytest.approx([0.0087861, 0.0149840, 0.0265709], abs=1e-6)
     ends = [f"period doubling at hip.retraction_rate = {value:.10g}" for value in doublings]
     assert [bubble.began, bubble.ended, two.began] == ends and bubble.specials == bubble.branches == ()
-    assert all(orbit.stable for orbit in bubble.orbits) and max(bubble.values) < doublings[1]
+    assert all(gait.stable for gait in bubble.gaits) and max(bubble.values) < doublings[1]
     *_, again = (special for special in two.specials if special.kind == "period doubling")
     (four,) = two.branches
     assert four.strides == 4 and four.began.endswith(f"{again.value:.10g}") and min(four.values) > again.value
-    orbit = four.orbits[-1]
-    assert orbit.stable and orbit.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
-    apexes = [orbit.apex, *orbit.following]
-    apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
-    number = int(np.argmin([apart(orbit.runner, apex, place) for place in apexes]))
+    gait = four.gaits[-1]
+    assert gait.stable and gait.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
+    apexes = [gait.apex, *gait.following]
+    apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
+    number = int(np.argmin([apart(gait.runner, apex, place) for place in apexes]))
     for stride in range(9):
-        distances = [apart(orbit.runner, apex, place) for place in apexes]
+        distances = [apart(gait.runner, apex, place) for place in apexes]
         assert int(np.argmin(distances)) == (number + stride) % 4 and min(distances) < 1e-8
         assert sorted(distances)[1] > 1e-4
-        apex, _ = settled(orbit.runner, apex, 1)
+        apex, _ = settled(gait.runner, apex, 1)
     assert ran == STRIDES
 
 
 def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate):
     """Beyond the graze its gaits touch, the map has a square root, and eigenvalues come from infinity."""
     _, two = over_rate.branches
-    touches = [len(orbit.events) for orbit in two.orbits]
+    touches = [len(gait.events) for gait in two.gaits]
     first = touches.index(15)
-    assert set(touches[:first]) == {14} and two.orbits[first].lambda_max > 100.0 * two.orbits[0].lambda_max
+    assert set(touches[:first]) == {14} and two.gaits[first].lambda_max > 100.0 * two.gaits[0].lambda_max
     turn = two.values[first]
     assert max(abs(two.values[first - 1] - turn), abs(two.values[first + 1] - turn)) < 1e-5
     assert two.values[first - 10] > turn < two.values[first + 10]
@@ -145,7 +145,7 @@ def test_a_branch_does_not_jump_to_another_sheet(unit):
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
-    places = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.orbits])
+    places = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.gaits])
     ways = np.linalg.norm(np.diff(places, axis=0), axis=1)
     apart = np.linalg.norm(places[:, None] - places, axis=2)
     for number, (before, after) in enumerate(pairwise(ways), 1):
@@ -160,17 +160,17 @@ def test_a_doubled_gait_is_told_like_any_other(over_torque):
     point = told["points"][-1]
     assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
     assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
-    orbit = doubled.orbits[-1]
-    strides = [orbit.apex, orbit.following[0]]
-    assert values_of(orbit, "com_speed") == [apex[1] for apex in strides]
-    assert orbit.stride["speed"] == pytest.approx(orbit.stride["length"] / orbit.stride["period"], rel=1e-14)
+    gait = doubled.gaits[-1]
+    strides = [gait.apex, gait.following[0]]
+    assert values_of(gait, "com_speed") == [apex[1] for apex in strides]
+    assert gait.stride["speed"] == pytest.approx(gait.stride["length"] / gait.stride["period"], rel=1e-14)
 
 
 def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_torque):
     doubling = one(over_torque, "period doubling")
     for value, alternates in ((doubling.value * 0.998, False), (doubling.value * 1.002, True)):
-        here = doubling.orbit.runner.but(TORQUE, value)
-        apex, ran = settled(here, doubling.orbit.apex)
+        here = doubling.gait.runner.but(TORQUE, value)
+        apex, ran = settled(here, doubling.gait.apex)
         following, _ = settled(here, apex, 1)
         assert ran == STRIDES and (apart(here, apex, following) > 1e-3) == alternates
 
@@ -199,16 +199,16 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
         for way, word in zip((-1, 1), special.words, strict=True):
             off = min(1e-3 * abs(value), 0.3 * abs(values[number + way] - value))
             at = value + off * np.sign(values[number + way] - value)
-            gaits.append(next(gaits_over(runner, name, [at], special.orbit)))
+            gaits.append(next(gaits_over(runner, name, [at], special.gait)))
             words.append(word)
-    assert all(orbit.stable for orbit in gaits) and [orbit.word for orbit in gaits] == words
-    starts = [orbit.apex + 1e-3 * orbit.runner.scales for orbit in gaits]
-    cases = [orbit.runner for orbit in gaits]
+    assert all(gait.stable for gait in gaits) and [gait.word for gait in gaits] == words
+    starts = [gait.apex + 1e-3 * gait.runner.scales for gait in gaits]
+    cases = [gait.runner for gait in gaits]
     ends, _ = run_ensemble(cases, starts, range(len(cases)), most_strides=STRIDES)
     assert ends["strides"].tolist() == [STRIDES] * len(gaits)
     assert ends["word_code"].tolist() == [code_of(word) for word in words]
-    for orbit, apex in zip(gaits, ends["apex"], strict=True):
-        assert apart(orbit.runner, orbit.apex, apex) < 1e-6
+    for gait, apex in zip(gaits, ends["apex"], strict=True):
+        assert apart(gait.runner, gait.apex, apex) < 1e-6
     assert len(gaits) >= 2 * least
 
 
@@ -217,34 +217,34 @@ def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
     branch = continue_branch(human, FRICTION, 0.6, 0.38, switch=False, unit=unit)
     fold = one(branch, "fold")
-    before = next(orbit for orbit in branch.orbits[fold.index :: -1] if orbit.lambda_max < 0.97)
-    orbit = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
-    cases = [orbit.runner, human.but(FRICTION, fold.value - 1e-3)]
-    starts = [orbit.apex + 1e-4 * human.scales, fold.orbit.apex]
+    before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
+    gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
+    cases = [gait.runner, human.but(FRICTION, fold.value - 1e-3)]
+    starts = [gait.apex + 1e-4 * human.scales, fold.gait.apex]
     ends, _ = run_ensemble(cases, starts, [0, 1], most_strides=STRIDES)
-    assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], orbit.apex) < 1e-6
+    assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], gait.apex) < 1e-6
     assert FATES[ends["fate"][1]] == "fell"
 
 
 def test_a_fold_is_where_plain_strides_lose_the_gait(over_angle):
     fold = next(special for special in over_angle.specials if special.kind == "fold")
-    before = next(orbit for orbit in over_angle.orbits[fold.index :: -1] if orbit.lambda_max < 0.97)
-    orbit = next(gaits_over(before.runner, ANGLE, [fold.value - 1e-3], before))
-    apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
-    assert ran == STRIDES and apart(orbit.runner, apex, orbit.apex) < 1e-9
-    beyond = fold.orbit.runner.but(ANGLE, fold.value + 1e-3)
-    apex, ran = settled(beyond, fold.orbit.apex)
-    assert ran < STRIDES or apart(beyond, apex, fold.orbit.apex) > 0.1
+    before = next(gait for gait in over_angle.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
+    gait = next(gaits_over(before.runner, ANGLE, [fold.value - 1e-3], before))
+    apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
+    assert ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-9
+    beyond = fold.gait.runner.but(ANGLE, fold.value + 1e-3)
+    apex, ran = settled(beyond, fold.gait.apex)
+    assert ran < STRIDES or apart(beyond, apex, fold.gait.apex) > 0.1
 
 
 def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_angle):
     point = one(over_angle, "Neimark-Sacker")
-    gaits = dict(zip(over_angle.values, over_angle.orbits, strict=True))
+    gaits = dict(zip(over_angle.values, over_angle.gaits, strict=True))
     for value, settles in ((point.value - 2e-3, False), (point.value + 2e-3, True)):
         near = min((v for v in list(gaits)[point.index - 5 : point.index + 6]), key=lambda v: abs(v - value))
-        orbit = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
-        apex, ran = settled(orbit.runner, orbit.apex + 1e-4 * orbit.runner.scales)
-        assert (ran == STRIDES and apart(orbit.runner, apex, orbit.apex) < 1e-6) == settles
+        gait = next(gaits_over(gaits[near].runner, ANGLE, [value], gaits[near]))
+        apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
+        assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
 
 
 def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
@@ -254,7 +254,7 @@ def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]
-    assert branch.orbits[0].stable != branch.orbits[-1].stable
+    assert branch.gaits[0].stable != branch.gaits[-1].stable
 
 
 def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):

@@ -3,8 +3,8 @@
 import json
 
 import pytest
-from tdmf_slip import InputError, compare, find_orbit
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip import InputError, compare, find_gait
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import quantities_of
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
@@ -21,10 +21,10 @@ def test_the_matched_runners_are_met(runners, found):
     matched = compare(runners, hold=HOLD, vary=VARY)
     assert matched.not_held == ()
     reference, other = matched.gaits
-    again = orbit_near(other.runner, other.apex)
+    again = gait_near(other.runner, other.apex)
     assert quantities_of(again, HOLD) == pytest.approx(quantities_of(reference, HOLD), rel=1e-9)
     assert [other.runner.values[name] for name in VARY] == pytest.approx(found, abs=2e-5)
-    assert reference == find_orbit(runners[0])
+    assert reference == find_gait(runners[0])
     assert quantities_of(other, ["foot_clearance"])["foot_clearance"] == pytest.approx(
         quantities_of(reference, ["foot_clearance"])["foot_clearance"], abs=2e-3
     )

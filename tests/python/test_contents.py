@@ -12,13 +12,14 @@ import re
 import numpy as np
 import pytest
 import tdmf_slip
+from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.contents import ByContents, same
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.optimization.pareto import Front
 
 FRICTION = "ground.friction"
 RESULTS = {
-    "a gait": lambda: tdmf_slip.find_orbit({FRICTION: 0.6}, along=FRICTION),
+    "a gait": lambda: periodic_gait({FRICTION: 0.6}, along=FRICTION),
     "a run": lambda: tdmf_slip.simulate({FRICTION: 0.6}, strides=2),
     "a sweep": lambda: tdmf_slip.sweep({}, [0.5, 0.6]),
     "a branch": lambda: tdmf_slip.continue_branch({}, FRICTION, 0.5, 0.6, switch=False),
@@ -26,9 +27,9 @@ RESULTS = {
         Measurements(({"speed": Measured(1.0, 0.01)},), "one"), ["hip.stance_torque"]
     ),
     "a runner": lambda: tdmf_slip.Runner.of({FRICTION: 0.6}),
-    "a feedback": lambda: tdmf_slip.lqr(tdmf_slip.find_orbit({FRICTION: 0.6}), ["hip.stance_torque"]),
+    "a feedback": lambda: tdmf_slip.lqr(tdmf_slip.find_gait({FRICTION: 0.6}), ["hip.stance_torque"]),
     "what can be controlled": lambda: tdmf_slip.controllability(
-        tdmf_slip.find_orbit({FRICTION: 0.6}), ["hip.stance_torque"]
+        tdmf_slip.find_gait({FRICTION: 0.6}), ["hip.stance_torque"]
     ),
     "an optimum": lambda: tdmf_slip.optimize(
         {}, {"hip.stance_torque": (0.15, 0.3)}, minimize="slip_distance", starts=1

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
+from tdmf_slip import InputError, RunError, Runner, find_gait, read_parameters
 from tdmf_slip.analysis.bifurcations import SHORTEST, happenings
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
+from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.unit.unit import FRICTION
 
@@ -38,7 +39,7 @@ def places_told(branch):
     """How often the number of unstable eigenvalues changes or the branch turns; each time it is told."""
     told = [special for special in branch.specials if special.kind != "word border"]
     places = 0
-    for (before, low), (after, high) in pairwise(zip(branch.orbits, branch.values, strict=True)):
+    for (before, low), (after, high) in pairwise(zip(branch.gaits, branch.values, strict=True)):
         if before.unstable != after.unstable:
             slack = 0.5 * abs(high - low) + 1e-3 * abs(high)  # a fold lies beyond both
             assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in told)
@@ -50,7 +51,7 @@ def places_told(branch):
 
 def assert_judged_rightly(special):
     """By the eigenvalues at the point, whoever located it."""
-    values = special.orbit.eigenvalues
+    values = special.gait.eigenvalues
     if special.kind == "fold":
         assert np.min(np.abs(values - 1.0)) < 1e-7
     elif special.kind == "period doubling":
@@ -65,69 +66,69 @@ def assert_judged_rightly(special):
 
 def test_a_branch_is_followed_past_loss_of_stability(runner):
     """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
-    first = find_orbit(runner)
+    first = find_gait(runner)
     branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
     assert branch.ended == "end of the range"
-    assert all(orbit.error < 1e-11 for orbit in branch.orbits)
+    assert all(gait.error < 1e-11 for gait in branch.gaits)
     (doubling,) = [special for special in branch.specials if special.kind != "word border"]
     assert doubling.kind == "period doubling"
     assert_judged_rightly(doubling)
-    assert doubling.value == pytest.approx(doubling.orbit.runner.values["hip.stance_torque"], abs=0.0)
+    assert doubling.value == pytest.approx(doubling.gait.runner.values["hip.stance_torque"], abs=0.0)
     before = [
-        orbit.stable for orbit, at in zip(branch.orbits, branch.values, strict=True) if at < doubling.value
+        gait.stable for gait, at in zip(branch.gaits, branch.values, strict=True) if at < doubling.value
     ]
-    assert all(before) and not branch.orbits[-1].stable and branch.values[-1] == 0.6
+    assert all(before) and not branch.gaits[-1].stable and branch.values[-1] == 0.6
     assert doubling.as_json() == {"kind": "period doubling", "value": doubling.value}
 
 
 def test_a_branch_turns_at_a_fold(runner):
     """The leg cannot be put forward at will: two gaits meet, where an eigenvalue is 1, and none is beyond."""
-    branch = trace(runner, ANGLE, find_orbit(runner), 1.2, largest_step=0.1, most_points=120)
+    branch = trace(runner, ANGLE, find_gait(runner), 1.2, largest_step=0.1, most_points=120)
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     assert_judged_rightly(fold)
     assert max(branch.values) <= fold.value + 1e-9
-    assert branch.orbits[0].stable and not branch.orbits[-1].stable
+    assert branch.gaits[0].stable and not branch.gaits[-1].stable
     assert places_told(branch) >= 2
 
 
 def test_a_fold_beside_word_borders_is_found(human):
     """In one step of the branch the word changes and the parameter turns back: the fold is told as well."""
-    branch = trace(human, FRICTION, find_orbit(human), 0.2)
+    branch = trace(human, FRICTION, find_gait(human), 0.2)
     assert kinds(branch) == ["fold"]
     assert places_told(branch) >= 1
-    assert branch.orbits[0].stable and not branch.orbits[-1].stable
+    assert branch.gaits[0].stable and not branch.gaits[-1].stable
     assert branch.ended == "back at ground.friction = 0.6"
-    words = [branch.orbits[0].word, *(border.after for border in branch.borders)]
-    assert [border.before for border in branch.borders] == words[:-1] and words[-1] == branch.orbits[-1].word
+    words = [branch.gaits[0].word, *(border.after for border in branch.borders)]
+    assert [border.before for border in branch.borders] == words[:-1] and words[-1] == branch.gaits[-1].word
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     assert_judged_rightly(fold)
     assert fold.value == pytest.approx(0.3836020818, abs=1e-9) and fold.value < min(branch.values)
     assert branch.began == "beginning of the range" and branch.values[-1] == 0.6
-    assert sum(not orbit.stable for orbit in branch.orbits) >= 9
-    direction = np.linalg.svd(fold.orbit.jacobian - np.eye(6))[2][-1]
+    assert sum(not gait.stable for gait in branch.gaits) >= 9
+    direction = np.linalg.svd(fold.gait.jacobian - np.eye(6))[2][-1]
     here = human.but(FRICTION, fold.value + 1e-6)
-    sides = [find_orbit(here, fold.orbit.apex + s * direction) for s in (-1e-2, 1e-2)]
+    sides = [find_gait(here, guess=fold.gait.apex + s * direction) for s in (-1e-2, 1e-2)]
     assert sides[0].stable != sides[1].stable
     with pytest.raises(RunError):
-        find_orbit(human.but(FRICTION, fold.value - 1e-6), fold.orbit.apex)
+        find_gait(human.but(FRICTION, fold.value - 1e-6), guess=fold.gait.apex)
 
 
 def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
     """Outside the unit circle they become a complex pair: the number of unstable ones stays."""
-    first = find_orbit(runner.but(ANGLE, 0.725), UNSTABLE_APEX)
+    first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
-    complex_pairs = [abs(orbit.eigenvalues[0].imag) > 1e-3 for orbit in branch.orbits]
-    assert not complex_pairs[0] and complex_pairs[-1] and branch.orbits[-1].unstable == 2
+    complex_pairs = [abs(gait.eigenvalues[0].imag) > 1e-3 for gait in branch.gaits]
+    assert not complex_pairs[0] and complex_pairs[-1] and branch.gaits[-1].unstable == 2
     assert kinds(branch) == ["fold"]
 
 
 def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     """On the same branch, farther on."""
-    first = find_orbit(runner.but(ANGLE, 0.725), UNSTABLE_APEX)
+    first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
-    back = trace(runner, ANGLE, branch.orbits[-1], 0.755, largest_step=0.1)
+    back = trace(runner, ANGLE, branch.gaits[-1], 0.755, largest_step=0.1)
     assert kinds(back) == ["Neimark-Sacker"]
-    assert [orbit.unstable for orbit in (back.orbits[0], back.orbits[-1])] == [2, 0]
+    assert [gait.unstable for gait in (back.gaits[0], back.gaits[-1])] == [2, 0]
     assert_judged_rightly(next(special for special in back.specials if special.kind == "Neimark-Sacker"))
 
 
@@ -135,7 +136,7 @@ def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     ("name", "end", "most"), [("leg.stiffness", 15000.0, 40), ("hip.kd", 75.0, 40), ("leg.damping", 24.0, 30)]
 )
 def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
-    branch = trace(human, name, find_orbit(human), end, largest_step=0.1, most_points=most)
+    branch = trace(human, name, find_gait(human), end, largest_step=0.1, most_points=most)
     assert places_told(branch) >= 1
     for special in branch.specials:
         assert_judged_rightly(special)
@@ -157,16 +158,16 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
 def test_a_border_is_where_the_word_changes(unit, preset, name, end):
     """To 3e-10 of the parameter, also where a duration ends as a square root does; seen by words alone."""
     runner = Runner.of(read_parameters(preset) if preset else preset, unit)
-    branch = trace(runner, name, find_orbit(runner), end, largest_step=0.1)
+    branch = trace(runner, name, find_gait(runner), end, largest_step=0.1)
     met = [special for special in branch.specials if special.kind == "word border"]
     assert len(met) == len(branch.borders) >= 2
     for border, special in zip(branch.borders, met, strict=True):
         words = {
-            find_orbit(runner.but(name, border.value * (1.0 + off)), special.orbit.apex).word
+            find_gait(runner.but(name, border.value * (1.0 + off)), guess=special.gait.apex).word
             for off in (-3e-10, 3e-10)
         }
         assert words == {border.before, border.after}
-        assert special.orbit.word == border.after and special.value == border.value
+        assert special.gait.word == border.after and special.value == border.value
 
 
 class Torn(Family):
@@ -178,80 +179,82 @@ class Torn(Family):
 
 def test_what_cannot_be_located_is_told_as_not_judged(human):
     family = Family(human, FRICTION)
-    branch = trace(human, FRICTION, find_orbit(human), 0.2)
+    branch = trace(human, FRICTION, find_gait(human), 0.2)
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
-    around = branch.orbits[fold.index : fold.index + 2]
-    start, end = (
-        family.point(orbit, way * np.eye(7)[-1]) for orbit, way in zip(around, (-1, 1), strict=True)
-    )
+    around = branch.gaits[fold.index : fold.index + 2]
+    start, end = (family.point(gait, way * np.eye(7)[-1]) for gait, way in zip(around, (-1, 1), strict=True))
     assert (start.rises, end.rises) == (False, True)
     _, whole = happenings(family, start, end)
     assert "fold" in [special.kind for special in whole]
     no_borders, (torn,) = happenings(Torn(human, FRICTION), start, end)
     assert torn.kind == "not judged" and "the branch turns" in torn.why and not no_borders
-    assert torn.between == (start.value, end.value) and torn.orbit is end.orbit
+    assert torn.between == (start.value, end.value) and torn.gait is end.gait
 
 
 def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     """As near as gaits are told apart: no eigenvalue has to be 1 there, so that it is not called a fold."""
     family = Family(human, FRICTION)
-    start = family.point(family.orbit(0.6, find_orbit(human).apex), np.append(np.zeros(6), -1.0))
+    start = family.point(family.gait(0.6, find_gait(human).apex), np.append(np.zeros(6), -1.0))
     end = family.on_plane(family.place(start) + 0.5 * SHORTEST * start.direction, start.direction)
-    other = Point(replace(end.orbit, word="+0-0+"), end.value, -start.direction)
+    other = Point(replace(end.gait, word="+0-0+"), end.value, -start.direction)
     borders, specials = happenings(family, start, other)
     assert [special.kind for special in specials] == ["word border", "not judged"]
     assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
-    assert "the branch turns" in specials[1].why and specials[1].orbit is other.orbit
+    assert "the branch turns" in specials[1].why and specials[1].gait is other.gait
 
 
 def test_stability_that_changes_at_a_border_is_not_judged(human):
     """Eigenvalues may jump where a contact mode appears."""
     family = Family(human, FRICTION)
-    branch = trace(human, FRICTION, find_orbit(human), 0.41)
-    word = branch.orbits[0].word
-    last = next(k for k, orbit in enumerate(branch.orbits) if orbit.word != word)
+    branch = trace(human, FRICTION, find_gait(human), 0.41)
+    word = branch.gaits[0].word
+    last = next(k for k, gait in enumerate(branch.gaits) if gait.word != word)
     towards = np.append(np.zeros(6), -1.0)
-    start, end = (family.point(orbit, towards) for orbit in branch.orbits[last - 1 : last + 1])
-    jumping = Point(replace(end.orbit, jacobian=1.2 * end.orbit.jacobian), end.value, end.direction)
-    assert (start.orbit.unstable, jumping.orbit.unstable) == (0, 1)
+    start, end = (family.point(gait, towards) for gait in branch.gaits[last - 1 : last + 1])
+    jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.direction)
+    assert (start.gait.unstable, jumping.gait.unstable) == (0, 1)
     _, specials = happenings(family, start, jumping)
     assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]
 
 
 def test_the_first_step_is_predicted_along_the_right_parameter(runner):
     """Whatever the first gait was differentiated by."""
-    firsts = [find_orbit(runner), find_orbit(runner, along=FRICTION), find_orbit(runner, along="leg.damping")]
+    firsts = [
+        periodic_gait(runner),
+        find_gait(runner, along=FRICTION),
+        find_gait(runner, along="leg.damping"),
+    ]
     found = [next(gaits_over(runner, "leg.damping", [0.3], first)) for first in firsts]
-    assert [orbit.along for orbit in found] == ["leg.damping"] * 3
-    for orbit in found[1:]:
-        np.testing.assert_array_equal(orbit.apex, found[0].apex)
+    assert [gait.along for gait in found] == ["leg.damping"] * 3
+    for gait in found[1:]:
+        np.testing.assert_array_equal(gait.apex, found[0].apex)
 
 
 @pytest.fixture
 def looked(monkeypatch):
     """What gaits were looked for: value, guess, and the gait."""
-    honest, seen = Family.orbit, []
+    honest, seen = Family.gait, []
 
     def remembered(self, value, guess):
-        orbit = honest(self, value, guess)
-        seen.append((value, np.array(guess), orbit))
-        return orbit
+        gait = honest(self, value, guess)
+        seen.append((value, np.array(guess), gait))
+        return gait
 
-    monkeypatch.setattr(Family, "orbit", remembered)
+    monkeypatch.setattr(Family, "gait", remembered)
     return seen
 
 
 def test_gaits_are_predicted_along_the_branch(runner, looked):
     """The guess is off by the square of the step."""
-    first = find_orbit(runner, along="leg.damping")
+    first = periodic_gait(runner, along="leg.damping")
     list(gaits_over(runner, "leg.damping", [0.202, 0.204], first))
-    for _, guess, orbit in looked:
-        assert np.max(np.abs(guess - orbit.apex)) < 1e-4
+    for _, guess, gait in looked:
+        assert np.max(np.abs(guess - gait.apex)) < 1e-4
     assert np.max(np.abs(looked[0][2].apex - first.apex)) > 1e-3
 
 
 def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
-    honest, values = Family.orbit, []
+    honest, values = Family.gait, []
 
     def hard_at_first(self, value, guess):
         if len(values) == 0 and abs(value - 0.2) > 0.0101:
@@ -259,8 +262,8 @@ def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
         values.append(value)
         return honest(self, value, guess)
 
-    first = find_orbit(runner, along="leg.damping")
-    monkeypatch.setattr(Family, "orbit", hard_at_first)
+    first = periodic_gait(runner, along="leg.damping")
+    monkeypatch.setattr(Family, "gait", hard_at_first)
     (last,) = gaits_over(runner, "leg.damping", [0.36], first)
     assert values == pytest.approx([0.21, 0.23, 0.27, 0.35, 0.36])
     assert last.runner.values["leg.damping"] == 0.36
@@ -270,22 +273,22 @@ def test_gaits_are_followed_up_to_where_they_end(human, looked):
     """The fold at 0.3836 is met from above to 1e-6."""
     found = []
     with pytest.raises(RunError):
-        found.extend(gaits_over(human, FRICTION, [0.5, 0.4, 0.3], find_orbit(human)))
-    assert [orbit.friction for orbit in found] == [0.5, 0.4]
+        found.extend(gaits_over(human, FRICTION, [0.5, 0.4, 0.3], find_gait(human)))
+    assert [gait.friction for gait in found] == [0.5, 0.4]
     assert 0.0 <= min(value for value, *_ in looked) - 0.38360208 < 1e-6
 
 
 def test_each_gait_is_told_as_it_is_found(runner):
     steps = []
-    first = find_orbit(runner)
+    first = find_gait(runner)
     found = list(gaits_over(runner, FRICTION, [0.7, 0.8], first, lambda: steps.append("value")))
     branch = trace(runner, FRICTION, first, 0.7, step_finished=lambda: steps.append("point"))
-    assert steps == ["value"] * len(found) + ["point"] * (len(branch.orbits) - 1)
+    assert steps == ["value"] * len(found) + ["point"] * (len(branch.gaits) - 1)
     assert np.max(np.diff(branch.values)) / 0.6 <= 0.05
 
 
 def test_the_range_of_a_branch_is_checked(runner):
-    first = find_orbit(runner)
+    first = find_gait(runner)
     for end in (first.friction, float("nan")):
         with pytest.raises(InputError, match=r"ground\.friction: allowed"):
             trace(runner, FRICTION, first, end)
@@ -295,6 +298,6 @@ def test_the_range_of_a_branch_is_checked(runner):
 
 def test_a_branch_that_leads_to_what_is_not_allowed_keeps_its_gaits(runner):
     """A step of this length from a friction of 0.05 would pass 0."""
-    first = find_orbit(runner.but(FRICTION, 0.05), find_orbit(runner).apex)
+    first = find_gait(runner.but(FRICTION, 0.05), guess=find_gait(runner).apex)
     branch = trace(runner, FRICTION, first, -1.0, largest_step=0.3, most_points=15)
-    assert len(branch.orbits) == 15 and 0.0 < min(branch.values) < 0.01
+    assert len(branch.gaits) == 15 and 0.0 < min(branch.values) < 0.01

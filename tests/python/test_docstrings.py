@@ -80,5 +80,5 @@ def test_what_users_call_first_is_told_in_full(name):
 
 
 def test_the_functions_that_users_want_first_are_at_the_top():
-    wanted = {"Runner", "find_orbit", "sweep", "basin", "run_ensemble", "run_batch", "simulate", "validate"}
+    wanted = {"Runner", "find_gait", "sweep", "basin", "run_ensemble", "run_batch", "simulate", "validate"}
     assert wanted <= set(tdmf_slip.__all__) and len(TOP) >= 10

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_orbit
+from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import fates, volume
 from tdmf_slip.library import binding, ensemble
 
 
 @pytest.fixture(scope="module")
 def gaits(unit):
-    return [find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in (0.6, 1.2)]
+    return [find_gait(Runner.of({"ground.friction": mu}, unit)) for mu in (0.6, 1.2)]
 
 
 @pytest.fixture(scope="module")
@@ -44,20 +44,20 @@ FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 def crowds(unit, size):
     """Cases, starts and case numbers: around the published gaits, all over the box, and of other runners."""
     rng = np.random.default_rng(11)
-    orbits = [find_orbit(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
-    cases = [ensemble.Case(Runner(gait.runner.values)) for gait in orbits]
-    numbers = np.arange(size) % len(orbits)
-    near = np.array([orbits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
+    gaits = [find_gait(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
+    cases = [ensemble.Case(Runner(gait.runner.values)) for gait in gaits]
+    numbers = np.arange(size) % len(gaits)
+    near = np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
     low, high = np.array(list(volume.BOX.values())).T
     yield "near", cases, near, numbers
     yield "box", cases, rng.uniform(low, high, (size, 6)), numbers
     others = []
     for factors in np.exp(rng.uniform(-1.0, 1.0, (size // 4, len(CHANGED)))):
-        values = dict(orbits[2].runner.values)
+        values = dict(gaits[2].runner.values)
         values |= {name: factor * values[name] for name, factor in zip(CHANGED, factors, strict=True)}
         values |= {"ground.friction": rng.uniform(0.1, 2.0), "hip.touchdown_angle": rng.uniform(0.3, 1.0)}
         others.append(ensemble.Case(Runner(values)))
-    wild = orbits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))
+    wild = gaits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))
     yield "other runners", others, wild, np.arange(len(others))
 
 

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import basin, find_orbit
+from tdmf_slip import basin, find_gait
 from tdmf_slip.library.members import INPUTS, PARAMETERS, VARIED
 
 NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "leg.min_length"}
@@ -40,7 +40,7 @@ def test_all_can_be_swept_over(command, spans):
 
 def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit):
     tried, unmoved = 0, set()
-    home = find_orbit({}, unit=unit).stride["speed"]
+    home = find_gait({}, unit=unit).stride["speed"]
     for name, (_, value) in spans.items():
         status, out, err = command("gait", "--set", f"{name}={value!r}", "--json")
         assert status == 0, f"{name}: {err}"

@@ -69,7 +69,7 @@ except tdmf_slip.InputError as problem:
 @pytest.mark.parametrize(
     ("extra", "call"),
     [
-        ("plots", "tdmf_slip.find_orbit().plot()"),
+        ("plots", "tdmf_slip.find_gait().plot()"),
         ("data", "tdmf_slip.sweep({}, [0.6, 0.61]).to_xarray()"),
         ("data", "tdmf_slip.basin"),
         ("proof", "tdmf_slip.prove"),
@@ -83,13 +83,13 @@ def test_a_function_names_what_is_missing(extra, call):
 def test_gaits_runs_sweeps_branches_ensembles_and_feedback_need_no_extra():
     program = """
 import tdmf_slip
-orbit = tdmf_slip.find_orbit({"ground.friction": 0.43})
-print(orbit.word)
+gait = tdmf_slip.find_gait({"ground.friction": 0.43})
+print(gait.word)
 print(tdmf_slip.simulate({}, strides=1).stride["word"])
-print(len(tdmf_slip.sweep({}, [0.6, 0.7]).orbits))
-print(len(tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.61).orbits) > 1)
-print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [orbit.apex], most_strides=2)[0]["strides"][0])
-print(tdmf_slip.dead_beat(orbit, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
+print(len(tdmf_slip.sweep({}, [0.6, 0.7]).gaits))
+print(len(tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.61).gaits) > 1)
+print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [gait.apex], most_strides=2)[0]["strides"][0])
+print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
 """
     done = run_without(PARTS, program)
     assert done.returncode == 0, done.stderr

@@ -13,7 +13,7 @@ from tdmf_slip import (
     apex_covariance,
     controllability,
     dead_beat,
-    find_orbit,
+    find_gait,
     lqr,
     place_poles,
 )
@@ -41,7 +41,7 @@ RUNNERS = {
 
 @pytest.fixture(scope="module")
 def gaits():
-    return {friction: find_orbit({"ground.friction": friction}) for friction in FRICTIONS}
+    return {friction: find_gait({"ground.friction": friction}) for friction in FRICTIONS}
 
 
 def next_apex(runner, apex, settings):
@@ -55,12 +55,12 @@ def strides_under(law, apex, count):
     """Apices in a row, the first one too, by a plain loop over the return map."""
     apices = [apex]
     for _ in range(count):
-        apices.append(next_apex(law.linearization.orbit.runner, apices[-1], law.settings_at(apices[-1])))
+        apices.append(next_apex(law.linearization.gait.runner, apices[-1], law.settings_at(apices[-1])))
     return np.array(apices)
 
 
 def deviations(law, apices):
-    gait = law.linearization.orbit
+    gait = law.linearization.gait
     return (apices - gait.apex) / gait.runner.scales
 
 
@@ -75,7 +75,7 @@ def away(gait, size, seed=0):
 
 @pytest.mark.parametrize("name", RUNNERS)
 def test_both_matrices_are_differences_of_the_return_map(name):
-    gait = find_orbit(RUNNERS[name])
+    gait = find_gait(RUNNERS[name])
     model = linearize(gait, ALL)
     step = 1e-6
     for i, scale in enumerate(model.scales):
@@ -129,9 +129,9 @@ def test_gains_of_a_scaled_runner_are_scaled():
     }
     scales = {ANGLE: 1.0, TORQUE: energy, "leg.extension": l0, "body.external_fx": k * l0}
     scales |= {"hip.retraction_rate": 1.0 / time, "hip.kp": energy, "hip.kd": energy * time}
-    gait = find_orbit()
+    gait = find_gait()
     runner = Runner.of(scaled)
-    other = find_orbit(runner, gait.apex * runner.scales)
+    other = find_gait(runner, guess=gait.apex * runner.scales)
     for name, scale in scales.items():
         assert linearize(other, [name]).setting_scales == pytest.approx([scale], rel=1e-12), name
     for make in (dead_beat, lqr):
@@ -238,7 +238,7 @@ def test_a_mode_left_alone_keeps_its_eigenvalue(gaits):
 
 def test_the_least_settings_reach_the_gait():
     """Two settings that act alike share the work: the law is that of least norm."""
-    gait = find_orbit()
+    gait = find_gait()
     law = dead_beat(gait, [ANGLE, "control.touchdown_angle"])
     alone = dead_beat(gait, [ANGLE])
     assert np.asarray(law.gain) == pytest.approx(
@@ -302,7 +302,7 @@ def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):
 
 def test_a_gait_that_is_unstable_is_held():
     runner = Runner.of({"hip.retraction_rate": 0.012, ANGLE: np.radians(45)})
-    gait = find_orbit(runner, find_orbit(runner.but("hip.retraction_rate", 0.0)).apex)
+    gait = find_gait(runner, guess=find_gait(runner.but("hip.retraction_rate", 0.0)).apex)
     assert not gait.stable
     for law in (lqr(gait, [ANGLE]), dead_beat(gait, [ANGLE, TORQUE])):
         assert law.lambda_max < 1.0
@@ -348,7 +348,7 @@ def test_any_gait_is_held_stable_or_not():
     source, held, unstable = np.random.default_rng(5), 0, 0
     for _ in range(24):
         try:
-            gait = find_orbit(drawn_runner(source))
+            gait = find_gait(drawn_runner(source))
         except RunError:
             continue
         assert lqr(gait, [ANGLE, TORQUE]).lambda_max < 1.0
@@ -442,12 +442,12 @@ def test_settings_that_cannot_be_chosen_are_refused(gaits, settings, says):
 
 
 def test_a_setting_at_the_end_of_its_range_and_one_that_does_not_act_are_refused():
-    no_derivative_gain = find_orbit({"hip.liftoff_angle_factor": 0.0})
+    no_derivative_gain = find_gait({"hip.liftoff_angle_factor": 0.0})
     with pytest.raises(
         InputError, match=r"hip.liftoff_angle_factor = 0 at this gait is at the end of its range"
     ):
         lqr(no_derivative_gain, ["hip.liftoff_angle_factor"])
-    placed = find_orbit(model="reduced")
+    placed = find_gait(model="reduced")
     with pytest.raises(InputError, match=r"hip.kp does not act at this gait"):
         lqr(placed, [ANGLE, "hip.kp"])
     assert lqr(placed, [ANGLE, TORQUE]).lambda_max < placed.lambda_max
@@ -456,13 +456,13 @@ def test_a_setting_at_the_end_of_its_range_and_one_that_does_not_act_are_refused
 def test_what_is_no_gait_is_refused(gaits):
     gait = gaits[0.6]
     wrong = {
-        "an Orbit": gait.apex,
+        "a Gait": gait.apex,
         "leads back": dataclasses.replace(gait, error=1e-3),
-        "orbit of 2 strides": dataclasses.replace(gait, following=(gait.apex,)),
+        "gait of 2 strides": dataclasses.replace(gait, following=(gait.apex,)),
     }
-    for says, orbit in wrong.items():
+    for says, wrong_gait in wrong.items():
         with pytest.raises(InputError, match=says):
-            lqr(orbit, [ANGLE])
+            lqr(wrong_gait, [ANGLE])
 
 
 @pytest.mark.parametrize(
@@ -511,7 +511,7 @@ def test_a_bound_on_what_is_forgotten_is_checked(gaits):
 
 
 def test_every_setting_that_may_be_chosen_has_a_scale():
-    gait = find_orbit({THRUST: 0.05})
+    gait = find_gait({THRUST: 0.05})
     assert len(CHOSEN) >= 10
     for name in CHOSEN:
         assert linearize(gait, [name]).setting_scales > 0.0

@@ -16,7 +16,7 @@ ANGLE, TORQUE = feedback.ANGLE, feedback.TORQUE
 
 @pytest.fixture(scope="module")
 def gait():
-    return tdmf_slip.find_orbit({"ground.friction": 1.0})
+    return tdmf_slip.find_gait({"ground.friction": 1.0})
 
 
 @pytest.fixture
@@ -71,10 +71,10 @@ def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     monkeypatch.setattr(judgement, "RUNNERS", 256)
     monkeypatch.setattr(judgement, "MOST_STRIDES", 400)
-    orbit = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     name = "quadratic regulator: touchdown angle"
-    law = dataclasses.replace(feedback.laws(orbit)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)
-    found = judgement.judge(orbit, law, roughness=[0.5], seed=feedback.SEED)
+    law = dataclasses.replace(feedback.laws(gait)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)
+    found = judgement.judge(gait, law, roughness=[0.5], seed=feedback.SEED)
     (place,) = np.flatnonzero((data["law"] == name) & (data["friction"] == 10.0))
     assert found.first_passages[0].mean_strides == pytest.approx(data["mean_strides_0.5"][place], rel=0.05)
     assert found.robustness.push_backward == pytest.approx(data["push_backward"][place], abs=0.01)

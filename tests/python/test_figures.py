@@ -65,7 +65,7 @@ def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypa
         rising = [curve[np.argsort(curve[:, 0])].T for curve in curves if len(curve) > 2]
         for place, value in (point for mark in marks for point in mark.get_xydata()):
             off[place, value] = min(abs(np.interp(place, *curve) / value - 1.0) for curve in rising)
-    speed, cost = (gaits.orbits[0].stride[name] for name in ("speed", "cost_of_transport"))
+    speed, cost = (gaits.gaits[0].stride[name] for name in ("speed", "cost_of_transport"))
     assert list(off) == [
         (40.0, 0.84),
         (40.0, 4.5),

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_orbit, fit, read_parameters
+from tdmf_slip import InputError, Runner, find_gait, fit, read_parameters
 from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.across import Across
 from tdmf_slip.fitting.concluded import is_met
@@ -17,7 +17,7 @@ from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
 
@@ -29,10 +29,10 @@ SLIPPING = {"ground.friction": 0.2}
 MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 
 
-def measured(orbit, names=MEASURED, error=0.005):
+def measured(gait, names=MEASURED, error=0.005):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
-    told = quantities_of(orbit, names)
-    least = {"slip_distance": 1e-3 * orbit.stride["length"]}
+    told = quantities_of(gait, names)
+    least = {"slip_distance": 1e-3 * gait.stride["length"]}
     return {
         name: Measured(value, error * max(abs(value), least.get(name, 0.0))) for name, value in told.items()
     }
@@ -42,22 +42,22 @@ def measured(orbit, names=MEASURED, error=0.005):
 @pytest.mark.parametrize("start", [{"ground.friction": 0.6}, SLIPPING, {"ground.friction": 0.43}])
 def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
     parameters = ["hip.stance_torque", "leg.stiffness", "ground.friction", "body.mass", "hip.touchdown_angle"]
-    orbit = find_orbit(start, model=model)
-    quantities = known_quantities(orbit.runner)
-    exact = varied_gait(orbit.runner, orbit.apex, quantities, parameters)
+    first = find_gait(start, model=model)
+    quantities = known_quantities(first.runner)
+    exact = varied_gait(first.runner, first.apex, quantities, parameters)
     is_slip = np.array([name == "slip_distance" for name in quantities])
     compared = 0
     for k, name in enumerate(parameters):
-        value = orbit.runner.values[name]
+        value = first.runner.values[name]
         step = 1e-6 * value
 
         def solved(by, name=name, value=value):
-            gait = orbit_near(orbit.runner.but(name, value + by), orbit.apex)
+            gait = gait_near(first.runner.but(name, value + by), first.apex)
             return np.array([*quantities_of(gait, quantities).values()]), gait.apex
 
         (more, apex), (less, other) = solved(step), solved(-step)
         differences = (more - less) / (2.0 * step), (apex - other) / (2.0 * step)
-        sizes = np.abs(exact.quantities) + 0.1 * orbit.stride["length"] * is_slip, orbit.runner.scales
+        sizes = np.abs(exact.quantities) + 0.1 * first.stride["length"] * is_slip, first.runner.scales
         for found, difference, size in zip(
             (exact.by_parameters, exact.apex_by_parameters), differences, sizes, strict=True
         ):
@@ -69,7 +69,7 @@ def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
 
 
 def test_the_gait_is_found_from_elsewhere():
-    true = find_orbit({"ground.friction": 0.6, "hip.stance_torque": 0.24, "leg.stiffness": 1.1})
+    true = find_gait({"ground.friction": 0.6, "hip.stance_torque": 0.24, "leg.stiffness": 1.1})
     free = ["hip.stance_torque", "leg.stiffness"]
     found = fit(Measurements((measured(true),), "a gait"), free)
     assert found.chi_square < 1e-12
@@ -81,7 +81,7 @@ def test_the_gait_is_found_from_elsewhere():
 
 
 def test_words_that_change_on_the_way_are_told():
-    true = find_orbit({"ground.friction": 0.43})
+    true = find_gait({"ground.friction": 0.43})
     found = fit(Measurements((measured(true),), "a gait"), ["ground.friction"])
     assert found.parameters["ground.friction"].value == pytest.approx(0.43, rel=1e-7)
     assert "the word of row 1 changed on the way: +0-0+, +0-" in found.notes
@@ -115,15 +115,15 @@ def test_the_search_goes_on_across_folds(runner, model, row, free):
     found = fit(Measurements((row,), "beyond a fold"), free, runner=runner, model=model)
     assert found.chi_square < 1e-9 and found.converged
     assert "the search went on across a fold, where gaits turn back" in found.notes
-    again = orbit_near(found.runners[0], found.apexes[0])
+    again = gait_near(found.runners[0], found.apexes[0])
     for name, of in row.items():
         assert quantities_of(again, [name])[name] == pytest.approx(of.value, rel=1e-6)
 
 
 def test_the_search_across_folds_has_exact_derivatives():
-    row = measured(find_orbit({"ground.friction": 0.6}))
+    row = measured(find_gait({"ground.friction": 0.6}))
     problem = Problem(
-        find_orbit({"ground.friction": 0.55}), Measurements((row, row), "a gait"), ["leg.stiffness"], []
+        find_gait({"ground.friction": 0.55}), Measurements((row, row), "a gait"), ["leg.stiffness"], []
     )
     across = Across(problem, np.zeros(1))
     at = across.begin + 1e-3
@@ -160,18 +160,18 @@ def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size,
     assert len(known.unidentified) == told and pytest.approx(1.95996, rel=1e-5) == QUANTILE
 
 
-def problem_of(orbit):
-    return Problem(orbit, Measurements((measured(orbit),), "a gait"), ["leg.stiffness"], [])
+def problem_of(gait):
+    return Problem(gait, Measurements((measured(gait),), "a gait"), ["leg.stiffness"], [])
 
 
 def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
     """A chord that halves nothing leads nowhere: the gait's own Jacobian is asked for at the second one."""
-    orbit = find_orbit({"ground.friction": 0.6})
-    problem, made, real = problem_of(orbit), [], problem_module.plain_stride
+    gait = find_gait({"ground.friction": 0.6})
+    problem, made, real = problem_of(gait), [], problem_module.plain_stride
 
     def stuck(runner, apex, names):
         made.append(apex)
-        stride = real(runner, orbit.apex, names)
+        stride = real(runner, gait.apex, names)
         return replace(stride, left_over=1e-3 * runner.scales)
 
     monkeypatch.setattr(problem_module, "plain_stride", stuck)
@@ -181,8 +181,8 @@ def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
 
 
 def test_a_search_that_begins_anew_has_no_jacobian_yet():
-    orbit = find_orbit({"ground.friction": 0.6})
-    problem, here = problem_of(orbit), np.zeros(1)
+    gait = find_gait({"ground.friction": 0.6})
+    problem, here = problem_of(gait), np.zeros(1)
     problem.residuals(here)
     problem.jacobian(here)
     assert problem.is_linear_at(here)
@@ -216,8 +216,8 @@ def test_a_fit_shows_its_strides(capsys):
 
 def test_rows_share_what_is_shared_and_have_their_own():
     base, torques = {"ground.friction": 0.6, "leg.stiffness": 1.05}, (0.19, 0.21, 0.23)
-    true = [find_orbit({**base, "hip.stance_torque": torque}) for torque in torques]
-    data = Measurements(tuple(measured(orbit, ("speed", "frequency")) for orbit in true), "three gaits")
+    true = [find_gait({**base, "hip.stance_torque": torque}) for torque in torques]
+    data = Measurements(tuple(measured(gait, ("speed", "frequency")) for gait in true), "three gaits")
     found = fit(data, ["leg.stiffness"], free_each=["hip.stance_torque"])
     assert list(found.parameters) == ["leg.stiffness", *(f"hip.stance_torque[{row}]" for row in (1, 2, 3))]
     assert found.parameters["leg.stiffness"].value == pytest.approx(1.05, rel=1e-7)
@@ -226,9 +226,9 @@ def test_rows_share_what_is_shared_and_have_their_own():
 
 
 def test_what_acts_as_a_sum_is_one_combination():
-    orbit = find_orbit({"ground.friction": 0.6})
+    gait = find_gait({"ground.friction": 0.6})
     found = fit(
-        Measurements((measured(orbit),), "a gait"),
+        Measurements((measured(gait),), "a gait"),
         ["leg.stiffness", "hip.stance_torque", "control.stance_torque"],
     )
     (combination,) = found.unidentified
@@ -252,34 +252,34 @@ def test_what_acts_as_a_product_is_one_combination():
         "hip.kd",
     ]
     names = ("speed", "frequency", "stance_time", "slip_distance")
-    true = [find_orbit({"ground.friction": friction}) for friction in (0.6, 0.45, 1.3)]
-    data = Measurements(tuple(measured(orbit, names, 1e-4) for orbit in true), "three gaits")
+    true = [find_gait({"ground.friction": friction}) for friction in (0.6, 0.45, 1.3)]
+    data = Measurements(tuple(measured(gait, names, 1e-4) for gait in true), "three gaits")
     found = fit(data, scaled, free_each=["ground.friction"])
     (combination,) = found.unidentified
     assert dict(combination.members) == pytest.approx(dict.fromkeys(scaled, 1.0), abs=1e-5)
-    for row, orbit in enumerate(true, start=1):
+    for row, gait in enumerate(true, start=1):
         estimate = found.parameters[f"ground.friction[{row}]"]
-        assert estimate.value == pytest.approx(orbit.friction, rel=1e-6) and np.isfinite(estimate.high)
+        assert estimate.value == pytest.approx(gait.friction, rel=1e-6) and np.isfinite(estimate.high)
 
 
 def test_what_does_not_act_is_told():
-    orbit = find_orbit({"ground.friction": 0.6})
-    found = fit(Measurements((measured(orbit),), "a gait"), ["leg.stiffness", "leg.min_length"])
+    gait = find_gait({"ground.friction": 0.6})
+    found = fit(Measurements((measured(gait),), "a gait"), ["leg.stiffness", "leg.min_length"])
     (combination,) = found.unidentified
     assert dict(combination.members) == {"leg.min_length": 1.0}
     assert "leg.min_length: it does not act" in found.as_text()
 
 
 def test_what_the_data_hardly_tell_is_told():
-    orbit = find_orbit({"ground.friction": 0.6})
-    row = {"speed": Measured(orbit.stride["speed"], 3.0 * orbit.stride["speed"])}
+    gait = find_gait({"ground.friction": 0.6})
+    row = {"speed": Measured(gait.stride["speed"], 3.0 * gait.stride["speed"])}
     (combination,) = fit(Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified
     assert np.isfinite(combination.standard_error) and combination.standard_error > 0.5
 
 
 def test_a_parameter_at_the_end_of_its_range_is_told():
-    orbit = find_orbit({"ground.friction": 0.6})
-    row = {"peak_force": Measured(0.98 * orbit.stride["peak_force"], 0.01), "speed": Measured(1.0, 10.0)}
+    gait = find_gait({"ground.friction": 0.6})
+    row = {"peak_force": Measured(0.98 * gait.stride["peak_force"], 0.01), "speed": Measured(1.0, 10.0)}
     found = fit(Measurements((row,), "a gait"), ["leg.thrust"], runner={"leg.thrust": 0.01})
     assert "lower end of its range" in " ".join(found.notes)
     assert found.parameters["leg.thrust"].value == pytest.approx(0.0, abs=1e-6)
@@ -377,8 +377,8 @@ def test_what_is_no_data_is_refused(data, free):
 
 
 def test_the_command_prints_writes_and_draws(tmp_path, command):
-    orbit = find_orbit({"ground.friction": 0.6})
-    row = measured(orbit)
+    gait = find_gait({"ground.friction": 0.6})
+    row = measured(gait)
     header = ",".join(f"{name} [{UNITS[name]}],{name}_error [{UNITS[name]}]" for name in row)
     cells = ",".join(f"{of.value!r},{of.error!r}" for of in row.values())
     table = written(tmp_path, f"# made\n{header}\n{cells}\n")

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, find_orbit, fit
+from tdmf_slip import InputError, find_gait, fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fitting.search import HUBER, loss_of, weights_of
@@ -50,10 +50,10 @@ The weak one has five speeds and errors of 8 %."""
 FIRST = {"ground.friction": 0.6}
 
 
-def measured(orbit, names, error):
+def measured(gait, names, error):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
-    least = {"slip_distance": 1e-3 * orbit.stride["length"]}
-    told = quantities_of(orbit, names)
+    least = {"slip_distance": 1e-3 * gait.stride["length"]}
+    told = quantities_of(gait, names)
     return {name: Measured(v, error * max(abs(v), least.get(name, 0.0))) for name, v in told.items()}
 
 
@@ -74,9 +74,9 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     Of the weak scenario's 400 fits 391 converged; the others say that they have not.
     """
     model, runners, names, error, free, each = SCENARIOS[name]
-    gaits = [find_orbit(runner, model=model) for runner in runners]
+    gaits = [find_gait(runner, model=model) for runner in runners]
     rows = [measured(gait, names, error) for gait in gaits]
-    begin = gaits[0] if len(gaits) == 1 else find_orbit(FIRST, model=model)
+    begin = gaits[0] if len(gaits) == 1 else find_gait(FIRST, model=model)
     true, held = {of: gaits[0].runner.values[of] for of in free}, dict.fromkeys(free, 0)
     fitted = 0
     for seed in range(SEEDS):
@@ -95,7 +95,7 @@ def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
     """By fits with the parameter held: chi square is then 3.84 above its least, at either end."""
     model, runners, names, error, free, each = SCENARIOS["weak"]
     random = np.random.default_rng(3)
-    rows = tuple(disturbed(measured(find_orbit(r, model=model), names, error), random) for r in runners)
+    rows = tuple(disturbed(measured(find_gait(r, model=model), names, error), random) for r in runners)
     data = Measurements(rows, "weak")
     found = fit(data, free, free_each=each, runner=FIRST, model=model, profile=["ground.friction"])
     friction = found.parameters["ground.friction"]
@@ -112,7 +112,7 @@ def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
 
 
 def test_where_the_data_are_precise_the_profile_is_the_linear_interval():
-    row = measured(find_orbit({"ground.friction": 0.2}), PRECISE, 1e-4)
+    row = measured(find_gait({"ground.friction": 0.2}), PRECISE, 1e-4)
     free = ["ground.friction", "leg.stiffness"]
     profiled, linear = (
         fit(one_row(row), free, runner={"ground.friction": 0.2}, profile=profile) for profile in (True, False)
@@ -128,7 +128,7 @@ def test_where_the_data_are_precise_the_profile_is_the_linear_interval():
 
 def test_an_interval_that_the_data_do_not_close_ends_at_the_range():
     """A thrust that may be none at all: its interval ends at zero, and says so."""
-    gait = find_orbit({"leg.thrust": 0.02})
+    gait = find_gait({"leg.thrust": 0.02})
     row = measured(gait, ("peak_force",), 0.1)
     estimate = fit(one_row(row), ["leg.thrust"], runner={"leg.thrust": 0.02}).parameters["leg.thrust"]
     assert estimate.low == 0.0 and "range" in estimate.ends_at
@@ -159,7 +159,7 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
 
 def test_a_prior_and_a_datum_weigh_by_their_errors():
     """Of two that tell one parameter, the mean is weighted by the squared errors, and the error is less."""
-    gait = find_orbit({"ground.friction": 0.6})
+    gait = find_gait({"ground.friction": 0.6})
     row = measured(gait, PRECISE, 1e-3)
     free = ["leg.stiffness"]
     alone = fit(one_row(row), free, profile=False).parameters["leg.stiffness"]
@@ -177,7 +177,7 @@ def test_a_prior_and_a_datum_weigh_by_their_errors():
 
 def test_what_is_assumed_is_carried_into_the_interval():
     """The length of the leg sets that of a stride: errors of both add by their squares."""
-    gait = find_orbit({"ground.friction": 0.6})
+    gait = find_gait({"ground.friction": 0.6})
     row = measured(gait, ("speed", "frequency", "peak_force", "stance_time"), 0.005)
     free = ["leg.stiffness", "hip.stance_torque"]
     fixed = fit(one_row(row), free, profile=False)
@@ -215,7 +215,7 @@ def test_a_bad_prior_gets_one_sentence(priors, words):
 
 def far_off(count=6):
     """Speeds by one torque, one of which was measured wrong, by twenty errors."""
-    gait = find_orbit({"ground.friction": 0.6})
+    gait = find_gait({"ground.friction": 0.6})
     speed = gait.stride["speed"]
     values = [speed * (1.0 + 0.01 * off) for off in (0.5, -1.0, 0.8, -0.3, 0.2)[: count - 1]]
     return gait, Measurements(
@@ -313,7 +313,7 @@ def test_a_search_that_ends_for_want_of_gaits_has_not_converged(monkeypatch):
 
 def test_other_starts_find_what_the_first_does_not():
     """The runner's own gait leads to another minimum than that which the data are made of."""
-    true = find_orbit(
+    true = find_gait(
         {"ground.friction": 2.5479, "hip.stance_torque": 0.11006, "hip.touchdown_angle": 0.71879}
     )
     row = (
@@ -331,7 +331,7 @@ def test_a_profile_that_finds_a_better_fit_begins_anew():
     """The first search ends at chi square 11.05; with the friction held at 0.33 it is 8.35."""
     model, runners, names, error, free, each = SCENARIOS["weak"]
     random = np.random.default_rng(0)
-    gaits = [find_orbit({**runner, "leg.damping": 0.2}, model=model) for runner in runners]
+    gaits = [find_gait({**runner, "leg.damping": 0.2}, model=model) for runner in runners]
     data = Measurements(tuple(disturbed(measured(gait, names, error), random) for gait in gaits), "weak")
     linear = fit(data, free, free_each=each, runner=FIRST, model=model, profile=False)
     found = fit(

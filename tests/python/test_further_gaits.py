@@ -8,7 +8,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.gait import gait_near
 
 GAITS = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
     "gaits"
@@ -141,7 +141,7 @@ def test_the_clock_of_place_tells_since_when(run, gait):
 
 
 def test_the_library_finds_them(gait):
-    orbit = orbit_near(tdmf_slip.Runner.of(given_of(gait)), gait["apex"])
-    assert orbit.word == gait["word"]
+    found = gait_near(tdmf_slip.Runner.of(given_of(gait)), gait["apex"])
+    assert found.word == gait["word"]
     for name in ("period", "length", "speed", "cost_of_transport"):
-        assert orbit.stride[name] == pytest.approx(gait[name], rel=1e-8), name
+        assert found.stride[name] == pytest.approx(gait[name], rel=1e-8), name

@@ -22,11 +22,11 @@ BACKWARD = list(reversed(COORDINATES))
 
 @pytest.fixture(scope="module")
 def gait():
-    return tdmf_slip.find_orbit(GIVEN)
+    return tdmf_slip.find_gait(GIVEN)
 
 
 SAME = {
-    "find_orbit": (lambda given, gait: tdmf_slip.find_orbit(given).apex, GIVEN, SERIES),
+    "find_gait": (lambda given, gait: tdmf_slip.find_gait(given).apex, GIVEN, SERIES),
     "simulate": (lambda given, gait: tdmf_slip.simulate(given, strides=1).table, GIVEN, SERIES),
     "inputs": (
         lambda given, gait: tdmf_slip.simulate(GIVEN, strides=1, inputs=given).table,
@@ -64,7 +64,7 @@ SAME = {
         [SERIES],
     ),
     "sweep": (
-        lambda given, gait: [orbit.apex for orbit in tdmf_slip.sweep({}, given).orbits],
+        lambda given, gait: [gait.apex for gait in tdmf_slip.sweep({}, given).gaits],
         [0.5, 0.6],
         pandas.Series([0.5, 0.6]),
     ),
@@ -79,7 +79,7 @@ SAME = {
         pandas.DataFrame({FRICTION: [0.5, 0.6], DAMPING: [0.2, 0.21]}),
     ),
     "a guess by its labels": (
-        lambda given, gait: tdmf_slip.find_orbit(GIVEN, given(gait)).apex,
+        lambda given, gait: tdmf_slip.find_gait(GIVEN, guess=given(gait)).apex,
         lambda gait: gait.apex,
         lambda gait: pandas.Series(dict(zip(COORDINATES, gait.apex, strict=True)))[BACKWARD],
     ),
@@ -109,12 +109,12 @@ SAME = {
         pandas.DataFrame({TORQUE: [0.2, 0.21]}),
     ),
     "an order": (
-        lambda given, gait: tdmf_slip.find_gait({}, given, [TORQUE]).apex,
+        lambda given, gait: tdmf_slip.find_gait({}, target=given, vary=[TORQUE]).apex,
         {"speed": 1.1},
         pandas.Series({"speed": 1.1}),
     ),
     "free names": (
-        lambda given, gait: tdmf_slip.find_gait({}, {"speed": 1.1}, given).apex,
+        lambda given, gait: tdmf_slip.find_gait({}, target={"speed": 1.1}, vary=given).apex,
         [TORQUE],
         pandas.Series([TORQUE]),
     ),
@@ -159,7 +159,7 @@ def test_measurements_of_a_table_have_gaps_as_a_file_has():
 
 
 def test_pandas_is_not_loaded_for_what_needs_it_not():
-    program = "import sys, tdmf_slip; tdmf_slip.find_orbit({'gravity': 0.01}); print('pandas' in sys.modules)"
+    program = "import sys, tdmf_slip; tdmf_slip.find_gait({'gravity': 0.01}); print('pandas' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
     assert done.stdout.strip() == "False", done.stderr
 
@@ -210,7 +210,7 @@ REFUSED = {
         r"interface array.*allowed: me, cs",
     ),
     "an array for a model": (
-        lambda gait: tdmf_slip.find_orbit({}, model=np.zeros(2)),
+        lambda gait: tdmf_slip.find_gait({}, model=np.zeros(2)),
         "model array.*allowed",
     ),
     "an array for instructions": (
@@ -232,7 +232,7 @@ REFUSED = {
     ),
     "an array for a gait": (
         lambda gait: tdmf_slip.strides_to_fall({}, 0.5, gait=gait.apex),
-        r"gait = array.*allowed: an Orbit",
+        r"gait = array.*allowed: a Gait",
     ),
     "a pair for a profile": (
         lambda gait: tdmf_slip.simulate_over((1, 2), strides=1),
@@ -252,11 +252,11 @@ REFUSED = {
     "no path to write to": (lambda gait: tdmf_slip.basin({}, AXES, ([1.3], [1.0]), path="\0.nc"), "null"),
     "no path to read": (lambda gait: tdmf_slip.read_parameters("\0.toml"), "null"),
     "other labels": (
-        lambda gait: tdmf_slip.find_orbit({}, pandas.Series(dict.fromkeys("abcdef", 1.0))),
+        lambda gait: tdmf_slip.find_gait({}, guess=pandas.Series(dict.fromkeys("abcdef", 1.0))),
         "an apex with a, b, c, d, e, f; allowed: com_height",
     ),
     "a label twice": (
-        lambda gait: tdmf_slip.find_orbit(pandas.Series([0.5, 0.6], index=[FRICTION, FRICTION])),
+        lambda gait: tdmf_slip.find_gait(pandas.Series([0.5, 0.6], index=[FRICTION, FRICTION])),
         r"ground\.friction is given twice",
     ),
     "a table without a time": (

@@ -32,7 +32,7 @@ def modules_after(*arguments):
 
 def test_a_gait_loads_what_it_needs():
     modules, unpacked = modules_after("gait", "--friction", "0.6", "--json")
-    assert {"tdmf_slip.cli.gait", "tdmf_slip.library.orbit", "fmpy.model_description"} <= modules
+    assert {"tdmf_slip.cli.gait", "tdmf_slip.library.gait", "fmpy.model_description"} <= modules
     assert modules & (HEAVY | SLOW | OF_RUNS) == set()
     parts = {name.split(".")[1] for name in modules if name.startswith("tdmf_slip.")}
     assert parts == {

@@ -16,7 +16,7 @@ from closed_form_maps import (
     torn,
     two_sheets,
 )
-from tdmf_slip import RunError, Runner, find_orbit
+from tdmf_slip import RunError, Runner, find_gait
 from tdmf_slip.analysis import switching
 from tdmf_slip.analysis.continuation import walk
 from tdmf_slip.analysis.meeting import Track
@@ -41,17 +41,17 @@ def test_the_logistic_map_doubles_its_period_at_3():
     branch, limits = followed(family, family.beginning(1.5, 1 / 3), 1.5, 3.8)
     assert told(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
     assert branch.values[-1] == 3.8
-    for value, orbit in zip(branch.values, branch.orbits, strict=True):
-        assert orbit.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
+    for value, gait in zip(branch.values, branch.gaits, strict=True):
+        assert gait.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
     (doubled,) = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits).branches
     assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
     assert [kind for kind, _ in told(doubled)] == ["period doubling"]
     assert doubled.specials[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
-    for r, orbit in zip(doubled.values, doubled.orbits, strict=True):
+    for r, gait in zip(doubled.values, doubled.gaits, strict=True):
         root = np.sqrt((r - 3) * (r + 1))
-        both = sorted([orbit.apex[0], orbit.following[0][0]])
+        both = sorted([gait.apex[0], gait.following[0][0]])
         assert both == pytest.approx([(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs=1e-11)
-        assert orbit.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
+        assert gait.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
 
 
 def logistic_period(r, longest=16):
@@ -80,12 +80,12 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
     for number, value in enumerate(places):
         assert [logistic_period(value + off) for off in (-3e-3, 3e-3)] == [2**number, 2 ** (number + 1)]
     compared = 0
-    for r, orbit in zip(four.values, four.orbits, strict=True):
-        x, apexes = orbit.apex[0], [orbit.apex, *orbit.following]
+    for r, gait in zip(four.values, four.gaits, strict=True):
+        x, apexes = gait.apex[0], [gait.apex, *gait.following]
         for apex in apexes:
             assert apex[0] == pytest.approx(x, abs=1e-11)
             x = r * x * (1.0 - x)
-        assert x == pytest.approx(orbit.apex[0], abs=1e-11)
+        assert x == pytest.approx(gait.apex[0], abs=1e-11)
         compared += len(apexes)
     assert compared >= 20
 
@@ -105,15 +105,15 @@ def test_the_henon_map_folds_and_doubles_its_period():
     branch, _ = followed(family, family.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
     assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
     assert branch.ended == "number of points: 400" and -0.1 < branch.values[-1] < 0.0
-    assert (branch.orbits[0].unstable, branch.orbits[-1].unstable) == (1, 1)
-    assert any(orbit.stable for orbit in branch.orbits)
+    assert (branch.gaits[0].unstable, branch.gaits[-1].unstable) == (1, 1)
+    assert any(gait.stable for gait in branch.gaits)
 
 
 def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
     family = MapFamily(delayed_logistic, 2)
     branch, _ = followed(family, family.beginning(1.5, [1 / 3, 1 / 3]), 1.5, 2.5)
     assert told(branch) == [("Neimark-Sacker", 2.0)]
-    values = branch.specials[0].orbit.eigenvalues
+    values = branch.specials[0].gait.eigenvalues
     assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
 
 
@@ -138,8 +138,8 @@ def test_the_classic_slip_folds_where_its_own_slope_says():
     known = classic_slip.fold()
     assert fold.kind == "fold" and np.degrees(fold.value) == pytest.approx(44.59, abs=5e-3)
     assert fold.value == pytest.approx(known.angle, abs=1e-8)
-    assert fold.orbit.apex[0] == pytest.approx(known.height, abs=1e-5)
-    assert (branch.orbits[0].stable, branch.orbits[-1].stable) == (True, False)
+    assert fold.gait.apex[0] == pytest.approx(known.height, abs=1e-5)
+    assert (branch.gaits[0].stable, branch.gaits[-1].stable) == (True, False)
     assert branch.values[-1] == low
 
 
@@ -165,7 +165,7 @@ def test_a_branch_that_closes_ends_where_it_began():
     assert told(branch) == [("fold", 1.0), ("fold", -1.0)]
     assert branch.ended == branch.began == "closed: back at the gait at p = 0"
     np.testing.assert_allclose(
-        np.array([o.apex[0] for o in branch.orbits]) ** 2, 1 - np.array(branch.values) ** 2
+        np.array([o.apex[0] for o in branch.gaits]) ** 2, 1 - np.array(branch.values) ** 2
     )
 
 
@@ -189,9 +189,9 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
     assert told(branch) == [(kind, 0.0) for kind in kinds]
     assert all(special.words == ("-", "+") for special in branch.specials)
     assert branch.ended == ("back at p = -1" if "fold" in kinds else "end of the range")
-    for value, orbit in zip(branch.values, branch.orbits, strict=True):
-        slope = left if orbit.word == "-" else right
-        assert orbit.apex[0] == pytest.approx(value / (1.0 - slope), abs=1e-10)
+    for value, gait in zip(branch.values, branch.gaits, strict=True):
+        slope = left if gait.word == "-" else right
+        assert gait.apex[0] == pytest.approx(value / (1.0 - slope), abs=1e-10)
 
 
 @pytest.mark.parametrize(
@@ -250,11 +250,11 @@ def test_only_where_the_branch_leads_beyond_what_is_allowed_that_is_its_end():
 
 def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has(unit):
     runner = Runner.of({"ground.static_friction_ratio": 1.02}, unit)
-    branch = trace(runner, "ground.static_friction_ratio", find_orbit(runner), 0.9)
+    branch = trace(runner, "ground.static_friction_ratio", find_gait(runner), 0.9)
     assert branch.ended.startswith("limit of what is allowed at ground.static_friction_ratio = 1: ")
     assert "allowed from 1 to" in branch.ended
     assert branch.values[-1] == pytest.approx(1.0, abs=1e-6) and min(branch.values) >= 1.0
-    assert len(branch.orbits) > 5
+    assert len(branch.gaits) > 5
 
 
 def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():
@@ -270,15 +270,15 @@ def test_a_branch_that_ends_does_not_go_on_from_another(gap):
     family = MapFamily(two_sheets(gap), 1)
     branch, _ = followed(family, family.beginning(0.3, 0.6), 0.3, 0.7)
     assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
-    assert {orbit.word for orbit in branch.orbits} == {"-"} and branch.values[-1] == pytest.approx(0.5)
+    assert {gait.word for gait in branch.gaits} == {"-"} and branch.values[-1] == pytest.approx(0.5)
 
 
 def test_a_walk_along_a_parameter_does_not_change_the_sheet():
     family = MapFamily(two_sheets(0.3), 1)
-    first = family.orbit(0.45, np.array([0.9]))
+    first = family.gait(0.45, np.array([0.9]))
     with pytest.raises(RunError, match="the branch ends near p"):
         list(walk(family, first, 0.45, 0.55))
-    *_, last = walk(family, family.orbit(0.6, np.array([1.5])), 0.6, 0.4)
+    *_, last = walk(family, family.gait(0.6, np.array([1.5])), 0.6, 0.4)
     assert last.apex[0] == pytest.approx(1.1) and last.word == "+"
 
 
@@ -288,7 +288,7 @@ def test_gaits_of_two_strides_are_met_again_by_their_other_half():
     points, ended = follow(family, first, Limits(-2.0, 2.0, first.value, 0.1, 400))
     assert ended.startswith("retraced: back") and ended.endswith("begun by another of its strides")
     assert any(points[-1] is point for point in points[:-1])
-    assert 0.99 < points[-2].value <= 1.0 and points[-2].orbit.apex[0] < 0.1
+    assert 0.99 < points[-2].value <= 1.0 and points[-2].gait.apex[0] < 0.1
 
 
 def test_a_branch_that_comes_back_over_itself_says_so():

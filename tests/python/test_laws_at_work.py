@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import AffineLaw, InputError, Runner, basin, find_orbit, strides_to_fall
+from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
 from tdmf_slip.analysis.fates import fates
 from tdmf_slip.analysis.first_passages import Place, stay
@@ -21,7 +21,7 @@ NAMES = (ANGLE, TORQUE)
 
 @pytest.fixture(scope="module")
 def gait(unit):
-    return find_orbit(Runner.of({"ground.friction": 0.6}, unit))
+    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
 
 
 @pytest.fixture(scope="module")
@@ -140,7 +140,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
     wild = AffineLaw([ANGLE], gait.apex, [usual], [[3, 0, 0, 0, 0, 0]], [0], [1])
     refused("law: under it the gait at friction 0.6 is unstable, with a largest eigenvalue of", wild)
     refused("law = 1 is not allowed; allowed: an AffineLaw", 1)
-    reduced = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
     with pytest.raises(
         InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
     ):

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import find_orbit
+from tdmf_slip import find_gait
 from tdmf_slip.analysis.linkage import linked
 from tdmf_slip.analysis.settled import evenly, settled_gaits
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.scales import scale_of
 
 NAMES = ("hip.touchdown_angle", "hip.stance_torque")
@@ -43,26 +43,26 @@ def test_places_fill_a_box_evenly(dimension):
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
 def test_runners_that_settle_are_next_to_their_gaits(model):
-    first = find_orbit({"ground.friction": 0.3}, model=model)
+    first = find_gait({"ground.friction": 0.3}, model=model)
     values = LOW + evenly(200, 2) * (HIGH - LOW)
     found = settled_gaits(first.runner, dict(zip(NAMES, values.T.copy(), strict=True)), first.apex)
     assert 80 < len(found.numbers) < 200
     for number, apex in list(zip(found.numbers, found.apexes, strict=True))[::10]:
         runner = first.runner.but(NAMES[0], values[number, 0]).but(NAMES[1], values[number, 1])
-        gait = orbit_near(runner, apex)
+        gait = gait_near(runner, apex)
         assert np.max(np.abs((gait.apex - apex) / runner.scales)) < 0.02
         assert gait.lambda_max < 1.0
 
 
 def test_runners_whose_values_do_not_go_together_are_left_out():
-    first = find_orbit({})
+    first = find_gait({})
     lengths = np.array([0.02, 1.0, 0.04])
     found = settled_gaits(first.runner, {"leg.free_length": lengths}, first.apex)
     assert found.numbers.tolist() == [1]
 
 
 def test_scales_are_those_of_the_runner():
-    runner = find_orbit({}).runner.but("leg.stiffness", 4.0).but("leg.free_length", 2.0).but("body.mass", 9.0)
+    runner = find_gait({}).runner.but("leg.stiffness", 4.0).but("leg.free_length", 2.0).but("body.mass", 9.0)
     assert scale_of(runner, "kg") == pytest.approx(9.0)
     assert scale_of(runner, "N/m") == pytest.approx(4.0)
     assert scale_of(runner, "N.m") == pytest.approx(16.0) == scale_of(runner, "N.m/rad")

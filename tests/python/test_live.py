@@ -78,11 +78,11 @@ def test_the_five_published_gaits_are_found(page):
         assert told(page, "gait", "word") == reference["word"]
         for name in ("period", "speed", "length", "cost_of_transport"):
             assert close(told(page, "gait", f"stride.{name}"), reference[name])
-        orbit = tdmf_slip.find_orbit({"ground.friction": reference["friction"]})
-        assert np.abs(eigenvalues(page) - orbit.eigenvalues).max() < EQUAL
+        gait = tdmf_slip.find_gait({"ground.friction": reference["friction"]})
+        assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
         if reference["friction"] == 10:
             assert np.abs(eigenvalues(page) - NO_SLIP_EIGENVALUES).max() < EQUAL
-        assert close(told(page, "gait", "lambda_max"), orbit.lambda_max)
+        assert close(told(page, "gait", "lambda_max"), gait.lambda_max)
         assert told(page, "gait", "stable") == "stable"
         compared += 1
     assert compared == 5
@@ -93,11 +93,11 @@ def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
     varied = ("leg.stiffness", "leg.damping", "foot.mass", "hip.kp", "hip.touchdown_angle", "ground.friction")
     values = {name: tdmf_slip.load().start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
     open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
-    orbit = tdmf_slip.find_orbit(values)
+    gait = tdmf_slip.find_gait(values)
     find_gait(driver)
-    assert told(driver, "gait", "word") == orbit.word
-    assert close(told(driver, "gait", "stride.speed"), orbit.stride["speed"])
-    assert np.abs(eigenvalues(driver) - orbit.eigenvalues).max() < EQUAL
+    assert told(driver, "gait", "word") == gait.word
+    assert close(told(driver, "gait", "stride.speed"), gait.stride["speed"])
+    assert np.abs(eigenvalues(driver) - gait.eigenvalues).max() < EQUAL
 
 
 def test_every_other_preset_has_the_gait_that_the_library_finds(page):
@@ -106,25 +106,25 @@ def test_every_other_preset_has_the_gait_that_the_library_finds(page):
     for name in names:
         Select(find(page, "preset")).select_by_visible_text(name)
         find_gait(page)
-        orbit = tdmf_slip.find_orbit(page.execute_script("return tdmfSlip.state.values"))
-        assert told(page, "gait", "word") == orbit.word
-        assert close(told(page, "gait", "stride.period"), orbit.period)
-        assert np.abs(eigenvalues(page) - orbit.eigenvalues).max() < EQUAL
+        gait = tdmf_slip.find_gait(page.execute_script("return tdmfSlip.state.values"))
+        assert told(page, "gait", "word") == gait.word
+        assert close(told(page, "gait", "stride.period"), gait.period)
+        assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
 
 
 def test_a_run_on_a_gait_has_its_numbers(page):
     Select(find(page, "preset")).select_by_visible_text("human scale")
     find_gait(page)
-    orbit = tdmf_slip.find_orbit(read_parameters("human"))
+    gait = tdmf_slip.find_gait(read_parameters("human"))
     press(page, "start-gait")
     page.execute_script("tdmfSlip.player.play(false)")
     while int(told(page, "numbers", "stride.count")) < 10:
         page.execute_script(
-            "tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(arguments[0]))", orbit.period / 3
+            "tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(arguments[0]))", gait.period / 3
         )
-    assert told(page, "numbers", "word") == orbit.word == "+0+"
-    assert close(told(page, "numbers", "stride.speed"), orbit.stride["speed"])
-    assert close(told(page, "numbers", "stride.cost_of_transport"), orbit.stride["cost_of_transport"])
+    assert told(page, "numbers", "word") == gait.word == "+0+"
+    assert close(told(page, "numbers", "stride.speed"), gait.stride["speed"])
+    assert close(told(page, "numbers", "stride.cost_of_transport"), gait.stride["cost_of_transport"])
 
 
 def closes(ledger):
@@ -173,7 +173,7 @@ def test_dragging_the_friction_across_a_border_changes_the_word(page):
     wait(page, f"tdmfSlip.gaits.search.friction === {friction}", "the gait at the last friction")
     assert close(
         told(page, "gait", "stride.speed"),
-        tdmf_slip.find_orbit({"ground.friction": friction}).stride["speed"],
+        tdmf_slip.find_gait({"ground.friction": friction}).stride["speed"],
     )
 
 
@@ -184,21 +184,21 @@ def test_the_curve_over_the_friction_is_the_librarys(page):
     points = page.execute_script("return tdmfSlip.gaits.frictionPlot.points")
     assert {point["gait"]["word"] for point in points} == {"0+", "+0+", "+0-0+", "+0-", "+-"}
     for point in points[::20]:
-        orbit = tdmf_slip.find_orbit({"ground.friction": point["friction"]})
-        assert point["gait"]["word"] == orbit.word
-        assert close(point["gait"]["stride"]["stride.speed"], orbit.stride["speed"])
-        assert abs(abs(complex(*point["gait"]["eigenvalues"][0])) - orbit.lambda_max) < EQUAL
+        gait = tdmf_slip.find_gait({"ground.friction": point["friction"]})
+        assert point["gait"]["word"] == gait.word
+        assert close(point["gait"]["stride"]["stride.speed"], gait.stride["speed"])
+        assert abs(abs(complex(*point["gait"]["eigenvalues"][0])) - gait.lambda_max) < EQUAL
 
 
 def test_every_cell_of_a_painted_region_is_the_librarys(page):
     paint(page)
     region = page.execute_script("return tdmfSlip.gaits.region.read")
-    orbit = tdmf_slip.find_orbit()
+    gait = tdmf_slip.find_gait()
     rows, columns = np.array(region["rows"]), np.array(region["columns"])
-    starts = np.tile(orbit.apex, (64, 64, 1))
+    starts = np.tile(gait.apex, (64, 64, 1))
     axes = [tdmf_slip.library.section.COORDINATES.index(axis) for axis in region["axes"]]
     starts[..., axes[0]], starts[..., axes[1]] = rows[:, None], columns[None, :]
-    ends = fates(orbit.runner, orbit.apex, starts.reshape(-1, 6))
+    ends = fates(gait.runner, gait.apex, starts.reshape(-1, 6))
     assert region["fates"] == [FATES[number] for number in ends["fate"]]
     assert region["strides"] == ends["strides"].tolist()
     assert len(region["fates"]) == 64 * 64 and {"settled", "fell", "no_start"} <= set(region["fates"])
@@ -211,7 +211,7 @@ def test_a_region_around_the_gait_is_that_of_the_command(page):
     paint(page)
     region = page.execute_script("return tdmfSlip.gaits.region.read")
     for axis, values in zip(region["axes"], (region["rows"], region["columns"]), strict=True):
-        assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_orbit(), axis), rel=1e-5)
+        assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_gait(), axis), rel=1e-5)
 
 
 def test_a_click_into_the_region_starts_the_runner_there(page):
@@ -220,7 +220,7 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
     page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
     pointer(page).move_to_element_with_offset(canvas, 30, -40).click().perform()
     apex = page.execute_script("return tdmfSlip.core.apexOf(tdmfSlip.state.values)")
-    gait = tdmf_slip.find_orbit().apex
+    gait = tdmf_slip.find_gait().apex
     assert apex[0] > 1.2 * gait[0] and apex[1] > 1.1 * gait[1]
     assert apex[2:] == pytest.approx(gait[2:], abs=1e-10)
     wait(page, "location.hash.includes('foot.vx=')", "the address")

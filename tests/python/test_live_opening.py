@@ -30,8 +30,8 @@ def test_the_first_pictures_stand_without_a_click(page):
     wait(page, f"{PAINTED}.includes(64)", "the region")
     wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
     assert page.execute_script(f"return {PAINTED}") == [16, 32, 64]
-    orbit = tdmf_slip.find_orbit()
-    assert page.execute_script("return tdmfSlip.gaits.search.gait.word") == orbit.word
+    gait = tdmf_slip.find_gait()
+    assert page.execute_script("return tdmfSlip.gaits.search.gait.word") == gait.word
     region = page.execute_script("return tdmfSlip.gaits.region.read")
     assert region["axes"] == ["com_height", "com_speed"] and "" not in region["fates"]
     found = page.execute_script("return performance.getEntriesByName('gait found')[0].startTime")

@@ -35,7 +35,7 @@ def test_a_race_on_request(page):
     begun = page.execute_script(f"return {BOTH}.map((run) => run.trail.length ? 0 : run.outputs['com.x'])")
     assert begun == pytest.approx([0, 0], abs=1e-12)
     to_the_line(page)
-    gaits = [tdmf_slip.find_orbit({"ground.friction": friction}) for friction in (0.43, 10)]
+    gaits = [tdmf_slip.find_gait({"ground.friction": friction}) for friction in (0.43, 10)]
     assert speeds(page) == pytest.approx([gait.stride["speed"] for gait in gaits], rel=1e-7)
     times = page.execute_script(f"return {BOTH}.map((run) => run.time)")
     assert times[0] == pytest.approx(times[1], rel=1e-12)

@@ -9,7 +9,7 @@ from tdmf_slip.pictures.plot import plot
 
 @pytest.fixture(scope="module")
 def results():
-    gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     return {
         "run": tdmf_slip.simulate({"ground.friction": 0.43}, strides=2),
         "gait": gait,
@@ -39,9 +39,9 @@ def assert_shows(figure, x, y):
 def test_each_has_a_picture_of_what_it_holds(results):
     run, sweep, branch = results["run"], results["sweep"], results["branch"]
     assert_shows(run.plot(), run.table["time"], run.table["contact.fy"])
-    frictions = [orbit.friction for orbit in sweep.orbits]
-    assert_shows(sweep.plot(), frictions, [orbit.stride["speed"] for orbit in sweep.orbits])
-    eigenvalues = [orbit.lambda_max for orbit in branch.orbits]
+    frictions = [gait.friction for gait in sweep.gaits]
+    assert_shows(sweep.plot(), frictions, [gait.stride["speed"] for gait in sweep.gaits])
+    eigenvalues = [gait.lambda_max for gait in branch.gaits]
     assert_shows(branch.plot(), branch.values, eigenvalues)
     edges = {tuple(curve[:, 1]) for curve in curves(results["gait"].plot()) if len(curve) == 2}
     assert {(0.6, 0.6), (-0.6, -0.6)} <= edges  # the friction cone's
@@ -57,7 +57,7 @@ def test_a_picture_is_shown_once(results):
 
 
 def test_what_has_no_picture_is_refused():
-    with pytest.raises(tdmf_slip.InputError, match="int has no picture; allowed: Run, Orbit"):
+    with pytest.raises(tdmf_slip.InputError, match="int has no picture; allowed: Run, Gait"):
         plot(3)
 
 
@@ -88,4 +88,4 @@ def test_gaits_are_a_dataset_over_their_parameter(results):
     sweep, branch = results["sweep"].to_xarray(), results["branch"].to_xarray()
     assert list(sweep["word"].values) == ["+0-0+", "+0-0+", "+0-", "+0-"]
     assert np.array_equal(branch["leg.damping"], results["branch"].values)
-    assert branch["lambda_max"].values[-1] == results["branch"].orbits[-1].lambda_max
+    assert branch["lambda_max"].values[-1] == results["branch"].gaits[-1].lambda_max

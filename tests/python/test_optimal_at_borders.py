@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tdmf_slip import find_gait, find_orbit, optimize, sweep
+from tdmf_slip import find_gait, optimize, sweep
 from tdmf_slip.errors import RunError
 from tdmf_slip.library.quantities import QUANTITIES
 from tdmf_slip.optimization.border import between
@@ -29,24 +29,24 @@ class Functions:
     def __init__(self, smooth, kink, radii=(0.5, 0.5), lost=lambda at: False):
         self.smooth, self.kink, self.radii, self.lost = smooth, kink, radii, lost
 
-    def orbit_from(self, near, at):
+    def gait_from(self, near, at):
         if self.lost(at):
             raise RunError("the branch folds")
         word = "B" if bend(at)[0] > 0.0 else "A"
         runner = SimpleNamespace(scales=np.ones(1))
         return SimpleNamespace(word=word, sequence=(word,), runner=runner, apex=np.zeros(1))
 
-    def candidate(self, orbit, at):
+    def candidate(self, gait, at):
         (value, slope), (side, normal) = self.smooth(at), bend(at)
-        sign = 1.0 if orbit.word == "B" else -1.0
+        sign = 1.0 if gait.word == "B" else -1.0
         values = np.array([value + self.kink * sign * side, at.sum()])
         slopes = np.array([slope + self.kink * sign * normal, np.ones(2)])
-        sizes = np.array([self.radii[orbit.word == "B"]])
+        sizes = np.array([self.radii[gait.word == "B"]])
         spectrum = Spectrum(sizes, np.zeros((1, 2)), np.ones(1, dtype=bool), np.inf, np.zeros(2))
-        return Candidate(at, orbit, np.zeros((1, 2)), values, slopes, spectrum)
+        return Candidate(at, gait, np.zeros((1, 2)), values, slopes, spectrum)
 
     def follow(self, near, at):
-        return self.candidate(self.orbit_from(near, at), at)
+        return self.candidate(self.gait_from(near, at), at)
 
 
 def valley(at):
@@ -55,7 +55,7 @@ def valley(at):
 
 def found(functions, goal, begin):
     at = np.array(begin)
-    start = functions.candidate(functions.orbit_from(None, at), at)
+    start = functions.candidate(functions.gait_from(None, at), at)
     return Search(functions, Problem(goal, {QUANTITY: 1.0, SUM: 1.0})).run(start)
 
 
@@ -90,7 +90,7 @@ def test_a_ridge_is_no_optimum(begin, side):
 
     optimum = found(Functions(flat, -1.0), GOAL, begin)
     assert optimum.border is None and optimum.why == ""
-    assert optimum.gait.orbit.word == side and optimum.gait.at[1] == pytest.approx(
+    assert optimum.gait.gait.word == side and optimum.gait.at[1] == pytest.approx(
         1.0 if side == "B" else 0.0, abs=1e-12
     )
 
@@ -111,7 +111,7 @@ def test_where_eigenvalues_jump_the_optimum_is_that_of_the_stable_side():
 
     goal = Goal(QUANTITY, at_most={SUM: (1.0, 9.0)}, radius=1.0)
     optimum = found(Functions(rising, 0.1, radii=(0.9, 1.2)), goal, (0.2, 0.1))
-    assert optimum.gait.orbit.word == "A" and set(optimum.falls) == {"A"} and optimum.why == ""
+    assert optimum.gait.gait.word == "A" and set(optimum.falls) == {"A"} and optimum.why == ""
     x = optimum.gait.at[0]
     assert optimum.gait.at[1] == pytest.approx(bend(np.array([x, 0.0]))[0] * -1.0, abs=1e-8)
     assert 2.0 * (x - 0.6) - 0.6 * (x - 0.5) == pytest.approx(0.0, abs=1e-3)
@@ -126,11 +126,11 @@ def test_where_gaits_end_the_search_backs_off_and_says_so():
 def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction, words):
     """A slip begins and ends with velocity zero, and a mode begins with no duration: there is no kink."""
     space = Space({"ground.friction": (0.1, 2.0), "hip.touchdown_angle": (0.6, 0.8)})
-    ends = [find_orbit({"ground.friction": value}) for value in (0.99 * friction, 1.01 * friction)]
+    ends = [find_gait({"ground.friction": value}) for value in (0.99 * friction, 1.01 * friction)]
     gaits = Gaits(ends[0].runner, space, QUANTITIES)
-    inside, outside = (gaits.candidate(orbit, space.place_of(orbit.runner)) for orbit in ends)
-    border = between(gaits, inside, outside, lambda orbit: orbit.word == words[0])
-    assert (border.short.orbit.word, border.beyond.orbit.word) == words
+    inside, outside = (gaits.candidate(gait, space.place_of(gait.runner)) for gait in ends)
+    border = between(gaits, inside, outside, lambda gait: gait.word == words[0])
+    assert (border.short.gait.word, border.beyond.gait.word) == words
     assert border.is_smooth
     assert border.beyond.slopes == pytest.approx(border.short.slopes, rel=1e-5, abs=1e-6)
     row = sweep({}, [0.99 * friction, 1.01 * friction])
@@ -148,7 +148,7 @@ def test_the_cheapest_runner_on_slippery_ground_is_at_a_border():
     for turn in np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False):
         aside = {**near, angle: best.parameters[angle] + 2e-3 * np.cos(turn)}
         aside |= {thrust: best.parameters[thrust] + 2e-3 * np.sin(turn), torque: best.parameters[torque]}
-        gait = find_gait(aside, {"speed": 0.8}, [torque], guess=best.gait.apex)
+        gait = find_gait(aside, target={"speed": 0.8}, vary=[torque], guess=best.gait.apex)
         assert gait.stride["cost_of_transport"] > best.value
         words.add(gait.word)
     assert words >= {"+0-", "+0-0-"}

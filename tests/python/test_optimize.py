@@ -4,8 +4,8 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, OrderNotMetError, find_orbit, optimize, read_parameters, sweep
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, read_parameters, sweep
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import Gaits
@@ -20,23 +20,23 @@ VARIED = ("hip.touchdown_angle", "hip.stance_torque", "leg.damping", "ground.fri
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 
 
-def space_around(orbit, names=VARIED):
+def space_around(gait, names=VARIED):
     """Bounds a half below and above a runner's values."""
-    return Space({name: (0.5 * orbit.runner.values[name], 1.5 * orbit.runner.values[name]) for name in names})
+    return Space({name: (0.5 * gait.runner.values[name], 1.5 * gait.runner.values[name]) for name in names})
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
 @pytest.mark.parametrize("runner", [STIFF, LIGHT, SLIPPING, STICKING, read_parameters("human")])
 def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
-    orbit = find_orbit(runner, model=model)
-    space, step = space_around(orbit), 1e-5
-    gaits = Gaits(orbit.runner, space, known_quantities(orbit.runner), spectrum=True)
-    gait = gaits.candidate(orbit, space.place_of(orbit.runner))
+    first = find_gait(runner, model=model)
+    space, step = space_around(first), 1e-5
+    gaits = Gaits(first.runner, space, known_quantities(first.runner), spectrum=True)
+    gait = gaits.candidate(first, space.place_of(first.runner))
     compared = 0
     for k in range(len(space.bounds)):
         aside = step * np.eye(len(space.bounds))[k]
         low, high = (
-            gaits.candidate(orbit_near(space.runner_at(orbit.runner, at), orbit.apex), at)
+            gaits.candidate(gait_near(space.runner_at(first.runner, at), first.apex), at)
             for at in (gait.at - aside, gait.at + aside)
         )
         assert low.piece == gait.piece == high.piece
@@ -49,7 +49,7 @@ def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
         assert gait.spectrum.fold_slopes[k] == pytest.approx(of_fold, abs=1e-4)
         compared += 1
     assert compared == 4
-    assert gait.spectrum.sizes[0] == pytest.approx(orbit.lambda_max, rel=1e-12)
+    assert gait.spectrum.sizes[0] == pytest.approx(first.lambda_max, rel=1e-12)
 
 
 def test_sizes_of_complex_pairs_have_derivatives():
@@ -74,7 +74,7 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
     low, high = (0.45, 0.55) if sign < 0 else (0.7, 0.82)
     best = optimize(setting, {over: (low, high)}, starts=1, **{asked: quantity})
     grid = sweep(setting, np.linspace(low, high, 41), over=over)
-    values = np.array([orbit.stride[quantity] for orbit in grid.orbits])
+    values = np.array([gait.stride[quantity] for gait in grid.gaits])
     place = np.argmin(sign * values)
     assert len(values) == 41 and 0 < place < 40
     assert best.parameters[over] == pytest.approx(grid.values[place], abs=(high - low) / 40)
@@ -94,7 +94,7 @@ def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
             {**SLIPPING, ANGLE: angle}, best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9), over=TORQUE
         )
         speeds, costs = (
-            np.array([orbit.stride[name] for orbit in row.orbits]) for name in ("speed", "cost_of_transport")
+            np.array([gait.stride[name] for gait in row.gaits]) for name in ("speed", "cost_of_transport")
         )
         assert speeds[0] < 0.9 < speeds[-1]
         least.append(np.interp(0.9, speeds, costs))
@@ -106,7 +106,7 @@ def test_an_optimum_at_a_bound_says_so():
     best = optimize(STICKING, {ANGLE: (0.5, 0.9)}, minimize="cost_of_transport", starts=1)
     assert best.active_bounds == {ANGLE: "upper"}
     assert best.parameters[ANGLE] == 0.9 and best.why == ""
-    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, [0.88, 0.9], over=ANGLE).orbits]
+    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, [0.88, 0.9], over=ANGLE).gaits]
     assert best.value == pytest.approx(costs[1], rel=1e-9) and costs[1] < costs[0]
 
 
@@ -125,12 +125,12 @@ def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
     best = optimize(slow, {TORQUE: (0.1, 0.12)}, minimize="cost_of_transport", starts=1)
     assert best.limits == ("fold",) and best.why == ""
     assert 0.97 < best.gait.lambda_max < 1.0
-    further = orbit_near(best.gait.runner.but(TORQUE, 1.001 * best.parameters[TORQUE]), best.gait.apex)
+    further = gait_near(best.gait.runner.but(TORQUE, 1.001 * best.parameters[TORQUE]), best.gait.apex)
     assert further.stride["cost_of_transport"] > best.value
 
 
 def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
-    with pytest.raises(OrderNotMetError, match="no gait with speed 9 was found") as refused:
+    with pytest.raises(TargetNotMetError, match="no gait with speed 9 was found") as refused:
         optimize({}, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", at={"speed": 9}, starts=1)
     nearest = refused.value.nearest
     fastest = optimize({}, {TORQUE: (0.1, 0.3)}, maximize="speed", starts=1)
@@ -191,7 +191,7 @@ def test_the_command_prints_a_table_before_and_after(command):
     assert told["parameters"] == {TORQUE: 0.25} and told["active_bounds"] == {TORQUE: "upper"}
     assert told["after"]["speed"] == pytest.approx(float(rows["speed"][3]), rel=1e-8)
     assert told["after"]["speed"] > told["before"]["speed"]
-    again = orbit_near(find_orbit({TORQUE: 0.25}).runner, told["apex"])
+    again = gait_near(find_gait({TORQUE: 0.25}).runner, told["apex"])
     assert again.stride["speed"] == pytest.approx(told["after"]["speed"], rel=1e-9)
 
 

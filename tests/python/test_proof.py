@@ -73,7 +73,7 @@ def test_every_published_gait_is_proved(friction):
 
 
 def test_enclosures_hold_what_the_library_computes(proof):
-    gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     for ball, value in zip(proof.apex, gait.apex, strict=True):
         assert abs(float(ball) - value) < 1e-11
     for name in ("work", "cost_of_transport", "stance_time", "duty_factor", "slip_distance"):
@@ -84,7 +84,7 @@ def test_enclosures_hold_what_the_library_computes(proof):
 
 
 def displaced(by):
-    gait = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     return replace(gait, apex=gait.apex + by)
 
 

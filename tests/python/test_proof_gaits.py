@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip.errors import InputError, TdmfSlipError
-from tdmf_slip.library.orbit import orbit_near
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.strides import strides_from
 
 pytest.importorskip("flint")
@@ -36,15 +36,15 @@ def check_further(gait):
     """Against a gait that an independent program has computed to 1e-12."""
     given = {name: np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
              for name, value in gait["start_values"].items()}  # fmt: skip
-    orbit = orbit_near(tdmf_slip.Runner.of(given), gait["apex"])
-    proof = tdmf_slip.prove(orbit, digits=6)
+    found = gait_near(tdmf_slip.Runner.of(given), gait["apex"])
+    proof = tdmf_slip.prove(found, digits=6)
     assert proof.proved, proof.sentence
     assert proof.word == gait["word"]
     for ball, value in zip(proof.apex, gait["apex"], strict=True):
         assert abs(float(ball) - value) < 1e-12
     for name in ("period", "length", "hip_work", "leg_work", "speed", "cost_of_transport", "liftoff_angle"):
         assert abs(float(proof.quantities[name]) - gait[name]) < 1e-12 * max(1.0, abs(gait[name])), name
-    assert proof.stable is orbit.stable
+    assert proof.stable is found.stable
 
 
 def test_a_gait_with_slope_retraction_static_friction_and_thrust_is_proved():
@@ -91,7 +91,7 @@ def random_gaits():
     while seen < RANDOM:
         given = random_runner(rng)
         try:
-            gait = tdmf_slip.find_orbit({name: float(value) for name, value in given.items()})
+            gait = tdmf_slip.find_gait({name: float(value) for name, value in given.items()})
         except TdmfSlipError:
             continue
         seen += 1
@@ -189,7 +189,7 @@ def unstable_gait():
     """Of an independent program: it retracts its leg and doubles its period."""
     gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
     given = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
-    return orbit_near(tdmf_slip.Runner.of(given), gait["apex"])
+    return gait_near(tdmf_slip.Runner.of(given), gait["apex"])
 
 
 def test_a_whole_range_of_unstable_gaits_is_proved_to_be():
@@ -204,8 +204,8 @@ def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
     """Where every piece of more than a width is left open."""
     prove, widest = RangeProver._piece, Fraction("0.0000006")
 
-    def open_if_wide(self, begin, end, orbit):
-        piece = prove(self, begin, end, orbit)
+    def open_if_wide(self, begin, end, gait):
+        piece = prove(self, begin, end, gait)
         return replace(piece, stable=None) if end - begin > widest else piece
 
     monkeypatch.setattr(RangeProver, "_piece", open_if_wide)
@@ -244,7 +244,7 @@ def attraction():
 def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(attraction):
     assert attraction.proved
     assert attraction.radius > 1e-7
-    gait = tdmf_slip.find_orbit({"ground.friction": 10.0})
+    gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     inverse = np.linalg.inv(np.array(attraction.basis))
 
     def size(offset):

@@ -1,4 +1,4 @@
-"""Tests of the prover itself: orbits with known answers, other steps, laws that are broken on purpose."""
+"""Tests of the prover itself: gaits with known answers, other steps, laws that are broken on purpose."""
 
 import json
 import pathlib
@@ -69,7 +69,7 @@ def test_the_harmonic_oscillator_has_its_period(monkeypatch):
 
 
 def test_the_orbit_of_van_der_pol_is_proved_with_its_known_size_and_period(monkeypatch):
-    """Known from series in Python's decimals of 40 digits; half an orbit turned over is the other half."""
+    """Known from series in Python's decimals of 40 digits; half a gait turned over is the other half."""
     plane(monkeypatch, lambda x, v: (1 - x * x) * v - x)
     with ctx.workprec(BITS):
         size, period = (

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_gait, find_orbit, read_parameters, simulate, sweep
+from tdmf_slip import InputError, Runner, find_gait, read_parameters, simulate, sweep
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.measures import MEASURE_UNITS, MEASURES
-from tdmf_slip.library.orbit import orbit_near
 from tdmf_slip.library.quantities import quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
 
@@ -42,13 +42,13 @@ def runner_of(given):
     return read_parameters(given) if isinstance(given, str) else given
 
 
-def sampled(orbit):
+def sampled(gait):
     """The gait's stride by the unit at many instants; the lightest foot and stiffest hip are faster."""
     names = ["hip.torque", "foot.y", "foot.x", "foot.vx", "foot.vy", "contact.mode_index", "hip.work"]
     return simulate(
-        orbit.start_values,
-        stop_time=orbit.period,
-        output_interval=orbit.period / SAMPLES,
+        gait.start_values,
+        stop_time=gait.period,
+        output_interval=gait.period / SAMPLES,
         variables=[*names, "leg.work", "energy.friction_loss"],
         interface="cs",
     )
@@ -56,10 +56,10 @@ def sampled(orbit):
 
 @pytest.mark.parametrize("name", [name for name in RUNNERS if name not in ("light foot", "stiff hip")])
 def test_values_are_those_of_a_finely_sampled_run(name):
-    orbit = find_orbit(runner_of(RUNNERS[name]))
-    has = quantities_of(orbit, MEASURES)
-    values = orbit.runner.values
-    rows = sampled(orbit).table
+    gait = find_gait(runner_of(RUNNERS[name]))
+    has = quantities_of(gait, MEASURES)
+    values = gait.runner.values
+    rows = sampled(gait).table
     assert len(rows) >= SAMPLES
     slope = np.tan(values["ground.slope"])
     height = rows["foot.y"] - values["ground.height"] - slope * rows["foot.x"]
@@ -72,7 +72,7 @@ def test_values_are_those_of_a_finely_sampled_run(name):
     fastest = np.abs(along[slips]).max() if slips.any() else 0.0
     speed = values["leg.free_length"] * np.sqrt(values["leg.stiffness"] / values["body.mass"])
     between_rows = (
-        4.0 * speed * orbit.period / SAMPLES / np.sqrt(values["body.mass"] / values["leg.stiffness"])
+        4.0 * speed * gait.period / SAMPLES / np.sqrt(values["body.mass"] / values["leg.stiffness"])
     )
     assert has["greatest_slip_velocity"] == pytest.approx(fastest, abs=between_rows)
     assert has["greatest_slip_velocity"] >= fastest - 1e-9 * speed
@@ -111,8 +111,8 @@ def assert_differentiated(runner, apex):
 
 @pytest.mark.parametrize("name", RUNNERS)
 def test_derivatives_are_those_of_differences(name):
-    orbit = find_orbit(runner_of(RUNNERS[name]))
-    assert_differentiated(orbit.runner, orbit.apex)
+    gait = find_gait(runner_of(RUNNERS[name]))
+    assert_differentiated(gait.runner, gait.apex)
 
 
 def test_derivatives_of_random_runners_are_those_of_differences():
@@ -120,26 +120,26 @@ def test_derivatives_of_random_runners_are_those_of_differences():
     compared = 0
     for case in RANDOM_RUNNERS:
         for gait in case["gaits"][:1]:
-            orbit = orbit_near(Runner.of(case["runner"]), gait["apex"])
-            if abs(orbit.lambda_max) < 50.0:
-                assert_differentiated(orbit.runner, orbit.apex)
+            found = gait_near(Runner.of(case["runner"]), gait["apex"])
+            if abs(found.lambda_max) < 50.0:
+                assert_differentiated(found.runner, found.apex)
                 compared += 1
     assert compared >= 8
 
 
 def test_a_matched_runner_has_what_another_has():
     """The runners of the table of what friction does on rough ground."""
-    slips = find_orbit({"ground.friction": 0.2})
+    slips = find_gait({"ground.friction": 0.2})
     hold = ["speed", "apex_height", "apex_leg_angle"]
     vary = ["hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor"]
-    matched = find_gait({"ground.friction": 10.0}, quantities_of(slips, hold), vary)
+    matched = find_gait({"ground.friction": 10.0}, target=quantities_of(slips, hold), vary=vary)
     assert quantities_of(matched, hold) == pytest.approx(quantities_of(slips, hold), rel=1e-9)
     found = [matched.runner.values[name] for name in vary]
     assert found == pytest.approx([0.16691, 0.71533, 0.75664], abs=2e-5)
 
 
 def test_the_reduced_map_refuses_what_its_leg_does_not_have():
-    gait = find_orbit({"ground.friction": 0.6}, model="reduced")
+    gait = find_gait({"ground.friction": 0.6}, model="reduced")
     assert quantities_of(gait, ["apex_height"])["apex_height"] == gait.apex[0]
     with pytest.raises(InputError, match="foot_clearance of the reduced map"):
         quantities_of(gait, ["foot_clearance"])

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, find_orbit, run_ensemble, stride_map, strides_to_fall
+from tdmf_slip import InputError, find_gait, run_ensemble, stride_map, strides_to_fall
 from tdmf_slip.library.ensemble import FATES, Case
 from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
 
@@ -12,7 +12,7 @@ FELL = FATES.index("fell")
 
 @pytest.fixture(scope="module")
 def gait():
-    return find_orbit({"ground.friction": 0.6})
+    return find_gait({"ground.friction": 0.6})
 
 
 def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):
@@ -108,7 +108,7 @@ def test_what_makes_no_sense_is_refused(arguments):
 
 
 def test_friction_is_drawn_in_the_full_model_only():
-    reduced = find_orbit({"ground.friction": 0.6}, model="reduced")
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced")
     with pytest.raises(InputError):
         run_ensemble(
             [Case(reduced.runner, ground=RoughGround(friction_spread=0.1))],

@@ -6,7 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError, Runner, basin, find_orbit, run_ensemble, sweep
+from tdmf_slip import InputError, RunError, Runner, basin, find_gait, run_ensemble, sweep
 from tdmf_slip.analysis import borders, volume
 from tdmf_slip.analysis.search import runner_by
 from tdmf_slip.analysis.stability import stability
@@ -27,7 +27,7 @@ def reduced(**values):
 
 @pytest.mark.parametrize("gait", GAITS, ids=lambda gait: str(gait["given"]))
 def test_gaits_are_those_of_the_reference(gait):
-    found = find_orbit(gait["given"], gait["apex"], model="reduced")
+    found = find_gait(gait["given"], guess=gait["apex"], model="reduced")
     assert found.word == gait["word"]
     assert found.apex == pytest.approx(gait["apex"], abs=1e-10)
     for name in ("period", "length", "speed"):
@@ -39,15 +39,15 @@ def test_gaits_are_those_of_the_reference(gait):
 
 
 def test_a_gait_is_found_without_a_guess_too():
-    assert find_orbit(model="reduced").apex == pytest.approx(GAITS[2]["apex"], abs=1e-10)
-    assert find_orbit({"ground.friction": 0.05}, model="reduced").word == "+-"
+    assert find_gait(model="reduced").apex == pytest.approx(GAITS[2]["apex"], abs=1e-10)
+    assert find_gait({"ground.friction": 0.05}, model="reduced").word == "+-"
 
 
 def test_the_larger_eigenvalue_is_that_of_the_full_model():
     """To 1e-3; the second is near the full model's second, and the words are the same."""
     compared = 0
     for friction in (10.0, 1.2, 0.6, 0.43, 0.2, 0.05):
-        full, small = (find_orbit({"ground.friction": friction}, model=m) for m in ("full", "reduced"))
+        full, small = (find_gait({"ground.friction": friction}, model=m) for m in ("full", "reduced"))
         assert small.word == full.word
         assert small.eigenvalues[0] == pytest.approx(full.eigenvalues[0], abs=1e-3)
         assert small.eigenvalues[1] == pytest.approx(full.eigenvalues[1], abs=0.07)
@@ -69,27 +69,27 @@ def test_the_command_tells_the_same_keys(command):
 
 def test_a_sweep_has_the_borders_of_the_reduced_map():
     found = sweep(reduced(), [1.2, 0.6, 0.5, 0.4])
-    assert [orbit.word for orbit in found.orbits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
+    assert [gait.word for gait in found.gaits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
     assert found.problem is None
     for border in found.borders:
         beside = [
-            find_orbit(reduced(friction=border.value * (1 + s)), found.orbits[1].apex).word
+            find_gait(reduced(friction=border.value * (1 + s)), guess=found.gaits[1].apex).word
             for s in (1e-6, -1e-6)
         ]
         assert beside == [border.before, border.after]
     words = [found.borders[0].before, *(border.after for border in found.borders)]
     assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
-    one = borders.borders_between(reduced(), "ground.friction", found.orbits[2], found.orbits[3])
+    one = borders.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
     assert [border.value for border in one] == [border.value for border in found.borders[1:]]
 
 
 def test_a_branch_is_followed_in_the_plane():
-    first = find_orbit(model="reduced")
+    first = find_gait(model="reduced")
     branch = trace(first.runner, "hip.touchdown_angle", first, np.radians(44.0))
     assert branch.ended == "end of the range"
-    assert branch.orbits[-1].apex.shape == (2,)
-    apex, jacobian, _ = stride_from(branch.orbits[-1].runner, branch.orbits[-1].apex, "hip.touchdown_angle")
-    assert apex == pytest.approx(branch.orbits[-1].apex, abs=1e-10)
+    assert branch.gaits[-1].apex.shape == (2,)
+    apex, jacobian, _ = stride_from(branch.gaits[-1].runner, branch.gaits[-1].apex, "hip.touchdown_angle")
+    assert apex == pytest.approx(branch.gaits[-1].apex, abs=1e-10)
     assert jacobian.shape == (2, 2)
 
 
@@ -122,7 +122,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         workers=1,
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = volume.volume(find_orbit(model="reduced"), 300, workers=1)
+    found = volume.volume(find_gait(model="reduced"), 300, workers=1)
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another slice"):
         basin(
@@ -135,15 +135,15 @@ def test_a_basin_is_the_whole_plane(tmp_path):
 
 def test_what_makes_no_sense_is_refused(command):
     with pytest.raises(InputError, match="model 'half'"):
-        find_orbit(model="half")
+        find_gait(model="half")
     with pytest.raises(InputError, match="com_height, com_speed"):
-        find_orbit(guess=np.ones(6), model="reduced")
+        find_gait(guess=np.ones(6), model="reduced")
     with pytest.raises(InputError, match="all by one of them"):
         run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], most_strides=1)
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
         run_ensemble([reduced()], np.ones((1, 6)), most_strides=1)
     with pytest.raises(RunError, match="the foot is not above the ground at the apex"):
-        find_orbit(guess=[0.3, 1.0], model="reduced")
+        find_gait(guess=[0.3, 1.0], model="reduced")
     status, said, problem = command("basin", "--model", "reduced", "--axes", "com_height", "leg_angle")
     assert (status, said) == (2, "")
     assert "'leg_angle' is not allowed; allowed: com_height, com_speed" in problem
@@ -162,8 +162,10 @@ def test_stability_over_a_plane_is_that_of_each_gait():
     found = stability(reduced(), over)
     for row, damping in enumerate(found.rows):
         for column, angle in enumerate(found.columns):
-            gait = find_orbit(
-                {"leg.damping": damping, "hip.touchdown_angle": angle}, GAITS[2]["apex"], model="reduced"
+            gait = find_gait(
+                {"leg.damping": damping, "hip.touchdown_angle": angle},
+                guess=GAITS[2]["apex"],
+                model="reduced",
             )
             assert found.lambda_max[row, column] == pytest.approx(gait.lambda_max, abs=1e-9)
             assert found.word[row, column] == gait.word

@@ -6,8 +6,8 @@ import xarray
 from tdmf_slip import InputError, Runner
 from tdmf_slip.analysis import basin, grid
 from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
+from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.measures import STRIDE_QUANTITIES
-from tdmf_slip.library.orbit import LEDGER
 from tdmf_slip.library.section import COORDINATES
 
 FRICTIONS = [0.6, 0.5]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_orbit, run_ensemble
+from tdmf_slip import Runner, find_gait, run_ensemble
 from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.paper.figures import leading
@@ -13,7 +13,7 @@ RATE = "hip.retraction_rate"
 @pytest.fixture(scope="module")
 def branch(unit):
     runner = Runner.of({"ground.friction": 0.2}, unit)
-    return trace(runner, RATE, find_orbit(runner), 0.01)
+    return trace(runner, RATE, find_gait(runner), 0.01)
 
 
 def heights(runner, apex):
@@ -28,16 +28,16 @@ def heights(runner, apex):
 
 def test_beyond_the_period_doubling_strides_alternate(branch):
     (doubling,) = (special.value for special in branch.specials if special.kind == PERIOD_DOUBLING)
-    apex = branch.orbits[0].apex
-    once = heights(branch.orbits[0].runner.but(RATE, 0.9 * doubling), apex)
-    twice = heights(branch.orbits[0].runner.but(RATE, 1.2 * doubling), apex)
+    apex = branch.gaits[0].apex
+    once = heights(branch.gaits[0].runner.but(RATE, 0.9 * doubling), apex)
+    twice = heights(branch.gaits[0].runner.but(RATE, 1.2 * doubling), apex)
     np.testing.assert_allclose(once, once[0], rtol=1e-7)
     np.testing.assert_allclose(twice[2:], twice[:2], rtol=1e-7)
     assert abs(twice[1] - twice[0]) > 0.05
 
 
 def test_leading_eigenvalues_keep_their_signs(branch):
-    greater, other = leading.leading(branch.orbits).T
+    greater, other = leading.leading(branch.gaits).T
     assert (greater > 0.9).all()
     assert (np.diff(other) < 0.0).all()
     assert other[-1] < -1.0 < other[0]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from fmpy.fmi3 import FMU3Slave
-from tdmf_slip import InputError, Runner, find_orbit, run_ensemble, strides_to_fall
+from tdmf_slip import InputError, Runner, find_gait, run_ensemble, strides_to_fall
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.library.ensemble import FATES, Case
 from tdmf_slip.library.rough_ground import RoughGround
@@ -21,7 +21,7 @@ FELL = FATES.index("fell")
 
 @pytest.fixture(scope="module")
 def gait(unit):
-    return find_orbit(Runner.of({"ground.friction": 0.6}, unit))
+    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
 
 
 # ---- the same steps as in the unit ---------------------------------------------------------------------

@@ -38,7 +38,7 @@ def runner():
 @pytest.fixture(scope="module")
 def gait(runner):
     """By Newton's method, in this process."""
-    return tdmf_slip.find_orbit(runner)
+    return tdmf_slip.find_gait(runner)
 
 
 def with_values(code, form, runner):

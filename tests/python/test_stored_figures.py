@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, compare, find_orbit, strides_to_fall
+from tdmf_slip import Runner, compare, find_gait, strides_to_fall
 from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust
 from tdmf_slip.pictures import style
 
@@ -46,7 +46,7 @@ def test_gaits_on_slopes_are_what_is_kept():
     for friction in slope.COLOURS:
         place = np.flatnonzero(data["friction"] == friction)[0]
         angle = np.radians(data["slope_degrees"][place])
-        gait = find_orbit(Runner.of({"ground.friction": friction, "ground.slope": angle}))
+        gait = find_gait(Runner.of({"ground.friction": friction, "ground.slope": angle}))
         for name in ("speed", "cost_of_transport"):
             assert gait.stride[name] == pytest.approx(data[name][place], rel=1e-7)
 
@@ -60,7 +60,7 @@ def test_gaits_of_each_actuation_are_what_is_kept():
             for place in places[len(places) // 2 :][:1]:
                 torque, thrusts = (data[name][place] for name in ("hip_torque", "thrust"))
                 start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
-                stride = find_orbit(Runner.of(start)).stride
+                stride = find_gait(Runner.of(start)).stride
                 slip = stride["slip_distance"] / stride["length"]
                 assert slip == pytest.approx(data["slip_per_length"][place], rel=1e-7, abs=1e-12)
                 for name in ("speed", "cost_of_transport"):
@@ -80,7 +80,7 @@ def test_optimal_runners_are_what_is_kept():
             optimal.TORQUE: data["stance_torque"][place],
             optimal.THRUST: data["thrust"][place],
         }
-        gait = find_orbit(Runner.of(values))
+        gait = find_gait(Runner.of(values))
         objective = optimal.CHEAPEST if data["cheapest"][place] else optimal.LEAST_SLIP
         (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
         assert again.why == ""

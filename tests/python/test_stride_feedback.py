@@ -23,7 +23,7 @@ def example():
 
 @pytest.fixture(scope="module")
 def gait():
-    return tdmf_slip.find_orbit()
+    return tdmf_slip.find_gait()
 
 
 def strides_of_library(law, first, count):

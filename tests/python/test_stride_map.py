@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from tdmf_slip import AffineLaw, InputError, Runner, find_orbit, stride_map
+from tdmf_slip import AffineLaw, InputError, Runner, find_gait, stride_map
 from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.library.ensemble import instruction_sets
+from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.measures import STRIDE_QUANTITIES
 from tdmf_slip.library.noted_strides import STRIDE_FATES
-from tdmf_slip.library.orbit import LEDGER
 from tdmf_slip.library.rough_ground import RoughGround
 from tdmf_slip.library.settings import SETTINGS
 from tdmf_slip.library.strides import strides_from
@@ -24,7 +24,7 @@ CLOSED, FELL = STRIDE_FATES.index("closed"), STRIDE_FATES.index("fell")
 
 @pytest.fixture(scope="module")
 def gait(unit):
-    return find_orbit(Runner.of({"ground.friction": 0.6}, unit))
+    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
 
 
 @pytest.fixture(scope="module")
@@ -79,12 +79,12 @@ def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
         for stride in (0, 1):
             here = found.sel(runner=number, stride=stride)
             assert here["fate"] == CLOSED
-            orbit = strides_from(runner, here["apex"].values)
+            stride = strides_from(runner, here["apex"].values)
             for name in (*STRIDE_QUANTITIES, *LEDGER):
-                assert here[name] == pytest.approx(orbit.stride[name], abs=1e-8), name
-            assert here["word"] == orbit.word
-            assert here["liftoff_angle"] == pytest.approx(orbit.liftoff_angle, abs=1e-9)
-            np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-9)
+                assert here[name] == pytest.approx(stride.stride[name], abs=1e-8), name
+            assert here["word"] == stride.word
+            assert here["liftoff_angle"] == pytest.approx(stride.liftoff_angle, abs=1e-9)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-9)
             compared += 1
         np.testing.assert_array_equal(found["apex"][number, 0], start)
     np.testing.assert_array_equal(found["apex"][:, 1], found["next_apex"][:, 0])
@@ -162,10 +162,10 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
                 "hip.kd": 0.5,
             }
             here = found.sel(runner=number, stride=stride)
-            orbit = strides_from(Runner.of(values), here["apex"].values)
-            assert here["word"] == orbit.word
-            assert here["cost_of_transport"] == pytest.approx(orbit.stride["cost_of_transport"], abs=1e-8)
-            np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-8)
+            stride = strides_from(Runner.of(values), here["apex"].values)
+            assert here["word"] == stride.word
+            assert here["cost_of_transport"] == pytest.approx(stride.stride["cost_of_transport"], abs=1e-8)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
             compared += 1
     assert compared == 2 * RUNNERS
     np.testing.assert_array_equal(found[TORQUE], np.tile(torque, (RUNNERS, 1)))
@@ -326,7 +326,7 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
 
 
 def test_the_reduced_map_has_laws_too(unit):
-    gait = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    gait = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
     starts = gait.apex + np.random.default_rng(6).uniform(-0.03, 0.03, (RUNNERS, 2))
     nominal = gait.runner.values[ANGLE]
     law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
@@ -342,10 +342,10 @@ def test_the_reduced_map_has_laws_too(unit):
     compared = 0
     for number in range(RUNNERS):
         here = found.sel(runner=number, stride=1)
-        orbit = strides_from(gait.runner.but(ANGLE, float(here[ANGLE])), here["apex"].values)
-        np.testing.assert_allclose(here["next_apex"] - here["apex"], orbit.left_over, atol=1e-8)
+        stride = strides_from(gait.runner.but(ANGLE, float(here[ANGLE])), here["apex"].values)
+        np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
         for name in STRIDE_QUANTITIES:
-            assert here[name] == pytest.approx(orbit.stride[name], abs=1e-7), name
+            assert here[name] == pytest.approx(stride.stride[name], abs=1e-7), name
         compared += 1
     assert compared == RUNNERS
 
@@ -382,7 +382,7 @@ def test_settings_that_do_not_act_are_told(gait, unit):
     message = "settings: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, settings={ANGLE: 0.6})
     assert stride_map(gait.apex, slack, settings={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
-    reduced = find_orbit({"ground.friction": 0.6}, model="reduced", unit=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
     message = "settings: hip.kp does not act in the reduced map"
     refuses(message, reduced.apex, reduced.runner, settings={"hip.kp": 1.0})
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_orbit, simulate
+from tdmf_slip import Runner, find_gait, simulate
 
 LOSSES = ("damper_loss", "friction_loss", "impact_loss")
 THRUST = 0.45
@@ -12,7 +12,7 @@ WORKS = ("leg.work", "hip.work")
 @pytest.fixture(scope="module")
 def gait(unit):
     start = {"ground.friction": 10.0, "hip.stance_torque": 0.0, "leg.thrust": THRUST}
-    return find_orbit(Runner.of(start, unit))
+    return find_gait(Runner.of(start, unit))
 
 
 def test_without_hip_torque_the_leg_does_all_work(gait, unit):

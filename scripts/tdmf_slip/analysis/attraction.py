@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..blocks.running import run_blocks
 from ..checks import check_kind
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from .robustness import Robustness, robustness
 from .volume import Volume, volume
 
@@ -29,12 +29,12 @@ class Attraction:
     """The largest disturbances that the runner recovers from."""
 
 
-def measure(gait: Orbit) -> Attraction:
+def measure(gait: Gait) -> Attraction:
     """All of it for one gait, by one thread.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Stable.
 
     Returns
@@ -47,7 +47,7 @@ def measure(gait: Orbit) -> Attraction:
     InputError
         No gait.
     """
-    check_orbit(gait, "gait")
+    check_is_gait(gait, "gait")
     return Attraction(
         gait.friction,
         gait.word,
@@ -58,13 +58,13 @@ def measure(gait: Orbit) -> Attraction:
 
 
 def measure_all(
-    gaits: Sequence[Orbit], *, scheduler: str | None = None, workers: int | None = None
+    gaits: Sequence[Gait], *, scheduler: str | None = None, workers: int | None = None
 ) -> list[Attraction]:
     """`measure` for many gaits, side by side; see `run_blocks`.
 
     Parameters
     ----------
-    gaits : sequence of Orbit
+    gaits : sequence of Gait
         Stable ones.
     scheduler : str, optional
         See `run_blocks`.
@@ -81,8 +81,8 @@ def measure_all(
     InputError
         Not gaits in a list.
     """
-    check_kind(gaits, Sequence, "gaits", "Orbits in a list, as find_orbit gives")
+    check_kind(gaits, Sequence, "gaits", "Gaits in a list, as find_gait gives")
     for gait in gaits:
-        check_orbit(gait, "gaits")
+        check_is_gait(gait, "gaits")
     with run_blocks(measure, gaits, scheduler=scheduler, workers=workers) as results:
         return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]

@@ -21,7 +21,7 @@ from ..files.resume import resumed
 from ..files.whole import check_place
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
 from ..terminal import progress
@@ -96,12 +96,12 @@ def fates_of_slice(part: Slice) -> NDArray[np.void]:
     )
 
 
-def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
+def range_around(gait: Gait, axis: str) -> tuple[float, float]:
     """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Which gait.
     axis : str
         One of `COORDINATES`.
@@ -117,7 +117,7 @@ def range_around(gait: Orbit, axis: str) -> tuple[float, float]:
         An unknown axis, or no gait.
     """
     check_axes((axis,))
-    check_orbit(gait, "gait")
+    check_is_gait(gait, "gait")
     index = COORDINATES.index(axis)
     here, scale = gait.apex[index], gait.runner.scales[index]
     low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
@@ -262,7 +262,7 @@ def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
 
 
 def _blank(
-    gait: Orbit,
+    gait: Gait,
     axes: tuple[str, str],
     ranges: tuple[NDArray[np.float64], NDArray[np.float64]],
     unit: Unit,

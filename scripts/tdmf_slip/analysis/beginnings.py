@@ -1,6 +1,6 @@
-"""Where else a search for a gait to order may begin: at gaits whose freed parameters are far from the first.
+"""Where else a search for a gait with a target may begin: gaits with varied parameters far from the first's.
 
-Newton's method leads to an order from a gait that is near, and on a way of orders from one of the same
+Newton's method leads to a target from a gait that is near, and on a way of targets from one of the same
 branch; where that branch ends, or the way leads where no gait is, another gait may still lead there.
 """
 
@@ -10,34 +10,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.varied_stride import plain_stride
 from ..unit.unit import Unit
 from .linkage import linked
-from .order import Order, Place
 from .settled import evenly, settled_gaits
+from .target import Place, Target
 
 RUNNERS = 1024
-"""Spread over the freed parameters."""
+"""Spread over the varied parameters."""
 FACTOR = 4.0
-"""To both sides of a freed parameter's value, that of a runner may be other by as much."""
+"""To both sides of a varied parameter's value, that of a runner may be other by as much."""
 FROM_ZERO = 0.4
 """Of its scale, where that value is zero."""
 NONE = 1e-6
-"""Of what is ordered: less counts as none of it."""
+"""Of what is prescribed: less counts as none of it."""
 
 
-def beginnings(order: Order, first: Orbit, unit: Unit) -> Iterator[Place]:
-    """Gaits from which an order may be reached, the nearest to it first.
+def beginnings(target: Target, first: Gait, unit: Unit) -> Iterator[Place]:
+    """Gaits from which a target may be reached, the nearest to it first.
 
     Parameters
     ----------
-    order : Order
-        What is ordered, and what is freed.
-    first : Orbit
-        A gait with the freed parameters' own values.
+    target : Target
+        What is prescribed, and what is varied.
+    first : Gait
+        A gait with the varied parameters' own values.
     unit : Unit
         Whose ranges hold.
 
@@ -47,26 +47,26 @@ def beginnings(order: Order, first: Orbit, unit: Unit) -> Iterator[Place]:
         Of a gait.
     """
     runner = first.runner
-    shares = evenly(RUNNERS, len(order.free))
+    shares = evenly(RUNNERS, len(target.vary))
     varied = {
         name: around(runner, unit, name, np.ascontiguousarray(row))
-        for name, row in zip(order.free, shares.T, strict=True)
+        for name, row in zip(target.vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
     values = np.column_stack(list(varied.values()))
     known, places, gaps = [], [], []
     for number, apex in zip(found.numbers, found.apexes, strict=True):
-        at = np.append(apex, values[number]) / order.scales
+        at = np.append(apex, values[number]) / target.scales
         try:
-            quantities = plain_stride(order.runner_at(at), apex, order.names).quantities
+            quantities = plain_stride(target.runner_at(at), apex, target.names).quantities
         except (InputError, RunError):
             continue
         known.append(at)
         places.append(shares[number])
-        gaps.append(_gap(quantities, order.ordered))
+        gaps.append(_gap(quantities, target.prescribed))
     for k in linked(np.array(places), np.array(gaps)):
         try:
-            yield order.closed_near(known[k])
+            yield target.closed_near(known[k])
         except RunError:
             continue
 
@@ -101,11 +101,11 @@ def around(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) -
     return clipped
 
 
-def _gap(quantities: NDArray[np.float64], ordered: NDArray[np.float64]) -> float:
-    """How far a gait is from an order, by factors: half is as far as twice; where signs differ, over it."""
-    size = np.abs(ordered)
+def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> float:
+    """How far a gait is from a target, by factors: half is as far as twice; where signs differ, over it."""
+    size = np.abs(prescribed)
     size[size == 0.0] = 1.0
-    factors = np.maximum(quantities / size, NONE) / np.maximum(ordered / size, NONE)
-    positive = (ordered > 0.0) & (quantities >= 0.0)
-    off = np.where(positive, np.log(factors), (quantities - ordered) / size)
+    factors = np.maximum(quantities / size, NONE) / np.maximum(prescribed / size, NONE)
+    positive = (prescribed > 0.0) & (quantities >= 0.0)
+    off = np.where(positive, np.log(factors), (quantities - prescribed) / size)
     return float(np.linalg.norm(off))

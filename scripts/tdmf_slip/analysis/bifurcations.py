@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from .borders import Border, Crossing, crossings
 from .family import Family, Point
 
@@ -41,7 +41,7 @@ class Special(ByContents):
     """fold, period doubling, Neimark-Sacker, word border, or not judged."""
     value: float
     """Of the parameter; of what is not judged, the middle of where it lies."""
-    orbit: Orbit
+    gait: Gait
     """The gait there; at a word border, and of what is not judged, the one just beyond."""
     between: tuple[float, float]
     """Values of the parameter at two gaits around it, in their order along the branch."""
@@ -86,7 +86,7 @@ def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border
 def _specials(family: Family, before: Point, after: Point) -> Iterator[Special]:
     """In the order of the branch: piece by piece, with one thing each, or too short to be told apart."""
     try:
-        if before.orbit.word != after.orbit.word:
+        if before.gait.word != after.gait.word:
             yield from _across_borders(family, before, after)
             return
         if _is_simple(before, after):
@@ -132,13 +132,13 @@ def _at_border(crossing: Crossing, around: tuple[float, float]) -> Iterator[Spec
     """The border, and by the maps of both sides whether the branch turns there or the period doubles."""
     border, short, beyond = crossing.border, crossing.short, crossing.beyond
     words = (border.before, border.after)
-    yield Special(WORD_BORDER, border.value, beyond.orbit, around, words=words)
+    yield Special(WORD_BORDER, border.value, beyond.gait, around, words=words)
     changes = _changes(short, beyond)
     turns = FOLD in changes and _passes_one(short, beyond)
     real = [FOLD] * turns + [PERIOD_DOUBLING] * (PERIOD_DOUBLING in changes)
     for kind in real:
-        yield Special(kind, border.value, beyond.orbit, around, words=words)
-    more = abs(beyond.orbit.unstable - short.orbit.unstable)
+        yield Special(kind, border.value, beyond.gait, around, words=words)
+    more = abs(beyond.gait.unstable - short.gait.unstable)
     explained = more <= len(real) and (more - len(real)) % 2 == 0
     if not explained or turns != (FOLD in changes):
         yield replace(_not_judged(short, beyond, _account(short, beyond)), words=words)
@@ -146,25 +146,25 @@ def _at_border(crossing: Crossing, around: tuple[float, float]) -> Iterator[Spec
 
 def _not_judged(before: Point, after: Point, why: str) -> Special:
     middle, around = 0.5 * (before.value + after.value), (before.value, after.value)
-    words = (before.orbit.word, after.orbit.word)
-    return Special(NOT_JUDGED, middle, after.orbit, around, why, words if words[0] != words[1] else None)
+    words = (before.gait.word, after.gait.word)
+    return Special(NOT_JUDGED, middle, after.gait, around, why, words if words[0] != words[1] else None)
 
 
 def _period_doubling(point: Point) -> float:
     """Zero where an eigenvalue is -1."""
-    return float(np.linalg.det(point.orbit.jacobian + np.eye(len(point.orbit.jacobian))))
+    return float(np.linalg.det(point.gait.jacobian + np.eye(len(point.gait.jacobian))))
 
 
 def _passes_one(before: Point, after: Point) -> bool:
     """An odd number of real eigenvalues gets across +1."""
-    identity = np.eye(len(before.orbit.jacobian))
-    low, high = (np.linalg.det(identity - point.orbit.jacobian) for point in (before, after))
+    identity = np.eye(len(before.gait.jacobian))
+    low, high = (np.linalg.det(identity - point.gait.jacobian) for point in (before, after))
     return bool((low > 0.0) != (high > 0.0))
 
 
 def _neimark_sacker(point: Point) -> float:
     """Zero where the product of two eigenvalues is 1: a pair on the unit circle, or a neutral saddle."""
-    pairs = [a * b - 1.0 for a, b in combinations(point.orbit.eigenvalues, 2)]
+    pairs = [a * b - 1.0 for a, b in combinations(point.gait.eigenvalues, 2)]
     return float(np.prod(pairs).real)
 
 
@@ -185,7 +185,7 @@ _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
 
 def _unstable_of_pairs(point: Point) -> int:
     """How many eigenvalues of complex pairs are outside the unit circle."""
-    values = point.orbit.eigenvalues
+    values = point.gait.eigenvalues
     return int(np.count_nonzero(np.abs(values[values.imag != 0.0]) > 1.0))
 
 
@@ -199,7 +199,7 @@ def _is_simple(before: Point, after: Point) -> bool:
     Two real ones that leave it make the same sign change as a complex pair.
     """
     changes = _changes(before, after)
-    more = after.orbit.unstable - before.orbit.unstable
+    more = after.gait.unstable - before.gait.unstable
     pairs = _unstable_of_pairs(after) - _unstable_of_pairs(before)
     if changes == (NEIMARK_SACKER,) and more not in (0, pairs):
         return False
@@ -209,10 +209,10 @@ def _is_simple(before: Point, after: Point) -> bool:
 def _account(before: Point, after: Point) -> str:
     """What is seen of two gaits between which more happens than can be told apart."""
     changes = _changes(before, after)
-    words = f"{before.orbit.word} becomes {after.orbit.word}" if before.orbit.word != after.orbit.word else ""
+    words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
     turns = "the branch turns" if FOLD in changes else ""
     passes = "an eigenvalue passes -1" if PERIOD_DOUBLING in changes else ""
-    counts = f"{before.orbit.unstable} eigenvalues outside the unit circle become {after.orbit.unstable}"
+    counts = f"{before.gait.unstable} eigenvalues outside the unit circle become {after.gait.unstable}"
     return ", ".join(filter(None, (words, turns, passes, counts)))
 
 
@@ -226,9 +226,9 @@ def _bifurcations(family: Family, before: Point, after: Point) -> Iterator[Speci
     """
     for kind in _changes(before, after):
         point = _zero(family, before, after, _TESTS[kind])
-        if _is_there(kind, point.orbit.eigenvalues):
-            yield Special(kind, point.value, point.orbit, (before.value, after.value))
-        elif before.orbit.unstable != after.orbit.unstable:
+        if _is_there(kind, point.gait.eigenvalues):
+            yield Special(kind, point.value, point.gait, (before.value, after.value))
+        elif before.gait.unstable != after.gait.unstable:
             raise RunError(f"no eigenvalues of a {kind}: {_account(before, after)}")
 
 

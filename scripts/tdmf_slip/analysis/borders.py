@@ -10,7 +10,7 @@ import numpy as np
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..unit.variable import Given
 from .family import Family, Point
@@ -45,9 +45,7 @@ class Border:
         return {name: self.value, "from": self.before, "to": self.after}
 
 
-def borders_between(
-    runner: Runner | Mapping[str, Given], name: str, first: Orbit, last: Orbit
-) -> list[Border]:
+def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait) -> list[Border]:
     """All changes of the word from one gait to another of the same branch.
 
     Parameters
@@ -56,7 +54,7 @@ def borders_between(
         Whose gaits.
     name : str
         Parameter or input along which the branch is followed.
-    first, last : Orbit
+    first, last : Gait
         Gaits of the branch.
 
     Returns
@@ -71,8 +69,8 @@ def borders_between(
     RunError
         A gait between them cannot be found.
     """
-    check_orbit(first, "first")
-    check_orbit(last, "last")
+    check_is_gait(first, "first")
+    check_is_gait(last, "last")
     family = Family(runner, name)
     return [crossing.border for crossing in crossings(family, *family.points(first, last))]
 
@@ -113,18 +111,18 @@ def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
     """
     inside = first
     for _ in range(MOST_BORDERS):
-        if inside.orbit.word == last.orbit.word:
+        if inside.gait.word == last.gait.word:
             return
         short, beyond = _border(_Chord(family, inside, last), inside, last)
         short = _turned(short, inside)
-        beyond = _turned(beyond, last) if beyond.orbit.word == last.orbit.word else beyond
+        beyond = _turned(beyond, last) if beyond.gait.word == last.gait.word else beyond
         if family.distance(short, beyond) > CORNER:
             reach = ACUTE * family.distance(short, beyond)
             short, beyond = (_approached(family, *side) for side in ((short, reach, 1), (beyond, reach, -1)))
         value = 0.5 * (short.value + beyond.value)
-        yield Crossing(Border(value, inside.orbit.word, beyond.orbit.word), short, beyond)
+        yield Crossing(Border(value, inside.gait.word, beyond.gait.word), short, beyond)
         inside = beyond
-    raise RunError(f"more than {MOST_BORDERS} borders between {first.orbit.word} and {last.orbit.word}")
+    raise RunError(f"more than {MOST_BORDERS} borders between {first.gait.word} and {last.gait.word}")
 
 
 def _turned(point: Point, like: Point) -> Point:
@@ -163,29 +161,29 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
     touched.
     """
     outside = last
-    sides: dict[str, list[Point]] = {inside.orbit.word: [inside], last.orbit.word: [last]}
+    sides: dict[str, list[Point]] = {inside.gait.word: [inside], last.gait.word: [last]}
     for looks in range(MOST_LOOKS):
         low, high = chord.along(inside), chord.along(outside)
         if high - low <= ROOT_ACCURACY:
             return inside, outside
-        vanishing = _vanishing_point(chord, sides[inside.orbit.word], sides[outside.orbit.word])
+        vanishing = _vanishing_point(chord, sides[inside.gait.word], sides[outside.gait.word])
         look = 0.5 * (low + high)
         if vanishing is not None:
             near, end = vanishing
             if abs(near - end) <= CLOSE_TO_BORDER:
                 places = np.clip([end - SURE, end + SURE], low, high)
                 short, beyond = (chord.at(place, inside, outside) for place in places)
-                if short.orbit.word == inside.orbit.word != beyond.orbit.word:
+                if short.gait.word == inside.gait.word != beyond.gait.word:
                     return short, beyond
             elif looks % 2 == 0 and low < end + 0.1 * (near - end) < high:
                 look = end + 0.1 * (near - end)
         tried = chord.at(look, inside, outside)
-        sides.setdefault(tried.orbit.word, []).append(tried)
-        if tried.orbit.word == inside.orbit.word:
+        sides.setdefault(tried.gait.word, []).append(tried)
+        if tried.gait.word == inside.gait.word:
             inside = tried
         else:
             outside = tried
-    words = f"{inside.orbit.word} and {outside.orbit.word}"
+    words = f"{inside.gait.word} and {outside.gait.word}"
     raise RunError(f"border between {words} not located near {chord.family.name} = {inside.value:g}")
 
 
@@ -197,7 +195,7 @@ def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
         middle = 0.5 * (low + high)
         try:
             tried = family.on_plane(begin + middle * direction, direction)
-            there = tried.orbit.word == point.orbit.word and family.distance(point, tried) <= 2.0 * middle
+            there = tried.gait.word == point.gait.word and family.distance(point, tried) <= 2.0 * middle
         except (InputError, RunError):
             there = False
         if there:
@@ -211,14 +209,14 @@ def _vanishing_point(
     chord: _Chord, inside: Sequence[Point], outside: Sequence[Point]
 ) -> tuple[float, float] | None:
     """How far the last point is on the side with more letters, and where by its last two a letter ends."""
-    side = inside if len(inside[-1].orbit.word) > len(outside[-1].orbit.word) else outside
-    if len(side) < 2 or len(side[-1].orbit.letters) != len(side[-2].orbit.letters):
+    side = inside if len(inside[-1].gait.word) > len(outside[-1].gait.word) else outside
+    if len(side) < 2 or len(side[-1].gait.letters) != len(side[-2].gait.letters):
         return None
     near, far = side[-1], side[-2]
     at, step = chord.along(near), chord.along(near) - chord.along(far)
     roots = [
         at - letter.duration * step / (letter.duration - before.duration)
-        for letter, before in zip(near.orbit.letters, far.orbit.letters, strict=True)
+        for letter, before in zip(near.gait.letters, far.gait.letters, strict=True)
         if letter.duration != before.duration
     ]
     low, high = chord.along(inside[-1]) - SURE, chord.along(outside[-1]) + SURE  # beside a point by rounding

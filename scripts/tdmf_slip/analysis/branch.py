@@ -9,7 +9,7 @@ import numpy as np
 
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.unit import Unit, load
 from .bifurcations import Special
 from .borders import Border
@@ -26,7 +26,7 @@ class Branch(ByContents, Drawable):
     """Of the parameter or input."""
     values: tuple[float, ...]
     """Of the parameter, at each gait."""
-    orbits: tuple[Orbit, ...]
+    gaits: tuple[Gait, ...]
     """The gaits."""
     borders: tuple[Border, ...]
     """Where the word changes, in the branch's order."""
@@ -49,17 +49,17 @@ class Branch(ByContents, Drawable):
         )
         return (
             f"<Branch over {self.name} {self.values[0]:.6g} to {self.values[-1]:.6g}: "
-            f"{len(self.orbits)} gaits of {self.strides} strides; {counts}; {self.ended}>"
+            f"{len(self.gaits)} gaits of {self.strides} strides; {counts}; {self.ended}>"
         )
 
     def as_json(self) -> dict[str, object]:
-        """The branch as a plain object; a point is a gait as `Orbit.as_json` tells it, with its `value`."""
-        found = zip(self.values, self.orbits, strict=True)
+        """The branch as a plain object; a point is a gait as `Gait.as_json` tells it, with its `value`."""
+        found = zip(self.values, self.gaits, strict=True)
         return {
             "over": self.name,
             "strides": self.strides,
             "points": [
-                {"value": value, "unstable": orbit.unstable, **orbit.as_json()} for value, orbit in found
+                {"value": value, "unstable": gait.unstable, **gait.as_json()} for value, gait in found
             ],
             "specials": [special.as_json() for special in self.specials],
             "began": self.began,
@@ -86,10 +86,10 @@ class Branch(ByContents, Drawable):
         from .grid import as_dataset  # xarray is slow to load
 
         unit = load(unit)
-        data = as_dataset(self.orbits, {"point": np.arange(len(self.orbits), dtype=float)}, unit)
+        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)}, unit)
         data[self.name] = ("point",), np.array(self.values)
         data[self.name].attrs = attributes_of(unit, self.name)
-        data["unstable"] = ("point",), np.array([orbit.unstable for orbit in self.orbits])
+        data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
         data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
         data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)

@@ -11,17 +11,17 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
+from ..library.gait import Gait
 from ..library.measures import MEASURE_UNITS
 from ..library.members import VARIED, check_varied
-from ..library.orbit import Orbit
 from ..library.quantities import check_quantities, known_quantities, quantities_of
 from ..library.runner import Runner
 from ..terminal import progress
 from ..terminal.text import headed, table
 from ..unit.unit import Unit, load
 from ..unit.variable import Given
-from .ordered import OrderNotMetError, find_gait
-from .search import find_orbit, runner_by
+from .search import periodic_gait, runner_by
+from .targeted import TargetNotMetError, find_gait
 
 HELD = 1e-8
 """Over its size: a quantity as near to the reference's is held."""
@@ -48,9 +48,9 @@ class MatchedRunner(ByContents):
 
     parameters: Mapping[str, float]
     """Of the matched runner, in the unit's units: what was varied, and what tells the runners apart."""
-    before: Orbit
+    before: Gait
     """The gait that it had."""
-    after: Orbit
+    after: Gait
     """The gait that it has with what is held as the reference has it, or as near to it as was found."""
 
 
@@ -68,7 +68,7 @@ class Comparison(ByContents):
     """What could not be made equal: empty where all runners are matched."""
 
     @property
-    def gaits(self) -> tuple[Orbit, ...]:
+    def gaits(self) -> tuple[Gait, ...]:
         """Of the matched runners."""
         return tuple(matched.after for matched in self.runners)
 
@@ -130,7 +130,7 @@ class Comparison(ByContents):
         return "\n".join(lines)
 
 
-def _told(gait: Orbit) -> dict[str, object]:
+def _told(gait: Gait) -> dict[str, object]:
     """A gait by its quantities."""
     return {
         "word": gait.word,
@@ -141,7 +141,7 @@ def _told(gait: Orbit) -> dict[str, object]:
 
 
 def compare(
-    runners: Sequence[Runner | Mapping[str, Given] | Orbit | None],
+    runners: Sequence[Runner | Mapping[str, Given] | Gait | None],
     *,
     hold: Sequence[str],
     vary: Sequence[str],
@@ -157,7 +157,7 @@ def compare(
 
     Parameters
     ----------
-    runners : sequence of Runner, mapping of str to float, Orbit or None
+    runners : sequence of Runner, mapping of str to float, Gait or None
         Two or more: runners, or start values by the unit's names and in its units, over the unit's own; None
         is the unit's own runner. A gait is where the search for the runner's gait begins.
     hold : sequence of str
@@ -167,7 +167,7 @@ def compare(
         Parameters and inputs that may change for it: as many as are held, or more. Of more, each step is the
         shortest one, over their values.
     model : str, optional
-        `full` or `reduced`, as in `find_orbit`.
+        `full` or `reduced`, as in `find_gait`.
     show_progress : bool, default False
         A bar on stderr.
     unit : Unit, optional
@@ -242,33 +242,31 @@ def _checked_hold(hold: object) -> tuple[str, ...]:
     return names
 
 
-def _gait_of(
-    given: Runner | Mapping[str, Given] | Orbit | None, model: str | None, unit: Unit | None
-) -> Orbit:
-    if isinstance(given, Orbit):
+def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None, unit: Unit | None) -> Gait:
+    if isinstance(given, Gait):
         return given
-    return find_orbit(runner_by(Runner.of(given, unit), model), unit=unit)
+    return periodic_gait(runner_by(Runner.of(given, unit), model), unit=unit)
 
 
 def _matched(
-    gait: Orbit,
+    gait: Gait,
     goal: Mapping[str, float],
     vary: Sequence[str],
     number: int,
     model: str | None,
     unit: Unit | None,
-) -> tuple[Orbit, list[NotHeld]]:
+) -> tuple[Gait, list[NotHeld]]:
     """The gait with what is held, or the nearest one with what it lacks."""
     if _lacking(gait, goal, number) == []:
         return gait, []
     try:
-        found = find_gait(gait.runner, goal, vary, guess=gait.apex, model=model, unit=unit)
-    except OrderNotMetError as problem:
+        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model, unit=unit)
+    except TargetNotMetError as problem:
         found = problem.nearest
     return found, _lacking(found, goal, number)
 
 
-def _lacking(gait: Orbit, goal: Mapping[str, float], number: int) -> list[NotHeld]:
+def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld]:
     has = quantities_of(gait, list(goal))
     return [
         NotHeld(number, name, wanted, has[name])
@@ -277,7 +275,7 @@ def _lacking(gait: Orbit, goal: Mapping[str, float], number: int) -> list[NotHel
     ]
 
 
-def _telling(gaits: Sequence[Orbit], vary: Sequence[str]) -> tuple[str, ...]:
+def _telling(gaits: Sequence[Gait], vary: Sequence[str]) -> tuple[str, ...]:
     """Parameters and inputs that are varied, or of which the runners have different values."""
     return tuple(
         name for name in VARIED if name in vary or len({gait.runner.values[name] for gait in gaits}) > 1

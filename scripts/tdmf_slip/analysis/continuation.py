@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..given import row_of
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..unit.variable import Given, Values
 from .family import Family
@@ -25,9 +25,9 @@ def gaits_over(
     runner: Runner | Mapping[str, Given],
     name: str,
     values: Values,
-    first: Orbit,
+    first: Gait,
     step_finished: Callable[[], None] = lambda: None,
-) -> Iterator[Orbit]:
+) -> Iterator[Gait]:
     """The gait at each value in turn, each from the one before; steps in between where values are far apart.
 
     Parameters
@@ -38,14 +38,14 @@ def gaits_over(
         Parameter or input that is varied.
     values : sequence of float
         Of it, in its unit.
-    first : Orbit
+    first : Gait
         A gait to begin at.
     step_finished : callable, optional
         Called after each gait.
 
     Yields
     ------
-    Orbit
+    Gait
         At each value.
 
     Raises
@@ -55,26 +55,26 @@ def gaits_over(
     RunError
         The branch cannot be followed so far.
     """
-    check_orbit(first, "first")
+    check_is_gait(first, "first")
     row = row_of(values, "values", f"a row of values of {name}")
     family = Family(runner, name, first.strides)
     at = family.value_of(first)
-    orbit = first if first.along == name else family.orbit(at, first.apex)
+    gait = first if first.along == name else family.gait(at, first.apex)
     for value in row:
-        for part in walk(family, orbit, at, family.runner.but(name, value).values[name]):
-            orbit, at = part, family.value_of(part)
-        yield orbit
+        for part in walk(family, gait, at, family.runner.but(name, value).values[name]):
+            gait, at = part, family.value_of(part)
+        yield gait
         step_finished()
 
 
-def walk(family: Family, orbit: Orbit, at: float, to: float, shortest: float = SHORTEST) -> Iterator[Orbit]:
+def walk(family: Family, gait: Gait, at: float, to: float, shortest: float = SHORTEST) -> Iterator[Gait]:
     """Gaits from one value to another, by predictions along the branch, shorter where they fail.
 
     Parameters
     ----------
     family : Family
         Whose gaits.
-    orbit : Orbit
+    gait : Gait
         The first one, differentiated by the family's parameter.
     at : float
         Its value.
@@ -85,7 +85,7 @@ def walk(family: Family, orbit: Orbit, at: float, to: float, shortest: float = S
 
     Yields
     ------
-    Orbit
+    Gait
         On the way; the last one is at the last value.
 
     Raises
@@ -95,37 +95,37 @@ def walk(family: Family, orbit: Orbit, at: float, to: float, shortest: float = S
     """
     step = to - at
     if step == 0.0:
-        yield family.orbit(to, orbit.apex)
+        yield family.gait(to, gait.apex)
         return
     smallest = shortest * max(abs(at), abs(to))
     while at != to:
         step = np.clip(step, -abs(to - at), abs(to - at))
         value = to if abs(to - at - step) < smallest else at + step
         try:
-            nearby = _predicted(family, orbit, value - at)
-            following = family.orbit(value, nearby)
-            _check_near(family, orbit, nearby, following)
-            _check_leads_back(family, orbit, following)
+            nearby = _predicted(family, gait, value - at)
+            following = family.gait(value, nearby)
+            _check_near(family, gait, nearby, following)
+            _check_leads_back(family, gait, following)
         except RunError:
             step *= 0.5
             if abs(step) < smallest:
                 raise
             continue
         yield following
-        orbit, at, step = following, value, 2.0 * step
+        gait, at, step = following, value, 2.0 * step
 
 
-def _predicted(family: Family, orbit: Orbit, step: float) -> NDArray[np.float64]:
+def _predicted(family: Family, gait: Gait, step: float) -> NDArray[np.float64]:
     """The apex at a parameter a little away, along the branch's tangent."""
-    assert orbit.by_parameter is not None
+    assert gait.by_parameter is not None
     try:
-        tangent = np.linalg.solve(np.eye(len(orbit.apex)) - orbit.jacobian, orbit.by_parameter)
+        tangent = np.linalg.solve(np.eye(len(gait.apex)) - gait.jacobian, gait.by_parameter)
     except np.linalg.LinAlgError:
-        raise RunError(f"the branch turns at {family.name} = {family.value_of(orbit):g}") from None
-    return orbit.apex + step * tangent
+        raise RunError(f"the branch turns at {family.name} = {family.value_of(gait):g}") from None
+    return gait.apex + step * tangent
 
 
-def _check_near(family: Family, before: Orbit, nearby: NDArray[np.float64], after: Orbit) -> None:
+def _check_near(family: Family, before: Gait, nearby: NDArray[np.float64], after: Gait) -> None:
     """Refuse a gait that is of another branch: as far from where it was predicted as from the one before.
 
     Raises
@@ -139,7 +139,7 @@ def _check_near(family: Family, before: Orbit, nearby: NDArray[np.float64], afte
         raise RunError(f"the branch ends near {family.name} = {family.value_of(before):g}")
 
 
-def _check_leads_back(family: Family, before: Orbit, after: Orbit) -> None:
+def _check_leads_back(family: Family, before: Gait, after: Gait) -> None:
     """Refuse a gait from which the branch does not lead back to the one before: it is of another branch.
 
     Raises

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 
 NEWTON_ITERATIONS = 24
 SHORTENINGS = 12
@@ -21,16 +21,16 @@ class Strides(Protocol):
     scales: NDArray[np.float64]
     """Of the coordinates and the parameter."""
 
-    def look(self, place: NDArray[np.float64]) -> Orbit:
+    def look(self, place: NDArray[np.float64]) -> Gait:
         """The strides from a place over the scales."""
 
-    def rows(self, orbit: Orbit) -> NDArray[np.float64]:
+    def rows(self, gait: Gait) -> NDArray[np.float64]:
         """How what is left over of the strides changes, all over the scales."""
 
 
 def iterates(
     family: Strides, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int
-) -> Iterator[tuple[Orbit, NDArray[np.float64]]]:
+) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
     """The strides at each place of Newton's method, and where its whole step leads from there.
 
     Steps that make the error larger are shortened so many times, or taken all the same: where an event is
@@ -49,7 +49,7 @@ def iterates(
 
     Yields
     ------
-    tuple of Orbit and ndarray of float
+    tuple of Gait and ndarray of float
         The last is the best, whether its strides lead back to their apex or not.
 
     Raises
@@ -61,27 +61,27 @@ def iterates(
     LinAlgError
         There is no step.
     """
-    place, orbit = goal, family.look(goal)
+    place, gait = goal, family.look(goal)
     for _ in range(NEWTON_ITERATIONS):
-        if orbit.error <= CONVERGED:
+        if gait.error <= CONVERGED:
             break
-        off = np.append(orbit.left_over / family.scales[:-1], (place - goal) @ normal)
-        change: NDArray[Any] = np.linalg.solve(np.vstack([family.rows(orbit), normal]), -off)
-        yield orbit, place + change
-        improved = _improved(family, place, change, orbit, shortenings)
+        off = np.append(gait.left_over / family.scales[:-1], (place - goal) @ normal)
+        change: NDArray[Any] = np.linalg.solve(np.vstack([family.rows(gait), normal]), -off)
+        yield gait, place + change
+        improved = _improved(family, place, change, gait, shortenings)
         if improved is None:
             return
-        place, orbit = improved
-    yield orbit, place
+        place, gait = improved
+    yield gait, place
 
 
 def _improved(
-    family: Strides, place: NDArray[np.float64], change: NDArray[Any], orbit: Orbit, shortenings: int
-) -> tuple[NDArray[np.float64], Orbit] | None:
+    family: Strides, place: NDArray[np.float64], change: NDArray[Any], gait: Gait, shortenings: int
+) -> tuple[NDArray[np.float64], Gait] | None:
     """Goes a step, or the part of it that makes the error smaller; None where none does."""
     if shortenings == 0:
         there = _tried(family, place + change)
-        return None if orbit.error <= GOOD_ENOUGH <= there.error else (place + change, there)
+        return None if gait.error <= GOOD_ENOUGH <= there.error else (place + change, there)
     for shortening in range(shortenings):
         tried = place + 0.5**shortening * change
         try:
@@ -90,12 +90,12 @@ def _improved(
             if shortening == shortenings - 1:
                 raise
             continue
-        if there.error < orbit.error:
+        if there.error < gait.error:
             return tried, there
     return None
 
 
-def _tried(family: Strides, place: NDArray[np.float64]) -> Orbit:
+def _tried(family: Strides, place: NDArray[np.float64]) -> Gait:
     """The strides where a step leads; a place that is not allowed is one without strides."""
     try:
         return family.look(place)

@@ -102,7 +102,7 @@ def continue_curves(
             if special.kind == WORD_BORDER:
                 curve = border_curve(runner, names, sizes, box, branch, special, most_points, tell)
             elif special.words is None:
-                place = np.append(special.orbit.apex / runner.scales, at)
+                place = np.append(special.gait.apex / runner.scales, at)
                 curve = curve_through(Plane(runner, names, special.kind), box, place, most_points, tell)
             else:
                 continue  # on a word border, whose curve has it
@@ -256,7 +256,7 @@ def _at_edge(plane: Plane, box: Box, last: Place, following: Place, share: float
 
 
 def _is_complex(place: Place) -> bool:
-    values = place.orbit.eigenvalues
+    values = place.gait.eigenvalues
     on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
     return bool(on_circle.imag != 0.0)
 
@@ -267,6 +267,6 @@ def _lost(plane: Plane, last: Place, direction: NDArray[np.float64], problem: Ex
         beyond = plane.strides_at(last.at + 1e-3 * direction, plane.names[0])
     except (InputError, RunError) as fate:
         return f"lost: just beyond, {fate}"
-    if beyond.sequence != last.orbit.sequence:
-        return f"at a word border: {last.orbit.word} becomes {beyond.word}"
+    if beyond.sequence != last.gait.sequence:
+        return f"at a word border: {last.gait.word} becomes {beyond.word}"
     return f"lost: {problem}"

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
+from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.orbit import Orbit
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..library.strides import repeated_orbit_near, strides_from
+from ..library.strides import repeated_gait_near, strides_from
 from ..unit.variable import Given
 from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 
@@ -25,7 +25,7 @@ from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 class Point(ByContents):
     """A gait on a branch."""
 
-    orbit: Orbit
+    gait: Gait
     """The gait."""
     value: float
     """Of the parameter."""
@@ -65,7 +65,7 @@ class Family:
         """The runner at a value of the parameter, in its unit."""
         return self.runner.but(self.name, value)
 
-    def orbit(self, value: float, guess: Apex) -> Orbit:
+    def gait(self, value: float, guess: Apex) -> Gait:
         """The gait at a value near a guess.
 
         Parameters
@@ -77,7 +77,7 @@ class Family:
 
         Returns
         -------
-        Orbit
+        Gait
             Differentiated by the parameter, too.
 
         Raises
@@ -87,9 +87,9 @@ class Family:
         RunError
             There is none.
         """
-        return repeated_orbit_near(self.runner_at(value), guess, self.strides, along=self.along)
+        return repeated_gait_near(self.runner_at(value), guess, self.strides, along=self.along)
 
-    def strides_at(self, value: float, apex: Apex) -> Orbit:
+    def strides_at(self, value: float, apex: Apex) -> Gait:
         """The strides from an apex at a value, whether they lead back to it or not.
 
         Parameters
@@ -101,7 +101,7 @@ class Family:
 
         Returns
         -------
-        Orbit
+        Gait
             Differentiated by the parameter, too; `left_over` says where they lead.
 
         Raises
@@ -113,16 +113,16 @@ class Family:
         """
         return strides_from(self.runner_at(value), apex, self.strides, along=self.along)
 
-    def value_of(self, orbit: Orbit) -> float:
+    def value_of(self, gait: Gait) -> float:
         """The parameter's value, in its unit, at a gait of the family."""
-        return orbit.runner.values[self.name]
+        return gait.runner.values[self.name]
 
-    def point(self, orbit: Orbit, along: NDArray[np.float64]) -> Point:
+    def point(self, gait: Gait, along: NDArray[np.float64]) -> Point:
         """A gait as a point of its branch, which leads along a direction.
 
         Parameters
         ----------
-        orbit : Orbit
+        gait : Gait
             The gait.
         along : ndarray of float
             Coordinates and parameter, over the scales.
@@ -137,22 +137,22 @@ class Family:
         RunError
             The gait has no tangent.
         """
-        if orbit.by_parameter is None or orbit.along != self.along:
-            orbit = self.orbit(self.value_of(orbit), orbit.apex)
-        tangent = np.linalg.svd(self.rows(orbit))[2][-1]
-        return Point(orbit, self.value_of(orbit), tangent if tangent @ along >= 0.0 else -tangent)
+        if gait.by_parameter is None or gait.along != self.along:
+            gait = self.gait(self.value_of(gait), gait.apex)
+        tangent = np.linalg.svd(self.rows(gait))[2][-1]
+        return Point(gait, self.value_of(gait), tangent if tangent @ along >= 0.0 else -tangent)
 
-    def points(self, *orbits: Orbit) -> list[Point]:
+    def points(self, *gaits: Gait) -> list[Point]:
         """Gaits of one branch as its points; it leads from the first to the last."""
-        ends = [np.append(orbit.apex, self.value_of(orbit)) / self.scales for orbit in orbits]
-        return [self.point(orbit, ends[-1] - ends[0]) for orbit in orbits]
+        ends = [np.append(gait.apex, self.value_of(gait)) / self.scales for gait in gaits]
+        return [self.point(gait, ends[-1] - ends[0]) for gait in gaits]
 
-    def rows(self, orbit: Orbit) -> NDArray[np.float64]:
+    def rows(self, gait: Gait) -> NDArray[np.float64]:
         """How what is left over of the strides changes by the apex and by the parameter.
 
         Parameters
         ----------
-        orbit : Orbit
+        gait : Gait
             The strides, differentiated by the parameter.
 
         Returns
@@ -165,21 +165,21 @@ class Family:
         RunError
             It has no derivative.
         """
-        assert orbit.by_parameter is not None
-        dimension = len(orbit.apex)
+        assert gait.by_parameter is not None
+        dimension = len(gait.apex)
         rows: NDArray[np.float64]
-        rows = np.hstack([orbit.jacobian - np.eye(dimension), orbit.by_parameter[:, None]])
+        rows = np.hstack([gait.jacobian - np.eye(dimension), gait.by_parameter[:, None]])
         rows = rows * self.scales / self.scales[:-1, None]
         if not np.isfinite(rows).all():
-            raise RunError(f"the gait at {self.name} = {self.value_of(orbit):g} has no derivative")
+            raise RunError(f"the gait at {self.name} = {self.value_of(gait):g} has no derivative")
         return rows
 
     def place(self, point: Point) -> NDArray[np.float64]:
         """Apex and parameter of a point over the scales: the coordinates, then the parameter."""
-        place: NDArray[np.float64] = np.append(point.orbit.apex, point.value) / self.scales
+        place: NDArray[np.float64] = np.append(point.gait.apex, point.value) / self.scales
         return place
 
-    def look(self, place: NDArray[np.float64]) -> Orbit:
+    def look(self, place: NDArray[np.float64]) -> Gait:
         """The strides from an apex at a value of the parameter.
 
         Parameters
@@ -189,7 +189,7 @@ class Family:
 
         Returns
         -------
-        Orbit
+        Gait
             See `strides_at`.
 
         Raises
@@ -236,8 +236,8 @@ class Family:
         """
         where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
         try:
-            for orbit, _ in iterates(self, goal, normal, shortenings):
-                last = orbit
+            for gait, _ in iterates(self, goal, normal, shortenings):
+                last = gait
         except (RunError, np.linalg.LinAlgError) as problem:
             raise RunError(f"{where}: {problem}") from None
         if last.error > GOOD_ENOUGH:

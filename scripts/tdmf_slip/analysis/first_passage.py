@@ -17,14 +17,14 @@ from ..contents import ByContents
 from ..errors import InputError
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import Unit
 from ..unit.variable import Given
 from .fates import TOLERANCE
-from .search import find_orbit
+from .search import periodic_gait
 from .volume import CONFIDENCE, NORMAL_QUANTILE
 
 MOST_RUNNERS = 100_000_000
@@ -173,7 +173,7 @@ def strides_to_fall(
     seed: int = 0,
     most_strides: int = 10_000,
     *,
-    gait: Orbit | None = None,
+    gait: Gait | None = None,
     law: AffineLaw | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
@@ -200,8 +200,8 @@ def strides_to_fall(
         Of the ground.
     most_strides : int, default 10000
         A runner that has made as many is still up: it is counted as censored, not dropped.
-    gait : Orbit, optional
-        What they start from; by default the gait that `find_orbit` finds.
+    gait : Gait, optional
+        What they start from; by default the gait that `find_gait` finds.
     law : AffineLaw, optional
         By which settings are made anew at each apex, the start's too, from its height above the ground before
         it steps.
@@ -243,8 +243,8 @@ def strides_to_fall(
     runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
     most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
     if gait is not None:
-        check_orbit(gait, "gait")
-    start = find_orbit(runner, unit=unit) if gait is None else gait
+        check_is_gait(gait, "gait")
+    start = periodic_gait(runner, unit=unit) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
     size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // most_strides))
     shares = [

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..library.gait import LEDGER, Gait
 from ..library.measures import MEASURE_UNITS, STRIDE_QUANTITIES
-from ..library.orbit import LEDGER, Orbit
 from ..library.section import COORDINATES
 from ..unit.unit import Unit
 
@@ -15,7 +15,7 @@ from ..unit.unit import Unit
 class Column:
     """A number of a gait, as a variable of a dataset."""
 
-    value_of: Callable[[Orbit], float]
+    value_of: Callable[[Gait], float]
     """Reads it off a gait."""
     variable: str | None
     """The unit's variable that has its unit and description, if there is one."""
@@ -46,12 +46,12 @@ def attributes_of(unit: Unit, name: str) -> dict[str, str]:
     return {"units": variable.unit or "1", "long_name": variable.description}
 
 
-def _of_stride(name: str) -> Callable[[Orbit], float]:
-    return lambda orbit: orbit.stride.get(name, np.nan)  # the reduced map measures less
+def _of_stride(name: str) -> Callable[[Gait], float]:
+    return lambda gait: gait.stride.get(name, np.nan)  # the reduced map measures less
 
 
-def _of_apex(index: int) -> Callable[[Orbit], float]:
-    return lambda orbit: float(orbit.section[index])
+def _of_apex(index: int) -> Callable[[Gait], float]:
+    return lambda gait: float(gait.section[index])
 
 
 COLUMNS: Mapping[str, Column] = {
@@ -59,6 +59,6 @@ COLUMNS: Mapping[str, Column] = {
     **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
     **{name: Column(_of_stride(name), None, unit) for name, unit in MEASURE_UNITS.items()},
     **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
-    "lambda_max": Column(lambda orbit: orbit.lambda_max, None, "1"),
+    "lambda_max": Column(lambda gait: gait.lambda_max, None, "1"),
 }
 """All numbers of a gait, by the names that they have in a dataset."""

@@ -13,8 +13,8 @@ from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
+from ..library.gait import Gait, gait_near
 from ..library.members import STATES, check_varied
-from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
@@ -30,13 +30,13 @@ GAITS_AGREE = 1e-6
 
 
 def as_dataset(
-    orbits: Sequence[Orbit | None], coordinates: Mapping[str, NDArray[np.float64]], unit: Unit
+    gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]], unit: Unit
 ) -> xarray.Dataset:
     """Gaits on a grid, with units; NaN and an empty word where there is none.
 
     Parameters
     ----------
-    orbits : sequence of Orbit or None
+    gaits : sequence of Gait or None
         As many as the grid has points, the last coordinate fastest.
     coordinates : mapping of str to ndarray
         Values of one or two parameters, by name.
@@ -53,10 +53,10 @@ def as_dataset(
     names = tuple(coordinates)
     data = xarray.Dataset(coords={name: ((name,), values) for name, values in coordinates.items()})
     for name, column in COLUMNS.items():
-        values = [np.nan if orbit is None else column.value_of(orbit) for orbit in orbits]
+        values = [np.nan if gait is None else column.value_of(gait) for gait in gaits]
         data[name] = names, np.array(values, dtype=float).reshape(shape)
         data[name].attrs = column.attributes(unit)
-    words = ["" if orbit is None else orbit.word for orbit in orbits]
+    words = ["" if gait is None else gait.word for gait in gaits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
     data["word"].attrs = attributes_of(unit, "stride.word")
     for name in set(names) & set(unit.variables):
@@ -152,8 +152,8 @@ def grid(
         run_blocks(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
     ):
         bar.update(len(down) - len(missing))
-        for number, (orbits, branches, problem) in results:
-            found = as_dataset(orbits, {FRICTION: coordinates[FRICTION]}, unit)
+        for number, (gaits, branches, problem) in results:
+            found = as_dataset(gaits, {FRICTION: coordinates[FRICTION]}, unit)
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
             data["branch"][missing[number]] = branches
@@ -202,15 +202,15 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
     apices = np.stack([row[f"apex_{coordinate}"].values for coordinate in COORDINATES], axis=1)
     frictions = row[FRICTION].values
     try:
-        orbits = [
-            orbit_near(runner.but(FRICTION, friction), apex[: len(runner.coordinates)]) if there else None
+        gaits = [
+            gait_near(runner.but(FRICTION, friction), apex[: len(runner.coordinates)]) if there else None
             for friction, apex, there in zip(frictions, apices, found, strict=True)
         ]
     except TdmfSlipError:
         return False
     if not np.array_equal(row["branch"].notnull().values, found):
         return False
-    wanted = as_dataset(orbits, {FRICTION: frictions}, unit)
+    wanted = as_dataset(gaits, {FRICTION: frictions}, unit)
     rounding = {name: rounding_of(runner, wanted[name].attrs["units"]) for name in COLUMNS}
     return same_values(row, wanted, GAITS_AGREE, rounding)
 
@@ -225,7 +225,7 @@ class Row:
     """At which."""
 
 
-def gaits_of_row(row: Row) -> tuple[list[Orbit | None], list[float], str]:
+def gaits_of_row(row: Row) -> tuple[list[Gait | None], list[float], str]:
     """The gait at each friction, None where it was not found; of which branch it is; and why none, or "".
 
     Parameters
@@ -235,7 +235,7 @@ def gaits_of_row(row: Row) -> tuple[list[Orbit | None], list[float], str]:
 
     Returns
     -------
-    gaits : list of Orbit or None
+    gaits : list of Gait or None
         In the order of the frictions.
     branches : list of float
         Their numbers in the row, another where one branch ends and the next begins; NaN without a gait.
@@ -246,4 +246,4 @@ def gaits_of_row(row: Row) -> tuple[list[Orbit | None], list[float], str]:
         found = sweep_row(row.runner, FRICTION, row.frictions)
     except TdmfSlipError as problem:  # also start values that go with other rows only
         return [None] * len(row.frictions), [np.nan] * len(row.frictions), str(problem)
-    return list(found.gaits), found.branches, found.problem or ""
+    return list(found.by_value), found.branches, found.problem or ""

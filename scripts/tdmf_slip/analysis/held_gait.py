@@ -8,25 +8,25 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..library.affine_law import AffineLaw, check_law
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..unit.unit import Unit
 from ..unit.variable import Given
-from .search import find_orbit
+from .search import periodic_gait
 
 SAME = 1e-6
 """What a setting may be off the gait's at its apex, over the larger of it and 1."""
 
 
-def jacobian_under(gait: Orbit, law: AffineLaw) -> NDArray[np.float64]:
+def jacobian_under(gait: Gait, law: AffineLaw) -> NDArray[np.float64]:
     """The Jacobian of a gait's return map under a law that sets at each apex, away from its limits.
 
     That of the map as it is, plus for each setting the next apex's change by it times its gain.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Of one stride.
     law : AffineLaw
         By which the runner is set.
@@ -50,12 +50,12 @@ def jacobian_under(gait: Orbit, law: AffineLaw) -> NDArray[np.float64]:
     return jacobian
 
 
-def check_attracts(gait: Orbit, law: AffineLaw | None) -> None:
+def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
     """Refuse a law under which a gait is none, or unstable, so that it attracts nothing.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Of one stride.
     law : AffineLaw or None
         None is fine.
@@ -67,7 +67,7 @@ def check_attracts(gait: Orbit, law: AffineLaw | None) -> None:
     RunError
         The gait has no derivatives.
     """
-    check_orbit(gait, "gait")
+    check_is_gait(gait, "gait")
     check_law(law, gait.runner)
     if law is None:
         return
@@ -90,7 +90,7 @@ def check_attracts(gait: Orbit, law: AffineLaw | None) -> None:
 
 def stable_gait(
     runner: Runner | Mapping[str, Given], unit: Unit | None = None, law: AffineLaw | None = None
-) -> Orbit:
+) -> Gait:
     """The gait of a runner, or under a law the one near its apex, if it attracts anything.
 
     Parameters
@@ -104,7 +104,7 @@ def stable_gait(
 
     Returns
     -------
-    Orbit
+    Gait
         Stable, by itself or under the law.
 
     Raises
@@ -115,12 +115,12 @@ def stable_gait(
         There is none.
     """
     if law is None:
-        gait = find_orbit(runner, unit=unit)
+        gait = periodic_gait(runner, unit=unit)
         if not gait.stable:
             raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
         return gait
     runner = Runner.of(runner, unit)
     check_law(law, runner)
-    gait = find_orbit(runner, law.apex, unit=unit)
+    gait = periodic_gait(runner, guess=law.apex, unit=unit)
     check_attracts(gait, law)
     return gait

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from .bifurcations import WORD_BORDER, Special
 from .borders import Crossing, crossings
@@ -49,13 +49,13 @@ class Line(Family):
             runner = runner.but(name, float(at))
         return runner
 
-    def value_of(self, orbit: Orbit) -> float:
+    def value_of(self, gait: Gait) -> float:
         """How far along the line a gait is."""
-        return float((self.pair(orbit) - self.origin) @ self.way)
+        return float((self.pair(gait) - self.origin) @ self.way)
 
-    def pair(self, orbit: Orbit) -> Pair:
+    def pair(self, gait: Gait) -> Pair:
         """The parameters of a gait over their scales."""
-        return np.array([orbit.runner.values[name] for name in self.names]) / self.sizes
+        return np.array([gait.runner.values[name] for name in self.names]) / self.sizes
 
 
 def border_near(
@@ -92,7 +92,7 @@ def border_near(
     """
     length = float(np.linalg.norm(step))
     across = np.array([-step[1], step[0]]) / length
-    gaits = [known.short.orbit, known.beyond.orbit]
+    gaits = [known.short.gait, known.beyond.gait]
     plain = Line(runner, names, sizes, np.zeros(2), across)
     here, goal = plain.pair(gaits[0]), plain.pair(gaits[0]) + step
     if (plain.pair(gaits[1]) - here) @ across < 0.0:
@@ -115,14 +115,14 @@ def border_near(
     raise RunError(f"no border from {words[0]} to {words[1]} goes on")
 
 
-def _walked(line: Line, gait: Orbit, end: Pair) -> Orbit:
+def _walked(line: Line, gait: Gait, end: Pair) -> Gait:
     """The gait at other parameters, by steps on the straight way there; differentiated along the line."""
     begin = line.pair(gait)
     length = float(np.linalg.norm(end - begin))
     way = Line(line.runner, line.names, line.sizes, begin, (end - begin) / length, line.strides)
-    first = way.orbit(0.0, gait.apex)
+    first = way.gait(0.0, gait.apex)
     *_, last = walk(way, first, 0.0, length, SHORTEST_PART)
-    return line.orbit(line.value_of(last), last.apex)
+    return line.gait(line.value_of(last), last.apex)
 
 
 def border_curve(
@@ -161,8 +161,8 @@ def border_curve(
     Curve
         In its order.
     """
-    family = Family(branch.orbits[0].runner, names[0])
-    around = family.points(*branch.orbits[special.index : special.index + 2])
+    family = Family(branch.gaits[0].runner, names[0])
+    around = family.points(*branch.gaits[special.index : special.index + 2])
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
     here = Place(np.array([special.value, runner.values[names[1]]]) / sizes, known)
     track = BorderTrack(runner, names, sizes, [here])
@@ -208,7 +208,7 @@ class BorderTrack:
         self._rows.add(self._row(place))
 
     def _row(self, place: Place) -> NDArray[np.float64]:
-        return np.append(place.crossing.short.orbit.apex / self.runner.scales, place.pair)
+        return np.append(place.crossing.short.gait.apex / self.runner.scales, place.pair)
 
     def near(self, known: Place, step: Pair) -> Place:
         """The place of the curve a step away from one that is known.

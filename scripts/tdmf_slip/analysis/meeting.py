@@ -88,7 +88,7 @@ class Track:
             Of the branch.
         """
         self._points.append(point)
-        for apex in (point.orbit.apex, *point.orbit.following):
+        for apex in (point.gait.apex, *point.gait.following):
             self._places.add(np.append(apex, point.value) / self.family.scales)
 
     def met(self, last: Point, following: Point) -> tuple[Point, str] | None:

@@ -95,7 +95,7 @@ def past_corner(
     for distance in BEYOND:
         try:
             other = family.look(family.place(last) + distance * last.direction)
-            if other.sequence == last.orbit.sequence:
+            if other.sequence == last.gait.sequence:
                 continue
             tangent = family.point(other, last.direction).direction
             for way in (last.direction, tangent, -tangent):
@@ -115,7 +115,7 @@ def _on_other_side(family: Family, last: Point, step: NDArray[np.float64]) -> li
     except (InputError, RunError):
         return []
     way = family.place(found) - family.place(last)
-    if np.linalg.norm(way) > NEAR * length or found.orbit.sequence == last.orbit.sequence:
+    if np.linalg.norm(way) > NEAR * length or found.gait.sequence == last.gait.sequence:
         return []
     found = found if found.direction @ way > 0.0 else reverse(found)
     return [found] if leads_back(family, found, last) else _way_to(family, last, found)
@@ -132,7 +132,7 @@ def _way_to(family: Family, corner: Point, found: Point) -> list[Point]:
     for _ in range(MOST_BACK):
         left = family.distance(corner, back[-1])
         if left <= SHARP:
-            there = dropwhile(lambda point: point.orbit.sequence == corner.orbit.sequence, reversed(back))
+            there = dropwhile(lambda point: point.gait.sequence == corner.gait.sequence, reversed(back))
             return [reverse(point) for point in there]
         if left > 2.0 * longest:
             break

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.ensemble import FATES, Case, run_ensemble
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
 from ..unit.unit import FRICTION
@@ -39,12 +39,12 @@ class Meetings(ByContents):
     """Of the first stride on the patch, m; not a number where it does not close, too."""
 
 
-def contact_angle_of(gait: Orbit) -> float:
+def contact_angle_of(gait: Gait) -> float:
     """The angle of the leg from the ground at touchdown, on a gait.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         By the reduced map.
 
     Returns
@@ -56,12 +56,12 @@ def contact_angle_of(gait: Orbit) -> float:
     return 90.0 - math.degrees(angle)
 
 
-def landing_at(gait: Orbit, contact_angle: float) -> Runner | None:
+def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     """The runner of a gait whose leg is placed so that it comes down at an angle, from the gait's apex.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         By the reduced map, on level ground.
     contact_angle : float
         Degrees from the ground.
@@ -81,13 +81,13 @@ def landing_at(gait: Orbit, contact_angle: float) -> Runner | None:
 
 
 def meet_patch(
-    gaits: Sequence[Orbit], contact_angles: Sequence[float], friction: float, strides: int = 1
+    gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float, strides: int = 1
 ) -> Meetings:
     """What comes of runners on gaits that meet a patch.
 
     Parameters
     ----------
-    gaits : sequence of Orbit
+    gaits : sequence of Gait
         By the reduced map, on level ground.
     contact_angles : sequence of float
         Of the leg at the first touchdown on the patch, degrees from the ground.

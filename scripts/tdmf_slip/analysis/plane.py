@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
+from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
@@ -36,7 +36,7 @@ class Place(ByContents):
 
     at: NDArray[np.float64]
     """Apex and parameters, over the scales."""
-    orbit: Orbit
+    gait: Gait
     """The gait."""
     matrix: NDArray[np.float64]
     """Derivatives of the equations, shape (n + 1, n + 2)."""
@@ -94,7 +94,7 @@ class Plane:
         self.runner, self.names, self.kind, self.strides = runner, names, kind, strides
         self.scales = np.append(runner.scales, [abs(runner.values[name]) or 1.0 for name in names])
 
-    def strides_at(self, at: NDArray[np.float64], along: str) -> Orbit:
+    def strides_at(self, at: NDArray[np.float64], along: str) -> Gait:
         """The strides from a place over the scales, differentiated by one of the parameters, too."""
         values = at * self.scales
         runner = self.runner
@@ -102,9 +102,9 @@ class Plane:
             runner = runner.but(name, float(value))
         return strides_from(runner, values[:-2], self.strides, along=along)
 
-    def zero(self, orbit: Orbit) -> float:
+    def zero(self, gait: Gait) -> float:
         """The function that is zero on the curve."""
-        return TESTS[self.kind](orbit.jacobian)
+        return TESTS[self.kind](gait.jacobian)
 
     def place(self, at: NDArray[np.float64]) -> Place:
         """A place with all derivatives: those of g by differences.
@@ -116,7 +116,7 @@ class Plane:
         """
         both = [self.strides_at(at, name) for name in self.names]
         scales, dimension = self.scales[:-2], len(at) - 2
-        by_parameters = np.array([orbit.by_parameter for orbit in both]).T
+        by_parameters = np.array([gait.by_parameter for gait in both]).T
         rows = (
             np.hstack([both[0].jacobian - np.eye(dimension), by_parameters]) * self.scales / scales[:, None]
         )
@@ -149,7 +149,7 @@ class Plane:
             at = at + change
             if np.max(np.abs(change)) < CONVERGED:
                 found = self.place(at)
-                if found.orbit.error <= GOOD_ENOUGH:
+                if found.gait.error <= GOOD_ENOUGH:
                     return found
         raise RunError("no convergence")
 
@@ -163,8 +163,8 @@ class Plane:
         LinAlgError
             There is none.
         """
-        orbit = self.strides_at(at, self.names[0])
-        off = [*(orbit.left_over / self.scales[:-2]), self.zero(orbit), (at - goal) @ normal]
+        gait = self.strides_at(at, self.names[0])
+        off = [*(gait.left_over / self.scales[:-2]), self.zero(gait), (at - goal) @ normal]
         change: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
         return change
 

@@ -20,7 +20,7 @@ from ..library.affine_law import AffineLaw, check_law
 from ..library.binding import ffi
 from ..library.cases import Case, c_cases
 from ..library.ensemble import END, FATES, ensemble_of, run
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import LARGEST, LAST_SEED, RoughGround
 from ..library.runner import Runner
 from ..terminal import progress
@@ -28,7 +28,7 @@ from ..unit.unit import Unit
 from ..unit.variable import Given
 from .fates import TOLERANCE
 from .logistic import logistic_weights
-from .search import find_orbit
+from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
 
 FELL = FATES.index("fell")
@@ -95,7 +95,7 @@ class RareFalls(ByContents):
 class RoughRunner:
     """A runner on rough ground, from apex to apex; one that stops begins anew and has not fallen."""
 
-    def __init__(self, gait: Orbit, roughness: float, law: AffineLaw | None, threads: int | None) -> None:
+    def __init__(self, gait: Gait, roughness: float, law: AffineLaw | None, threads: int | None) -> None:
         """From the gait on level ground."""
         self.runner, self.threads, self.law = Runner(gait.runner.values), threads, law
         self.roughness = roughness
@@ -215,7 +215,7 @@ def rare_falls(
     walkers: int = 64,
     strides: int = 160,
     seed: int = 0,
-    gait: Orbit | None = None,
+    gait: Gait | None = None,
     law: AffineLaw | None = None,
     threads: int | None = None,
     show_progress: bool = False,
@@ -238,8 +238,8 @@ def rare_falls(
         Of each walker in each run, of which the first quarter is forgotten.
     seed : int, default 0
         Of everything that is drawn.
-    gait : Orbit, optional
-        What they start from; by default the gait that `find_orbit` finds.
+    gait : Gait, optional
+        What they start from; by default the gait that `find_gait` finds.
     law : AffineLaw, optional
         By which settings are made anew at each apex, as in `strides_to_fall`.
     threads : int, optional
@@ -280,8 +280,8 @@ def rare_falls(
     strides = checked_whole("strides", strides, 8, MOST_STEPS)
     seed = checked_whole("seed", seed, 0, LAST_SEED)
     if gait is not None:
-        check_orbit(gait, "gait")
-    start = find_orbit(runner, unit=unit) if gait is None else gait
+        check_is_gait(gait, "gait")
+    start = periodic_gait(runner, unit=unit) if gait is None else gait
     chain = RoughRunner(start, roughness, law, threads)
     with progress.bar("rare falls", REPLICAS + 1, "runs", show_progress) as bar:
         scores, highest = chain.learn(seed % 2**32)

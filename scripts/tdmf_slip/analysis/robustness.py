@@ -9,7 +9,7 @@ import numpy as np
 
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .fates import fates
@@ -52,12 +52,12 @@ class Robustness:
         return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
-def robustness(gait: Orbit, law: AffineLaw | None = None) -> Robustness:
+def robustness(gait: Gait, law: AffineLaw | None = None) -> Robustness:
     """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Stable, by itself or under the law.
     law : AffineLaw, optional
         By which settings are made anew at each apex, the disturbed one too; it keeps the gait as it is.
@@ -82,7 +82,7 @@ def robustness(gait: Orbit, law: AffineLaw | None = None) -> Robustness:
     )
 
 
-def _reach(gait: Orbit, law: AffineLaw | None, disturbance: str, direction: float) -> float:
+def _reach(gait: Gait, law: AffineLaw | None, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
     runner = Runner(gait.runner.values, reduced=gait.runner.reduced)

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ..checks import is_one_of, shown
-from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near, settled_orbit
+from ..errors import GaitNotFoundError, InputError, RunError
+from ..library.gait import Gait, gait_near, settled_gait
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import MODELS, Apex
@@ -56,70 +56,46 @@ def model_of(runner: Runner) -> dict[str, str]:
     return {"model": "reduced"} if runner.reduced else {}
 
 
-def find_orbit(
+def periodic_gait(
     runner: Runner | Mapping[str, Given] | None = None,
     guess: Apex | None = None,
     *,
     along: Along | None = None,
     model: str | None = None,
     unit: Unit | None = None,
-) -> Orbit:
-    """The periodic gait of a runner, stable or not, with its eigenvalues.
-
-    With a guess, the gait near it, by Newton's method on the return map. Without one, the gait that the
-    runner settles on from its start values; where it falls or does not settle, the gait that is reached
-    along the friction from the unit's own; and where none is, one from starts all over the section that run
-    side by side, a stable one if there is, see `spread.search_from_spread`. These are always the same starts,
-    so that the same gait is found each time; the search takes a second or two.
+) -> Gait:
+    """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted.
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
-        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own.
-    guess : sequence of float, shape (6,), optional
-        An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
-        for the reduced map the first two.
+    runner, guess, model, unit
+        See `find_gait`.
     along : str or mapping of str to float, optional
         A parameter or input by which the next apex is differentiated, too; or a direction of several.
-    model : str, optional
-        One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
-        in flight as if by itself. By default that of the runner.
-    unit : Unit, optional
-        Whose start values hold; by default that of `fmu_path`.
-
-    Returns
-    -------
-    Orbit
-        Apex, word, quantities of the stride, Jacobian and eigenvalues of the map.
 
     Raises
     ------
     InputError
         The guess is no apex, the start values are refused or not in flight, `along` or `model` is unknown, or
         the friction is 0.
-    RunError
+    GaitNotFoundError
         No gait was found; the message says what happened on the way.
-
-    Examples
-    --------
-    >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.2})
-    >>> gait.word, gait.stable
-    ('+-', True)
     """
     runner = runner_by(Runner.of(runner, unit), model)
     if guess is not None:
-        return orbit_near(runner, guess, along=along)
+        return gait_near(runner, guess, along=along)
     try:
-        return settled_orbit(runner, along=along)
+        return settled_gait(runner, along=along)
     except RunError as problem:
         found, tried = _beyond_settling(runner, along, load(unit))
         if found is None:
-            raise RunError(f"{problem}; {tried}: a guess near its apex helps where there is one") from None
-        return found if along in (None, found.along) else orbit_near(runner, found.apex, along=along)
+            raise GaitNotFoundError(
+                f"{problem}; {tried}: a guess near its apex helps where there is one"
+            ) from None
+        return found if along in (None, found.along) else gait_near(runner, found.apex, along=along)
 
 
-def _beyond_settling(runner: Runner, along: Along | None, unit: Unit) -> tuple[Orbit | None, str]:
+def _beyond_settling(runner: Runner, along: Along | None, unit: Unit) -> tuple[Gait | None, str]:
     """A gait by the longer searches, or what was tried, in words."""
     found = _along_friction(runner, unit)
     if found is not None:
@@ -132,13 +108,13 @@ def _beyond_settling(runner: Runner, along: Along | None, unit: Unit) -> tuple[O
     return None, f"none was found {way}from {spread}"
 
 
-def _along_friction(runner: Runner, unit: Unit) -> Orbit | None:
+def _along_friction(runner: Runner, unit: Unit) -> Gait | None:
     """The gait that is reached from the one at the unit's own friction; None where there is none."""
     home = unit.start_of(FRICTION)
     if runner.values[FRICTION] == home:
         return None
     try:
-        start = settled_orbit(runner.but(FRICTION, home), along=FRICTION)
+        start = settled_gait(runner.but(FRICTION, home), along=FRICTION)
         return next(gaits_over(runner, FRICTION, [runner.values[FRICTION]], start))
     except RunError:
         return None

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.ensemble import Case, run_ensemble
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.strides import strides_from
@@ -52,7 +52,7 @@ LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
 class Spread(ByContents):
     """What came of a search from starts all over the section."""
 
-    gaits: tuple[Orbit, ...]
+    gaits: tuple[Gait, ...]
     """Different ones: those that runners settle on first, then by the size of their largest eigenvalue."""
     starts: int
     """So many were drawn."""
@@ -170,7 +170,7 @@ class _Found:
 
     def __init__(self, runner: Runner, along: Along | None) -> None:
         self.runner, self.along = runner, along
-        self.gaits: list[Orbit] = []
+        self.gaits: list[Gait] = []
         self.strides = 0
         self._tried: list[NDArray[np.float64]] = []
 
@@ -188,7 +188,7 @@ class _Found:
             near = self._approached(place)
             if near is None or self._is_near(near, [gait.apex for gait in self.gaits], SAME):
                 return
-            gait = orbit_near(self.runner, near, along=self.along)
+            gait = gait_near(self.runner, near, along=self.along)
             self.strides += gait.iterations + 1
             known = [other.apex for other in self.gaits]
             if gait.stride["length"] > 0.0 and not self._is_near(gait.apex, known, SAME):
@@ -216,6 +216,6 @@ class _Found:
                 return None
         return None
 
-    def _strides_from(self, place: NDArray[np.float64]) -> Orbit:
+    def _strides_from(self, place: NDArray[np.float64]) -> Gait:
         self.strides += 1
         return strides_from(self.runner, place)

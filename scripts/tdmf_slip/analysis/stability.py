@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..given import mapping_of
+from ..library.gait import Gait, gait_near
 from ..library.members import check_varied
-from ..library.orbit import Orbit, orbit_near
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import Unit, load
 from ..unit.variable import Given, Values
-from .search import find_orbit
+from .search import periodic_gait
 from .sweep import MOST_GAITS
 
 
@@ -87,8 +87,8 @@ def stability(
     lambda_max = np.full(shape, np.nan)
     word = np.full(shape, "", dtype=object)
     with progress.bar("stability", lambda_max.size, "points", show_progress) as bar:
-        for place, orbit in _spread(runner, names, values, bar):
-            lambda_max[place], word[place] = orbit.lambda_max, orbit.word
+        for place, gait in _spread(runner, names, values, bar):
+            lambda_max[place], word[place] = gait.lambda_max, gait.word
     return StabilityMap(names, *values, lambda_max, word)
 
 
@@ -112,7 +112,7 @@ def _spread(
     names: tuple[str, str],
     values: tuple[NDArray[np.float64], NDArray[np.float64]],
     bar: progress.Bar,
-) -> Iterator[tuple[tuple[int, int], Orbit]]:
+) -> Iterator[tuple[tuple[int, int], Gait]]:
     """Gaits with their places, from the first on to neighbours, and from these on to theirs."""
 
     def at(place: tuple[int, int]) -> Runner:
@@ -121,14 +121,14 @@ def _spread(
     row, column = (
         int(np.argmin(np.abs(along - runner.values[name]))) for along, name in zip(values, names, strict=True)
     )
-    first = find_orbit(at((row, column)))
+    first = periodic_gait(at((row, column)))
     bar.update()
     yield (row, column), first
     found = {(row, column)}
     seen = {(row, column)}
     edge = deque([((row, column), first)])
     while edge:
-        (row, column), orbit = edge.popleft()
+        (row, column), gait = edge.popleft()
         for place in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
             if place in found or not (0 <= place[0] < len(values[0]) and 0 <= place[1] < len(values[1])):
                 continue
@@ -136,7 +136,7 @@ def _spread(
                 seen.add(place)
                 bar.update()
             try:
-                neighbour = orbit_near(at(place), orbit.apex)
+                neighbour = gait_near(at(place), gait.apex)
             except RunError:
                 continue
             found.add(place)

@@ -118,8 +118,8 @@ def _at_value(family: Family, before: Point, after: Point, value: float) -> Poin
     begin, end = family.place(before), family.place(after)
     share = (value - before.value) / (after.value - before.value)
     try:
-        orbit = family.orbit(value, (begin + share * (end - begin))[:-1] * family.scales[:-1])
-        point = family.point(orbit, end - begin)
+        gait = family.gait(value, (begin + share * (end - begin))[:-1] * family.scales[:-1])
+        point = family.point(gait, end - begin)
         return point if leads_back(family, point, before) else after
     except (InputError, RunError):
         return after
@@ -134,10 +134,10 @@ def _lost(family: Family, last: Point, problem: Exception) -> str:
         other = family.look(family.place(last) + BEYOND[0] * last.direction)
     except (InputError, RunError) as fate:
         return f"the gait is lost at {where}: just beyond, {fate}"
-    if other.sequence != last.orbit.sequence:
+    if other.sequence != last.gait.sequence:
         words = (
-            f"from {last.orbit.word} to {other.word or 'an empty one'}"
-            if other.word != last.orbit.word
+            f"from {last.gait.word} to {other.word or 'an empty one'}"
+            if other.word != last.gait.word
             else "of the events"
         )
         return f"the gait is lost at {where}: at the border {words} no gait goes on from it on the other side"

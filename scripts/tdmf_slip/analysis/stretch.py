@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..unit.variable import Values
 from .bifurcations import FOLD, happenings
@@ -43,9 +43,9 @@ def followed(
     runner: Runner,
     name: str,
     values: Values,
-    first: Orbit,
+    first: Gait,
     step_finished: Callable[[], None] = lambda: None,
-) -> tuple[list[Orbit], list[str]]:
+) -> tuple[list[Gait], list[str]]:
     """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it.
 
     Parameters
@@ -56,22 +56,22 @@ def followed(
         Of the parameter.
     values : sequence of float
         Of it, in order.
-    first : Orbit
+    first : Gait
         A gait to begin at.
     step_finished : callable, optional
         Called after each gait.
 
     Returns
     -------
-    pair of list of Orbit, and list of str
+    pair of list of Gait, and list of str
         The gaits, fewer than the values where the branch ends before, and then why it does.
     """
-    found: list[Orbit] = []
+    found: list[Gait] = []
     while len(found) < len(values):
         last = found[-1] if found else first
         try:
-            for orbit in gaits_over(runner, name, values[len(found) :], last):
-                found.append(orbit)
+            for gait in gaits_over(runner, name, values[len(found) :], last):
+                found.append(gait)
                 step_finished()
         except RunError as problem:
             last = found[-1] if found else first
@@ -83,7 +83,7 @@ def followed(
     return found, []
 
 
-def _beyond(family: Family, last: Orbit, value: float) -> tuple[Orbit | None, str]:
+def _beyond(family: Family, last: Gait, value: float) -> tuple[Gait | None, str]:
     """The gait at a value where the branch leads there, by steps along it; else why it does not."""
     at = family.value_of(last)
     back = 2.0 * at - value
@@ -97,7 +97,7 @@ def _beyond(family: Family, last: Orbit, value: float) -> tuple[Orbit | None, st
     if fold is not None:
         return None, f"the branch ends in a fold at {family.name} = {fold:.10g}"
     if points[-1].value == value:
-        return points[-1].orbit, ""
+        return points[-1].gait, ""
     return None, f"the branch ends at {family.name} = {points[-1].value:.10g}: {ended}"
 
 

@@ -17,9 +17,9 @@ from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
 from ..library.crowd import Crowd, numbers
 from ..library.ensemble import TOLERANCE
+from ..library.gait import LEDGER
 from ..library.members import STATES
 from ..library.noted_strides import STRIDE_FATES, Columns, Request, noted_strides
-from ..library.orbit import LEDGER
 from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
@@ -122,7 +122,7 @@ def stride_map(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> low = gait.apex - [0.01, 0, 0, 0, 0, 0]
     >>> run = tdmf_slip.stride_map([gait.apex, low], gait.runner, strides=3)
     >>> run["word"].shape, bool((run["fate"] == 0).all())

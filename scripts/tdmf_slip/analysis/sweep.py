@@ -10,15 +10,15 @@ import numpy as np
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
+from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, check_varied
-from ..library.orbit import Orbit, settled_orbit
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import FRICTION, Unit, load
 from ..unit.variable import Given, Values
 from .borders import Border, crossings
 from .family import Family
-from .search import find_orbit
+from .search import periodic_gait
 from .stretch import Stretch, followed
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class Sweep(ByContents, Drawable):
     """Of the parameter or input."""
     values: tuple[float, ...]
     """The range."""
-    gaits: tuple[Orbit | None, ...]
+    by_value: tuple[Gait | None, ...]
     """At each value; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
     """Where the word changes along a branch, in the order of the range."""
@@ -47,9 +47,9 @@ class Sweep(ByContents, Drawable):
 
     def __repr__(self) -> str:
         """In a line: how many gaits, from where to where, and their words."""
-        words = ", ".join(dict.fromkeys(orbit.word for orbit in self.orbits))
+        words = ", ".join(dict.fromkeys(gait.word for gait in self.gaits))
         ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
-        return f"<Sweep {len(self.orbits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
+        return f"<Sweep {len(self.gaits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
 
     def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
         """Quantities of the gaits over the parameter, with units.
@@ -66,7 +66,7 @@ class Sweep(ByContents, Drawable):
         """
         from .grid import as_dataset  # xarray is slow to load
 
-        data = as_dataset(self.gaits, {self.name: np.array(self.values)}, load(unit))
+        data = as_dataset(self.by_value, {self.name: np.array(self.values)}, load(unit))
         data["branch"] = (self.name,), self.branches
         return data
 
@@ -79,19 +79,19 @@ class Sweep(ByContents, Drawable):
         return numbers
 
     @property
-    def orbits(self) -> tuple[Orbit, ...]:
+    def gaits(self) -> tuple[Gait, ...]:
         """The gaits that were found, in the order of the range."""
-        return tuple(gait for gait in self.gaits if gait is not None)
+        return tuple(gait for gait in self.by_value if gait is not None)
 
     def as_json(self) -> dict[str, object]:
         """The sweep as a plain object; `missing` are the values without a gait."""
-        found = zip(self.values, self.gaits, strict=True)
+        found = zip(self.values, self.by_value, strict=True)
         return {
             "over": self.name,
-            "gaits": [orbit.as_json() | {"value": value} for value, orbit in found if orbit is not None],
+            "gaits": [gait.as_json() | {"value": value} for value, gait in found if gait is not None],
             "transitions": [border.as_json(short(self.name)) for border in self.borders],
             "branches": [stretch.as_json(self.values) for stretch in self.stretches],
-            "missing": [v for v, gait in zip(self.values, self.gaits, strict=True) if gait is None],
+            "missing": [v for v, gait in zip(self.values, self.by_value, strict=True) if gait is None],
             "problem": self.problem,
         }
 
@@ -153,7 +153,7 @@ def sweep(
     --------
     >>> import tdmf_slip
     >>> gaits = tdmf_slip.sweep({}, [0.7, 0.6, 0.45, 0.43])
-    >>> print([orbit.word for orbit in gaits.orbits])
+    >>> print([gait.word for gait in gaits.gaits])
     ['+0-0+', '+0-0+', '+0-', '+0-']
     """
     runner = Runner.of(runner)
@@ -184,7 +184,7 @@ def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = F
     Sweep
         As `sweep` gives it.
     """
-    gaits: list[Orbit | None] = [None] * len(values)
+    gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
     stretches: list[Stretch] = []
@@ -224,7 +224,7 @@ def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = F
 
 def _begin(
     runner: Runner, name: str, values: Values, start: int, bar: progress.Bar
-) -> tuple[int, Orbit | None, list[str]]:
+) -> tuple[int, Gait | None, list[str]]:
     """Number of a value with a gait, the first from `start` on; that gait; why the one at `start` is none.
 
     While there is none yet, the longer search is made at both ends of the range: a branch that comes from
@@ -232,7 +232,7 @@ def _begin(
     """
     why: list[str] = []
     for number in range(start, len(values)):
-        search = find_orbit if start == 0 and number in (0, len(values) - 1) else settled_orbit
+        search = periodic_gait if start == 0 and number in (0, len(values) - 1) else settled_gait
         try:
             return number, search(runner.but(name, values[number])), why
         except RunError as problem:
@@ -241,11 +241,11 @@ def _begin(
     return len(values), None, why
 
 
-def _borders(runner: Runner, name: str, orbits: Sequence[Orbit]) -> tuple[list[Border], list[str]]:
+def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Border], list[str]]:
     """All changes of the word, and why some are missing."""
     borders: list[Border] = []
     problems: list[str] = []
-    for before, after in pairwise(orbits):
+    for before, after in pairwise(gaits):
         try:
             family = Family(runner, name)
             borders += [found.border for found in crossings(family, *family.points(before, after))]

@@ -55,7 +55,7 @@ def told_branch(family: Family, points: Sequence[Point], began: str, ended: str)
     return Branch(
         family.name,
         tuple(point.value for point in points),
-        tuple(point.orbit for point in points),
+        tuple(point.gait for point in points),
         tuple(borders),
         tuple(specials),
         began,
@@ -122,7 +122,7 @@ def _meets_halves(family: Family, branch: Branch) -> Callable[[Point, Point], st
 
     def halves_apart(point: Point) -> NDArray[np.float64]:
         apart: NDArray[np.float64]
-        apart = (point.orbit.following[branch.strides - 1] - point.orbit.apex) / family.scales[:-1]
+        apart = (point.gait.following[branch.strides - 1] - point.gait.apex) / family.scales[:-1]
         return apart
 
     def ends_between(before: Point, after: Point) -> str:
@@ -151,18 +151,18 @@ def departure(family: Family, doubling: Special) -> Point | None:
     Point or None
         None where none is found.
     """
-    orbit, scales = doubling.orbit, family.scales
-    eigenvalues, vectors = np.linalg.eig(orbit.jacobian)
+    gait, scales = doubling.gait, family.scales
+    eigenvalues, vectors = np.linalg.eig(gait.jacobian)
     vector = vectors[:, np.argmin(np.abs(eigenvalues + 1.0))].real / scales[:-1]
     way = np.append(vector / np.linalg.norm(vector), 0.0)
-    begin = np.append(orbit.apex, doubling.value) / scales
+    begin = np.append(gait.apex, doubling.value) / scales
     for distance in DEPARTURES:
         try:
             found = family.on_plane(begin + distance * way, way)
         except (InputError, RunError):
             continue
-        halfway = found.orbit.following[family.strides // 2 - 1]
-        apart = float(np.linalg.norm((halfway - found.orbit.apex) / scales[:-1])) / distance
+        halfway = found.gait.following[family.strides // 2 - 1]
+        apart = float(np.linalg.norm((halfway - found.gait.apex) / scales[:-1])) / distance
         if abs(apart - 2.0) < UNEVEN:
             return found
     return None

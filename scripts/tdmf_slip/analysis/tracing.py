@@ -6,7 +6,7 @@ import numpy as np
 
 from ..checks import checked, checked_whole, is_number
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, check_orbit, settled_orbit
+from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.runner import Runner
 from ..terminal import progress
 from ..unit.unit import Unit, load
@@ -15,7 +15,7 @@ from .branch import Branch
 from .continuation import gaits_over
 from .family import Family, Point
 from .next_point import SHORTEST_STEP, reverse
-from .search import find_orbit
+from .search import periodic_gait
 from .steps import Limits, follow
 from .switching import told_branch, with_doubled_branches
 
@@ -41,7 +41,7 @@ def continue_branch(
 ) -> Branch:
     """The branch of gaits over a range of a parameter, through folds, with every special point judged.
 
-    The branch begins at the first end of the range with the gait that `find_orbit` gives. Where there is
+    The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
     none, it begins at the first value that has one, and is followed both ways.
 
     Parameters
@@ -111,7 +111,7 @@ def continue_branch(
         return with_doubled_branches(branch, lambda n: Family(first.runner, name, n), limits, tell)
 
 
-def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) -> Orbit:
+def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) -> Gait:
     """A gait in a range of a parameter: at its first end, or as near to it as one is found.
 
     Parameters
@@ -127,7 +127,7 @@ def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) 
 
     Returns
     -------
-    Orbit
+    Gait
         At a value within the range.
 
     Raises
@@ -141,7 +141,7 @@ def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) 
     for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
         at = runner.but(name, float(value))
         try:
-            found = find_orbit(at, unit=unit) if number <= len(inside) else settled_orbit(at)
+            found = periodic_gait(at, unit=unit) if number <= len(inside) else settled_gait(at)
         except RunError as problem:
             why = why or problem
             continue
@@ -150,7 +150,7 @@ def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) 
     raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
 
 
-def _nearer(found: Orbit, name: str, begin: float) -> Orbit:
+def _nearer(found: Gait, name: str, begin: float) -> Gait:
     """The gait of the same branch at the first end of the range, if the parameter alone leads there."""
     try:
         return next(gaits_over(found.runner, name, [begin], found))
@@ -165,7 +165,7 @@ def _limits(begin: float, end: float, largest_step: float, most_points: int) -> 
 def trace(
     runner: Runner | Mapping[str, Given],
     name: str,
-    first: Orbit,
+    first: Gait,
     end: float,
     *,
     begin: float | None = None,
@@ -184,7 +184,7 @@ def trace(
         Whose gaits.
     name : str
         Parameter or input that is varied.
-    first : Orbit
+    first : Gait
         A gait to begin at.
     end : float
         Value of the parameter at which to stop.
@@ -211,7 +211,7 @@ def trace(
         The first gait cannot be found again.
     """
     runner = Family(runner, name).runner
-    check_orbit(first, "first")
+    check_is_gait(first, "first")
     checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
     checked_whole("most_points", most_points, 1, MOST_POINTS)
     start = first.runner.values[name]
@@ -226,7 +226,7 @@ def trace(
         )
     family = Family(runner.but(name, start), name, first.strides)
     towards_end = np.append(np.zeros(len(first.apex)), end - begin)
-    point = family.point(family.orbit(start, first.apex), towards_end)
+    point = family.point(family.gait(start, first.apex), towards_end)
     return whole_branch(family, point, _limits(begin, end, largest_step, most_points), step_finished)
 
 

@@ -12,7 +12,7 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal import progress
@@ -132,7 +132,7 @@ def count_fates(drawing: Drawing) -> NDArray[np.int64]:
 
 
 def volume(
-    gait: Orbit,
+    gait: Gait,
     samples: int,
     *,
     seed: int = 0,
@@ -145,7 +145,7 @@ def volume(
 
     Parameters
     ----------
-    gait : Orbit
+    gait : Gait
         Stable, by itself or under the law.
     samples : int
         How many starts are drawn.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..library import ensemble
-from ..library.orbit import Orbit, settled_orbit
+from ..library.gait import Gait, settled_gait
 from ..library.runner import Runner
 from ..unit.unit import Unit
 from .accuracy import fastest
@@ -27,7 +27,7 @@ TIGHT = 1e-13
 class Runners(ByContents):
     """Runners that start about a gait's apex."""
 
-    gait: Orbit
+    gait: Gait
     """About which."""
     case: ensemble.Case
     """Whose parameters they have."""
@@ -88,5 +88,5 @@ def runners_about_the_gait(unit: Unit, *, reduced: bool = False) -> Runners:
     source = np.random.default_rng(0)
     runner = replace(Runner.of({"ground.friction": FRICTION}, unit), reduced=reduced)
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
-    gait = settled_orbit(runner)
+    gait = settled_gait(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

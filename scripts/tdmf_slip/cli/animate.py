@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
 from ..errors import InputError
 from ..files.whole import check_place
 from ..library.runner import Runner
@@ -67,11 +67,11 @@ def animate_command(
     unit = load()
     given = values_given(friction, settings)
     if from_gait is None:
-        gait = find_orbit(runner_of(unit, parameters, given), unit=unit)
+        gait = periodic_gait(runner_of(unit, parameters, given), unit=unit)
     else:
         if given or parameters is not None:
             raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
         runner = Runner.of(read_gait(from_gait), unit)
-        gait = find_orbit(runner, runner.start_apex(), unit=unit)
+        gait = periodic_gait(runner, guess=runner.start_apex(), unit=unit)
     with progress.bar("animate", frames, "frames", True) as bar:
         animation.draw(output, Stride(gait, unit), frames=frames, step_finished=partial(bar.update, 1))

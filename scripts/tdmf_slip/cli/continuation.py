@@ -187,16 +187,16 @@ def _branch_text(branch: Branch, told: Told) -> str:
     """Special points as a table, and where the branch begins and ends; then the branches of more strides."""
     header = ("special point", headed(branch.name, told.unit(branch.name)), "word", "unstable beyond")
     rows = [_row(branch, special, told) for special in branch.specials]
-    stable = sum(orbit.stable for orbit in branch.orbits)
+    stable = sum(gait.stable for gait in branch.gaits)
     strides = f"{branch.strides} stride{'s' if branch.strides > 1 else ''}"
     first, last = (told.value(branch.name, value) for value in (branch.values[0], branch.values[-1]))
     ends = f"from {first:.8g} ({branch.began}) to {last:.8g} ({branch.ended})"
-    lines = [f"{len(branch.orbits)} gaits of {strides}, {stable} of them stable, {ends}"]
+    lines = [f"{len(branch.gaits)} gaits of {strides}, {stable} of them stable, {ends}"]
     return "\n".join([*lines, table(header, rows), *(_branch_text(other, told) for other in branch.branches)])
 
 
 def _row(branch: Branch, special: Special, told: Told) -> tuple[str, str, str, str]:
-    words = " to ".join(special.words) if special.words else special.orbit.word
-    after = branch.orbits[special.index + 1]
+    words = " to ".join(special.words) if special.words else special.gait.word
+    after = branch.gaits[special.index + 1]
     kind = f"{special.kind} ({special.why})" if special.why else special.kind
     return kind, f"{told.value(branch.name, special.value):.10g}", words, str(after.unstable)

@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 
 import click
 
-from ..analysis.ordered import OrderNotMetError, find_gait
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
+from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
+from ..library.gait import TOLD, Gait
 from ..library.measures import MEASURE_UNITS
-from ..library.orbit import TOLD, Orbit
 from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.told import Told
@@ -56,20 +56,20 @@ def gait_command(
     given = values_given(friction, settings)
     runner = runner_of(unit, parameters, given, model)
     if not order:
-        orbit = find_orbit(runner, unit=unit)
-        print(json_text(orbit.as_json()) if as_json_object else _orbit_text(orbit, unit))
+        gait = periodic_gait(runner, unit=unit)
+        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, unit))
         return
     try:
-        orbit = find_gait(runner, order, names, show_progress=True, unit=unit)
-    except OrderNotMetError as problem:
+        gait = find_gait(runner, target=order, vary=names, show_progress=True, unit=unit)
+    except TargetNotMetError as problem:
         if as_json_object:
             nearest = _ordered_json(problem.nearest, order, names)
             print(json_text({"nearest": nearest, "helps": list(problem.helps)}))
         raise
     if as_json_object:
-        print(json_text(_ordered_json(orbit, order, names)))
+        print(json_text(_ordered_json(gait, order, names)))
     else:
-        print(_orbit_text(orbit, unit, list(order), names, Told(unit, texts_of(given))))
+        print(_gait_text(gait, unit, list(order), names, Told(unit, texts_of(given))))
 
 
 def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
@@ -88,40 +88,40 @@ def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
     return [] if free is None else [name.strip() for name in free.split(",")]
 
 
-def _ordered_json(orbit: Orbit, order: Mapping[str, float], free: list[str]) -> dict[str, object]:
+def _ordered_json(gait: Gait, order: Mapping[str, float], free: list[str]) -> dict[str, object]:
     """As any gait, with the freed parameters' values and what it has of what is ordered."""
     return {
-        **orbit.as_json(),
-        "free": {name: orbit.runner.values[name] for name in free},
-        "ordered": quantities_of(orbit, list(order)),
+        **gait.as_json(),
+        "free": {name: gait.runner.values[name] for name in free},
+        "ordered": quantities_of(gait, list(order)),
     }
 
 
-def _orbit_text(
-    orbit: Orbit, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
+def _gait_text(
+    gait: Gait, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
 ) -> str:
     units = told_in or Told(unit)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
-    basic = [name for name in order if name in orbit.stride and name not in MEASURE_UNITS]
+    basic = [name for name in order if name in gait.stride and name not in MEASURE_UNITS]
     told = dict.fromkeys([*TOLD, *basic])
     measured = {
-        name: quantity(orbit.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in order
+        name: quantity(gait.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in order
     }
-    apex = dict(zip(orbit.runner.coordinates, orbit.apex, strict=True))
+    apex = dict(zip(gait.runner.coordinates, gait.apex, strict=True))
     rows = {
-        "word": orbit.word,
-        "friction": of("ground.friction", orbit.friction),
-        **{name: of(f"stride.{name}", orbit.stride[name]) for name in told},
+        "word": gait.word,
+        "friction": of("ground.friction", gait.friction),
+        **{name: of(f"stride.{name}", gait.stride[name]) for name in told},
         **measured,
-        **({"frequency": quantity(1.0 / orbit.period, "Hz", 12)} if "frequency" in order else {}),
-        **{name: of(name, orbit.runner.values[name]) for name in free},
-        "liftoff_angle": of("hip.liftoff_angle", orbit.liftoff_angle),
+        **({"frequency": quantity(1.0 / gait.period, "Hz", 12)} if "frequency" in order else {}),
+        **{name: of(name, gait.runner.values[name]) for name in free},
+        "liftoff_angle": of("hip.liftoff_angle", gait.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
-        "eigenvalues": ", ".join(_complex(value) for value in orbit.eigenvalues),
-        "stable": "yes" if orbit.stable else "no",
+        "eigenvalues": ", ".join(_complex(value) for value in gait.eigenvalues),
+        "stable": "yes" if gait.stable else "no",
     }
     return columns(rows)
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from ..analysis.ordered import OrderNotMetError
+from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import QUANTITIES
@@ -95,7 +95,7 @@ def optimize_command(
 ) -> None:
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
 
-    By gradients that are exact through the orbit, across changes of the gait word. Where no gait has what is
+    By gradients that are exact through the gait, across changes of the gait word. Where no gait has what is
     prescribed, JSON has the nearest one, and the status is 1. Of two quantities, the Pareto front: runners of
     which none is better in one without being worse in the other.
     """
@@ -119,7 +119,7 @@ def optimize_command(
             return
         least, most = (next(iter(names), None) for names in (minimize, maximize))
         best = optimize(runner, over, minimize=least, maximize=most, **common)
-    except OrderNotMetError as problem:
+    except TargetNotMetError as problem:
         if as_json_object:
             print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
         raise

@@ -164,7 +164,7 @@ def _row(
         branch.draw(plot, found, unit, told)
     print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit, told))
     if found.problem is not None:
-        raise RunError(f"{found.problem}; {len(found.orbits)} of {len(values)} gaits were found")
+        raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
 
 
 def _write(path: Path, found: Sweep, unit: Unit) -> None:
@@ -223,15 +223,15 @@ def _sweep_text(found: Sweep, unit: Unit, told: Told) -> str:
     rows = [
         (
             f"{told.value(found.name, value):.6g}",
-            orbit.word,
-            f"{orbit.stride['period']:.8g}",
-            f"{orbit.stride['speed']:.8g}",
-            f"{orbit.stride['cost_of_transport']:.8g}",
-            f"{orbit.lambda_max:.8f}",
-            "yes" if orbit.stable else "no",
+            gait.word,
+            f"{gait.stride['period']:.8g}",
+            f"{gait.stride['speed']:.8g}",
+            f"{gait.stride['cost_of_transport']:.8g}",
+            f"{gait.lambda_max:.8f}",
+            "yes" if gait.stable else "no",
         )
-        for value, orbit in zip(found.values, found.gaits, strict=True)
-        if orbit is not None
+        for value, gait in zip(found.values, found.by_value, strict=True)
+        if gait is not None
     ]
     with_units = [f"{name} ({unit.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
     header = (

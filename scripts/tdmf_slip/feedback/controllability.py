@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.unit import Unit
 from .linearization import linearize
 from .modes import FORGOTTEN, Modes, lasting_modes
@@ -80,13 +80,13 @@ class Controllability(ByContents):
 
 
 def controllability(
-    orbit: Orbit, settings: Sequence[str], *, forgotten: float = FORGOTTEN, unit: Unit | None = None
+    gait: Gait, settings: Sequence[str], *, forgotten: float = FORGOTTEN, unit: Unit | None = None
 ) -> Controllability:
     """What settings that are chosen at each apex can do about a gait's modes.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     settings : sequence of str
         Which settings, of `linearization.CHOSEN`.
@@ -110,12 +110,12 @@ def controllability(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> told = tdmf_slip.controllability(gait, ["hip.touchdown_angle", "hip.stance_torque"])
     >>> told.rank, told.forgotten, told.strides
     (3, 3, 2)
     """
-    model = linearize(orbit, settings, unit=unit)
+    model = linearize(gait, settings, unit=unit)
     return controllability_of(lasting_modes(model, forgotten), model.settings)
 
 

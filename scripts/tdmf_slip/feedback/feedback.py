@@ -31,10 +31,10 @@ class Feedback(AffineLaw):
 
     def __repr__(self) -> str:
         """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
-        orbit = self.linearization.orbit
+        gait = self.linearization.gait
         return (
-            f"<Feedback by {', '.join(self.settings)} at the gait {orbit.word}, {FRICTION} = "
-            f"{orbit.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {orbit.lambda_max:.4g} without>"
+            f"<Feedback by {', '.join(self.settings)} at the gait {gait.word}, {FRICTION} = "
+            f"{gait.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {gait.lambda_max:.4g} without>"
         )
 
     @property
@@ -91,7 +91,7 @@ def feedback_of(
     found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
     return Feedback(
         settings=model.settings,
-        apex=model.orbit.apex,
+        apex=model.gait.apex,
         nominal=model.nominal,
         gain=gain,
         low=low,

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import is_number
 from ..errors import InputError
 from ..given import check_row
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.unit import Unit
 from .controllability import Controllability, controllability_of
 from .dead_beat_gain import dead_beat_gain
@@ -23,7 +23,7 @@ from .modes import FORGOTTEN, Modes, lasting_modes
 
 
 def dead_beat(
-    orbit: Orbit,
+    gait: Gait,
     settings: Sequence[str],
     *,
     limits: Limits | None = None,
@@ -38,7 +38,7 @@ def dead_beat(
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     settings : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
@@ -65,12 +65,12 @@ def dead_beat(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> held = tdmf_slip.dead_beat(gait, ["hip.touchdown_angle", "hip.stance_torque"])
     >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
     (2, True)
     """
-    model = linearize(orbit, settings, unit=unit)
+    model = linearize(gait, settings, unit=unit)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     try:
@@ -81,7 +81,7 @@ def dead_beat(
 
 
 def place_poles(
-    orbit: Orbit,
+    gait: Gait,
     settings: Sequence[str],
     eigenvalues: Sequence[complex] | NDArray[Any],
     *,
@@ -93,7 +93,7 @@ def place_poles(
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     settings : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
@@ -122,14 +122,14 @@ def place_poles(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> law = tdmf_slip.place_poles(gait, ["hip.touchdown_angle", "hip.stance_torque"], [0.5, -0.2, 0.01])
     >>> print(law.eigenvalues[:3].real.round(6))
     [ 0.5  -0.2   0.01]
     """
     from scipy.signal import place_poles as place  # slow to load
 
-    model = linearize(orbit, settings, unit=unit)
+    model = linearize(gait, settings, unit=unit)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     wanted = _checked_eigenvalues(eigenvalues, told)
@@ -141,7 +141,7 @@ def place_poles(
 
 
 def lqr(
-    orbit: Orbit,
+    gait: Gait,
     settings: Sequence[str],
     state_weight: ArrayLike = 1.0,
     setting_weight: ArrayLike = 1.0,
@@ -156,7 +156,7 @@ def lqr(
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     settings : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
@@ -186,12 +186,12 @@ def lqr(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> law = tdmf_slip.lqr(gait, ["hip.touchdown_angle", "hip.stance_torque"])
     >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
     [0.857 0.372] [0.467 0.113]
     """
-    model = linearize(orbit, settings, unit=unit)
+    model = linearize(gait, settings, unit=unit)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
     setting = _weight("setting_weight", setting_weight, len(model.settings), np.finfo(float).tiny)
     gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)

@@ -14,7 +14,7 @@ from ..checks import check_kind
 from ..contents import ByContents
 from ..given import row_of
 from ..library.affine_law import AffineLaw
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..terminal import progress
 
 SAMPLES = 4000
@@ -27,7 +27,7 @@ RUNNERS, MOST_STRIDES = 256, 400
 class Trial(ByContents):
     """A gait, with a feedback or without: a block of work."""
 
-    orbit: Orbit
+    gait: Gait
     """The gait."""
     law: AffineLaw | None
     """What holds it; None for the runner as it is."""
@@ -52,13 +52,13 @@ class Judgement(ByContents):
 
 
 def judge(
-    orbit: Orbit, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
+    gait: Gait, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
 ) -> Judgement:
     """How well a feedback holds a gait, within its limits; by one thread.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     law : AffineLaw, optional
         The feedback; by default the runner as it is.
@@ -77,10 +77,10 @@ def judge(
     InputError
         No gait, no law, a number out of range, or a law under which the gait is not stable.
     """
-    check_orbit(orbit, "orbit")
+    check_is_gait(gait, "gait")
     check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
     steps = row_of(roughness, "roughness", "numbers in a list, m")
-    return _judged(Trial(orbit, law, tuple(steps), seed))
+    return _judged(Trial(gait, law, tuple(steps), seed))
 
 
 def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[Judgement]:
@@ -121,16 +121,16 @@ def _judged(trial: Trial) -> Judgement:
     quiet = None if trial.law is None else replace(trial.law, noise=None)
     return Judgement(
         trial,
-        volume(trial.orbit, SAMPLES, seed=trial.seed, law=quiet, workers=1),
-        robustness(trial.orbit, law=quiet),
+        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet, workers=1),
+        robustness(trial.gait, law=quiet),
         tuple(
             strides_to_fall(
-                trial.orbit.runner,
+                trial.gait.runner,
                 roughness,
                 RUNNERS,
                 trial.seed,
                 MOST_STRIDES,
-                gait=trial.orbit,
+                gait=trial.gait,
                 law=trial.law,
                 workers=1,
             )

@@ -19,7 +19,7 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
-from ..library.orbit import Orbit, check_orbit
+from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.settings import SETTINGS
@@ -39,7 +39,7 @@ IDLE = 1e-12
 class Linearization(ByContents):
     """The return map of a gait and its settings, to first order."""
 
-    orbit: Orbit
+    gait: Gait
     """The gait."""
     settings: tuple[str, ...]
     """Those that are chosen at each apex, of `CHOSEN`."""
@@ -56,7 +56,7 @@ class Linearization(ByContents):
     @cached_property
     def scales(self) -> NDArray[np.float64]:
         """Of the section's coordinates, shape (n,)."""
-        return self.orbit.runner.scales
+        return self.gait.runner.scales
 
     @cached_property
     def scaled_state_matrix(self) -> NDArray[np.float64]:
@@ -88,12 +88,12 @@ class Linearization(ByContents):
         return scaled
 
 
-def linearize(orbit: Orbit, settings: Sequence[str], *, unit: Unit | None = None) -> Linearization:
+def linearize(gait: Gait, settings: Sequence[str], *, unit: Unit | None = None) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait, of one stride.
     settings : sequence of str
         Which settings are chosen at each apex, of `CHOSEN`.
@@ -114,18 +114,18 @@ def linearize(orbit: Orbit, settings: Sequence[str], *, unit: Unit | None = None
     RunError
         The stride has no derivatives.
     """
-    _check_gait(orbit)
-    runner, unit = orbit.runner, load(unit)
+    _check_gait(gait)
+    runner, unit = gait.runner, load(unit)
     names = _checked_names(settings)
     for name in names:
         _check_inside(runner, name, unit)
     by_setting = []
-    jacobian = orbit.jacobian
+    jacobian = gait.jacobian
     for name in names:
-        _, jacobian, column = stride_from(runner, orbit.apex, name)
+        _, jacobian, column = stride_from(runner, gait.apex, name)
         by_setting.append(column)
     model = Linearization(
-        orbit=orbit,
+        gait=gait,
         settings=names,
         nominal=np.array([runner.values[name] for name in names]),
         state_matrix=jacobian,
@@ -142,14 +142,14 @@ def linearize(orbit: Orbit, settings: Sequence[str], *, unit: Unit | None = None
     return model
 
 
-def _check_gait(orbit: Orbit) -> None:
-    check_orbit(orbit, "orbit")
-    if orbit.following:
-        raise InputError(f"orbit of {orbit.strides} strides is not allowed; allowed: a gait of one stride")
-    if not orbit.error <= CLOSED:
+def _check_gait(gait: Gait) -> None:
+    check_is_gait(gait, "gait")
+    if gait.following:
+        raise InputError(f"gait of {gait.strides} strides is not allowed; allowed: a gait of one stride")
+    if not gait.error <= CLOSED:
         raise InputError(
-            f"orbit whose next apex is {orbit.error:.2g} of the scales away is not allowed; allowed: a gait, "
-            f"which leads back to within {CLOSED:g}, as find_orbit gives"
+            f"gait whose next apex is {gait.error:.2g} of the scales away is not allowed; allowed: a gait, "
+            f"which leads back to within {CLOSED:g}, as find_gait gives"
         )
 
 

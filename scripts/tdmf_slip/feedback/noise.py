@@ -45,7 +45,7 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
 
     >>> from dataclasses import replace
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> law = tdmf_slip.lqr(gait, ["hip.touchdown_angle", "hip.stance_torque"])
     >>> noisy = replace(law, noise=1e-3 * gait.runner.scales)
     >>> covariance = tdmf_slip.apex_covariance(noisy)

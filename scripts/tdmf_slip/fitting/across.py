@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.orbit import orbit_near
+from ..library.gait import gait_near
 from ..library.varied_stride import plain_stride, varied_stride
 from .problem import FIRST_STEP, Problem
 
@@ -142,7 +142,7 @@ def cross(
         reached = across.unknowns(found.x)
         values = problem.values(reached)
         apexes = [
-            orbit_near(problem.runner_of(values, row), apex).apex
+            gait_near(problem.runner_of(values, row), apex).apex
             for row, apex in enumerate(across.apexes(found.x))
         ]
         problem.restart(reached, apexes)

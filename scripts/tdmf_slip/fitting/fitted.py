@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.search import find_orbit, runner_by
+from ..analysis.search import periodic_gait, runner_by
 from ..checks import checked_whole
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..terminal import progress
@@ -76,10 +76,10 @@ def fit(
     runner : Runner or mapping of str to float, optional
         What is not free: a runner, or start values by the unit's names and in its units, over the unit's own.
     guess : sequence of float, optional
-        An apex near that of the gait that all rows begin with; see `find_orbit`. By default the gait that
+        An apex near that of the gait that all rows begin with; see `find_gait`. By default the gait that
         the runner settles on, else that near its start values.
     model : str, optional
-        `full` or `reduced`, as in `find_orbit`.
+        `full` or `reduced`, as in `find_gait`.
     robust : bool, default False
         Huber's loss instead of squares: residuals beyond 1.345 errors count by their size alone, so that a
         datum that is far off changes little.
@@ -153,7 +153,7 @@ def fit(
         return fitted_from(request, first, islice(others, request.starts - 1), bar.update)
 
 
-def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
+def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Gait:
     """The gait that all rows begin with; where nothing settles on it, the one near the start values.
 
     Raises
@@ -162,18 +162,18 @@ def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Orbit:
         There is neither.
     """
     try:
-        return find_orbit(runner, guess, unit=unit)
+        return periodic_gait(runner, guess=guess, unit=unit)
     except RunError as problem:
         if guess is not None:
             raise
         try:
-            return orbit_near(runner, runner.start_apex())
+            return gait_near(runner, runner.start_apex())
         except RunError:
             raise problem from None
 
 
 def fitted_from(
-    request: Request, first: Orbit, others: Iterator[Orbit], strides_made: Callable[[int], object]
+    request: Request, first: Gait, others: Iterator[Gait], strides_made: Callable[[int], object]
 ) -> Fit:
     """The best fit from some gaits.
 
@@ -181,9 +181,9 @@ def fitted_from(
     ----------
     request : Request
         What is asked.
-    first : Orbit
+    first : Gait
         A gait to begin with.
-    others : iterator of Orbit
+    others : iterator of Gait
         Others.
     strides_made : callable
         Called with how many strides were made.
@@ -209,7 +209,7 @@ def fitted_from(
     return _told(request, *best, count)
 
 
-def _begun(request: Request, first: Orbit, strides_made: Callable[[int], object]) -> tuple[Problem, Ended]:
+def _begun(request: Request, first: Gait, strides_made: Callable[[int], object]) -> tuple[Problem, Ended]:
     """A search from one gait."""
     problem = Problem(first, request.measurements, request.shared, request.each, strides_made, request.priors)
     return problem, _found(request, problem, np.zeros(len(problem.parameters)))

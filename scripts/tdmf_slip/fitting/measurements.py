@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..analysis.ordered import LEAST, MOST
+from ..analysis.targeted import LEAST, MOST
 from ..checks import check_kind, near_matches
 from ..contents import ByContents
 from ..errors import InputError, reason

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait
@@ -51,7 +51,7 @@ class Problem:
 
     def __init__(
         self,
-        first: Orbit,
+        first: Gait,
         measurements: Measurements,
         shared: Sequence[str],
         each: Sequence[str],
@@ -62,7 +62,7 @@ class Problem:
 
         Parameters
         ----------
-        first : Orbit
+        first : Gait
             The gait that each row begins with.
         measurements : Measurements
             What is to be met.
@@ -271,7 +271,7 @@ class Problem:
                 break
             last, apex = error, apex - base.varied.apex_by_left_over @ stride.left_over
         self.count_strides(STRIDES_OF_SEARCH)
-        apex = orbit_near(runner, predicted).apex
+        apex = gait_near(runner, predicted).apex
         return apex, plain_stride(runner, apex, names)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..terminal.text import quantity, table
@@ -129,7 +129,7 @@ class Fit(ByContents, Drawable):
         return len(self.residuals) + len(self.priors) - len(self.estimates)
 
     @cached_property
-    def gaits(self) -> tuple[Orbit, ...]:
+    def gaits(self) -> tuple[Gait, ...]:
         """The fitted gaits, one for each row."""
         return tuple(
             strides_from(runner, apex) for runner, apex in zip(self.runners, self.apexes, strict=True)

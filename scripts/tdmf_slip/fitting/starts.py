@@ -9,7 +9,7 @@ from ..analysis.beginnings import around
 from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
 from ..unit.unit import Unit
@@ -20,12 +20,12 @@ RUNNERS = 1024
 """Spread over what is free."""
 
 
-def starts(first: Orbit, measurements: Measurements, free: Sequence[str], unit: Unit) -> Iterator[Orbit]:
+def starts(first: Gait, measurements: Measurements, free: Sequence[str], unit: Unit) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one.
 
     Parameters
     ----------
-    first : Orbit
+    first : Gait
         A gait with the free parameters' own values.
     measurements : Measurements
         What is to be fitted.
@@ -36,7 +36,7 @@ def starts(first: Orbit, measurements: Measurements, free: Sequence[str], unit: 
 
     Yields
     ------
-    Orbit
+    Gait
         With which all rows begin.
     """
     runner, shares = first.runner, evenly(RUNNERS, len(free))
@@ -59,7 +59,7 @@ def starts(first: Orbit, measurements: Measurements, free: Sequence[str], unit: 
         losses.append(loss)
     for k in linked(np.array(places), np.array(losses)):
         try:
-            yield orbit_near(runners[k], apexes[k])
+            yield gait_near(runners[k], apexes[k])
         except RunError:
             continue
 

@@ -34,7 +34,7 @@ class AffineLaw(ByContents):
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> by_height = tdmf_slip.AffineLaw(
     ...     ["hip.touchdown_angle"], gait.apex, [gait.runner.values["hip.touchdown_angle"]],
     ...     [[0.1, 0, 0, 0, 0, 0]], low=[0.3], high=[1.0],

@@ -124,7 +124,7 @@ def run_ensemble(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_orbit({"ground.friction": 0.6})
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> faster = gait.apex.copy()
     >>> faster[1] *= 1.1
     >>> ends, work = tdmf_slip.run_ensemble([gait.runner], [gait.apex, faster], most_strides=20)

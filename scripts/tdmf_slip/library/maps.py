@@ -11,7 +11,7 @@ from typing import Any
 from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .runner import Runner, text_of
-from .structs import FoundOrbit, Return, Struct
+from .structs import FoundGait, Return, Struct
 
 
 @dataclass(frozen=True)
@@ -24,9 +24,9 @@ class Map:
     """The same, with what is measured along the stride."""
     settle: Callable[..., int]
     """Of solver, model, inputs, strides and the apex, which becomes the last one: how many closed."""
-    find: Callable[..., FoundOrbit]
+    find: Callable[..., FoundGait]
     """Of solver, model, inputs, a guess, and a change or NULL: the fixed point near the guess."""
-    fixed_point: Callable[[FoundOrbit], Sequence[float]]
+    fixed_point: Callable[[FoundGait], Sequence[float]]
     """Its coordinates."""
     why_not: Callable[[Return], str | None]
     """Of a stride: what ended it, in words to follow in a message; None where it closed."""
@@ -48,14 +48,14 @@ def map_of(runner: Runner) -> Map:
     return _MAPS[runner.reduced]
 
 
-def why_no_gait(runner: Runner, found: FoundOrbit, settling: bool, ran: int) -> str:
+def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> str:
     """Why a search found no gait, in words.
 
     Parameters
     ----------
     runner : Runner
         Whose gait.
-    found : FoundOrbit
+    found : FoundGait
         How the search ended.
     settling : bool
         It ended before the runner had settled.
@@ -98,8 +98,8 @@ def _why_not_reduced(stride: Any) -> str | None:
     )
 
 
-def _find_reduced(solver: Struct, model: Struct, inputs: Struct, guess: Any, change: Struct) -> FoundOrbit:
-    found: FoundOrbit = c.tdmf_find_reduced_orbit(
+def _find_reduced(solver: Struct, model: Struct, inputs: Struct, guess: Any, change: Struct) -> FoundGait:
+    found: FoundGait = c.tdmf_find_reduced_orbit(
         solver, model, inputs, guess, change, int(change != ffi.NULL)
     )
     return found

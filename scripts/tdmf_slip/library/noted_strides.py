@@ -12,8 +12,8 @@ from .affine_law import AffineLaw
 from .binding import ffi
 from .crowd import Crowd
 from .ensemble import END, dtype_of, ensemble_of, run
+from .gait import LEDGER
 from .measures import STRIDE_QUANTITIES
-from .orbit import LEDGER
 from .rough_ground import RoughGround
 from .section import COORDINATES
 from .settings import setting_number

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from .gait import Gait
 from .measures import APEX_QUANTITIES, MEASURES, apex_quantities
-from .orbit import Orbit
 from .runner import Runner
 from .section import REDUCED
 
@@ -34,12 +34,12 @@ SIGNED = ("apex_leg_angle",)
 """Those that may be 0 or less."""
 
 
-def quantities_of(orbit: Orbit, names: Sequence[str]) -> dict[str, float]:
+def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:
     """What a gait has of the quantities that one can be ordered by.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     names : sequence of str
         Of `QUANTITIES`.
@@ -49,9 +49,9 @@ def quantities_of(orbit: Orbit, names: Sequence[str]) -> dict[str, float]:
     dict of str to float
         By these names, in SI units.
     """
-    check_quantities(orbit.runner, names)
-    apex = apex_quantities(orbit.runner, orbit.apex)
-    return {name: quantity_of(name, {**orbit.stride, **apex}) for name in names}
+    check_quantities(gait.runner, names)
+    apex = apex_quantities(gait.runner, gait.apex)
+    return {name: quantity_of(name, {**gait.stride, **apex}) for name in names}
 
 
 def known_quantities(runner: Runner) -> tuple[str, ...]:

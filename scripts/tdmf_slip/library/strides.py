@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import ffi
+from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of
 from .measures import APEX_QUANTITIES
 from .members import check_has_gaits
-from .orbit import Orbit, orbit_near, orbit_of
 from .return_map import Along, direction
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -31,7 +31,7 @@ LONGEST_STRIDE = 1e4
 BETWEEN_WORDS = " "
 
 
-def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Orbit:
+def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """Strides in a row from an apex, whether they lead back to it or not.
 
     Parameters
@@ -47,7 +47,7 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
 
     Returns
     -------
-    Orbit
+    Gait
         As of a gait; `error` says how far the last apex is from the first.
 
     Raises
@@ -61,12 +61,10 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
     while len(made) < strides:
         made.append(_stride(runner, made[-1][0], along))
-    return _joined([orbit for _, orbit in made], made[-1][0])
+    return _joined([gait for _, gait in made], made[-1][0])
 
 
-def repeated_orbit_near(
-    runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None
-) -> Orbit:
+def repeated_gait_near(runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """The gait near a guess that repeats itself after some strides, by Newton's method.
 
     Parameters
@@ -82,7 +80,7 @@ def repeated_orbit_near(
 
     Returns
     -------
-    Orbit
+    Gait
         The gait to rounding, unless it is very sensitive.
 
     Raises
@@ -93,35 +91,35 @@ def repeated_orbit_near(
         The runner falls, no gait is near, or it has no derivatives.
     """
     if strides == 1:
-        return orbit_near(runner, guess, along=along)
-    orbit = strides_from(runner, guess, strides, along=along)
+        return gait_near(runner, guess, along=along)
+    gait = strides_from(runner, guess, strides, along=along)
     for iterations in range(NEWTON_ITERATIONS):
-        if orbit.error <= CONVERGED:
+        if gait.error <= CONVERGED:
             break
-        improved = _improved(orbit, strides, along)
+        improved = _improved(gait, strides, along)
         if improved is None:
             break
-        orbit = replace(improved, iterations=iterations + 1)
-    if orbit.error > GOOD_ENOUGH:
+        gait = replace(improved, iterations=iterations + 1)
+    if gait.error > GOOD_ENOUGH:
         raise RunError(
-            f"no gait of {strides} strides at friction {orbit.friction:g}: Newton's method stopped after "
-            f"{orbit.iterations} iterations with the last apex {orbit.error:.2g} of its scales away"
+            f"no gait of {strides} strides at friction {gait.friction:g}: Newton's method stopped after "
+            f"{gait.iterations} iterations with the last apex {gait.error:.2g} of its scales away"
         )
-    return orbit
+    return gait
 
 
-def _improved(orbit: Orbit, strides: int, along: Along | None) -> Orbit | None:
+def _improved(gait: Gait, strides: int, along: Along | None) -> Gait | None:
     """A step of Newton's method, or the part of it that makes the error smaller; None where none does."""
     try:
-        step = np.linalg.solve(np.eye(len(orbit.apex)) - orbit.jacobian, orbit.left_over)
+        step = np.linalg.solve(np.eye(len(gait.apex)) - gait.jacobian, gait.left_over)
     except np.linalg.LinAlgError:
         return None
     for shortening in range(SHORTENINGS):
         try:
-            tried = strides_from(orbit.runner, orbit.apex + 0.5**shortening * step, strides, along=along)
+            tried = strides_from(gait.runner, gait.apex + 0.5**shortening * step, strides, along=along)
         except RunError:
             continue
-        if tried.error < orbit.error:
+        if tried.error < gait.error:
             return tried
     return None
 
@@ -144,8 +142,8 @@ def longest_stride(runner: Runner) -> float:
 
 def _stride(
     runner: Runner, apex: NDArray[np.float64], along: Along | None
-) -> tuple[NDArray[np.float64], Orbit]:
-    """The next apex, and the stride as an orbit that need not close."""
+) -> tuple[NDArray[np.float64], Gait]:
+    """The next apex, and the stride as a gait that need not close."""
     log: EventLog = ffi.new("tdmf_event_log *")
     change, map = direction(along), map_of(runner)
     stride = map.measured_stride(
@@ -162,28 +160,28 @@ def _stride(
     if why_not is not None:
         raise RunError(why_not)
     next_apex = np.array(list(stride.apex)[: len(apex)])
-    return next_apex, orbit_of(runner, apex, stride, log, along)
+    return next_apex, gait_of_stride(runner, apex, stride, log, along)
 
 
-def _joined(orbits: Sequence[Orbit], last_apex: NDArray[np.float64]) -> Orbit:
-    """Strides in a row as one orbit."""
-    first = orbits[0]
+def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
+    """Strides in a row as one gait."""
+    first = gaits[0]
     jacobian, by_parameter = first.jacobian, first.by_parameter
-    for orbit in orbits[1:]:
-        jacobian = orbit.jacobian @ jacobian
-        if by_parameter is not None and orbit.by_parameter is not None:
-            by_parameter = orbit.jacobian @ by_parameter + orbit.by_parameter
+    for gait in gaits[1:]:
+        jacobian = gait.jacobian @ jacobian
+        if by_parameter is not None and gait.by_parameter is not None:
+            by_parameter = gait.jacobian @ by_parameter + gait.by_parameter
     left_over = last_apex - first.apex
     return replace(
         first,
-        word=BETWEEN_WORDS.join(orbit.word for orbit in orbits),
-        liftoff_angle=orbits[-1].liftoff_angle,
-        stride=_together(first.runner, [orbit.stride for orbit in orbits]),
+        word=BETWEEN_WORDS.join(gait.word for gait in gaits),
+        liftoff_angle=gaits[-1].liftoff_angle,
+        stride=_together(first.runner, [gait.stride for gait in gaits]),
         jacobian=jacobian,
         by_parameter=by_parameter,
         error=float(np.max(np.abs(left_over) / first.runner.scales)),
-        events=_events(orbits),
-        following=tuple(orbit.apex for orbit in orbits[1:]),
+        events=_events(gaits),
+        following=tuple(gait.apex for gait in gaits[1:]),
         left_over=left_over,
     )
 
@@ -206,11 +204,11 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
     }
 
 
-def _events(orbits: Sequence[Orbit]) -> tuple[Event, ...]:
+def _events(gaits: Sequence[Gait]) -> tuple[Event, ...]:
     """Of all strides, timed from the first apex."""
-    begins = np.cumsum([0.0, *(orbit.period for orbit in orbits[:-1])])
+    begins = np.cumsum([0.0, *(gait.period for gait in gaits[:-1])])
     return tuple(
         replace(event, time=event.time + float(begin))
-        for begin, orbit in zip(begins, orbits, strict=True)
-        for event in orbit.events
+        for begin, gait in zip(begins, gaits, strict=True)
+        for event in gait.events
     )

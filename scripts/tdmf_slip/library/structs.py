@@ -81,7 +81,7 @@ class Return(Measured, Protocol):
     by_parameter: Sequence[StrideChange]
 
 
-class FoundOrbit(Protocol):
+class FoundGait(Protocol):
     """`tdmf_orbit` or `tdmf_reduced_orbit`: a gait, or where the search for it ended."""
 
     outcome: int

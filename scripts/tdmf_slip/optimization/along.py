@@ -132,7 +132,7 @@ class _Chart:
         short = border.short
         return OnBorder(
             at=u,
-            orbit=short.orbit,
+            gait=short.gait,
             apex_slopes=short.apex_slopes @ plane,
             values=short.values,
             slopes=short.slopes @ plane,

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from .gaits import Candidate, Gaits
 from .problem import Problem
 
@@ -62,9 +62,7 @@ class Side(ByContents):
         return problem.steepest(self.gait, self.away) - problem.steepest(self.gait, self.away, along=True)
 
 
-def between(
-    gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Orbit], bool]
-) -> Border:
+def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Gait], bool]) -> Border:
     """The border where the way from a gait to one beyond it leaves a piece: by bisection.
 
     Parameters
@@ -88,18 +86,18 @@ def between(
     """
     way = outside.at - inside.at
     low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
-    near, beyond = inside, outside.orbit
+    near, beyond = inside, outside.gait
     while (high - low) * length > ACCURACY:
         middle = 0.5 * (low + high)
         if middle in (low, high):
             break
         at = inside.at + middle * way
-        found = gaits.orbit_from(near, at)
+        found = gaits.gait_from(near, at)
         if is_inside(found):
-            low, near = middle, replace(near, at=at, orbit=found)
+            low, near = middle, replace(near, at=at, gait=found)
         else:
             high, beyond = middle, found
-    short = gaits.candidate(near.orbit, near.at)
+    short = gaits.candidate(near.gait, near.at)
     return _border(short, gaits.candidate(beyond, inside.at + high * way), way / length)
 
 
@@ -111,8 +109,8 @@ def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Bo
     RunError
         The gaits on both sides are no neighbours.
     """
-    scales = short.orbit.runner.scales[:, None]
-    if np.max(np.abs(beyond.orbit.apex - short.orbit.apex) / scales[:, 0]) > CONTINUOUS:
+    scales = short.gait.runner.scales[:, None]
+    if np.max(np.abs(beyond.gait.apex - short.gait.apex) / scales[:, 0]) > CONTINUOUS:
         raise RunError("the gaits end where the word changes")
     sides = [np.vstack([gait.apex_slopes / scales, gait.slopes]) for gait in (short, beyond)]
     jump = sides[1] - sides[0]
@@ -126,7 +124,7 @@ def across(
     near: Candidate,
     at: NDArray[np.float64],
     direction: NDArray[np.float64],
-    is_inside: Callable[[Orbit], bool],
+    is_inside: Callable[[Gait], bool],
 ) -> Border:
     """The border where a line through a place meets it.
 
@@ -156,7 +154,7 @@ def across(
     reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
     while reach <= WIDEST:
         low, high = (gaits.follow(near, at + sign * reach * direction) for sign in (-1.0, 1.0))
-        if is_inside(low.orbit) and not is_inside(high.orbit):
+        if is_inside(low.gait) and not is_inside(high.gait):
             return between(gaits, low, high, is_inside)
         reach *= 4.0
     raise RunError("the border between two words is not met")

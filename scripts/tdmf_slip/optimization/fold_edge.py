@@ -84,7 +84,7 @@ def best_on_edge(
             here,
             here.at - radius,
             here.at + radius,
-            lambda gait: piece.has(gait.orbit),
+            lambda gait: piece.has(gait.gait),
         )
         assert isinstance(ended.best, OnBorder)
         found = ended.best.border.short
@@ -151,7 +151,7 @@ class _Chart:
         plane = self.basis + np.outer(self.normal, bend)
         return OnBorder(
             at=u,
-            orbit=gait.orbit,
+            gait=gait.gait,
             apex_slopes=gait.apex_slopes @ plane,
             values=gait.values,
             slopes=gait.slopes @ plane,

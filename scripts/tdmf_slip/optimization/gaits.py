@@ -1,4 +1,4 @@
-"""Gaits over several parameters, with the gradients of their quantities through the orbit.
+"""Gaits over several parameters, with the gradients of their quantities through the gait.
 
 The gradients are exact, by `library.varied_gait`. The library has no second derivatives: how the Jacobian,
 and so the eigenvalues, change along the gaits is told by central differences of exact Jacobians, of strides
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..library.varied_gait import varied_gait
@@ -52,7 +52,7 @@ class Candidate(ByContents):
 
     at: NDArray[np.float64]
     """The parameters, inside the bounds from 0 to 1, shape (d,)."""
-    orbit: Orbit
+    gait: Gait
     """The gait."""
     apex_slopes: NDArray[np.float64]
     """Changes of the apex by the parameters, shape (n, d)."""
@@ -66,7 +66,7 @@ class Candidate(ByContents):
     @property
     def piece(self) -> tuple[object, ...]:
         """The word and the events of the stride: all is smooth while they stay."""
-        return self.orbit.sequence
+        return self.gait.sequence
 
 
 class Gaits:
@@ -87,7 +87,7 @@ class Gaits:
         self.runner, self.space, self.names, self.with_spectrum = runner, space, tuple(names), spectrum
         self.radius = np.inf if radius is None else radius
 
-    def candidate(self, orbit: Orbit, at: NDArray[np.float64]) -> Candidate:
+    def candidate(self, gait: Gait, at: NDArray[np.float64]) -> Candidate:
         """A gait with its gradients.
 
         Raises
@@ -95,26 +95,26 @@ class Gaits:
         RunError
             It has none, as at a fold and on the edge of an event.
         """
-        varied = varied_gait(orbit.runner, orbit.apex, self.names, list(self.space.bounds))
+        varied = varied_gait(gait.runner, gait.apex, self.names, list(self.space.bounds))
         apex_slopes = varied.apex_by_parameters * self.space.width
         spectrum = Spectrum.none(len(at))
         if self.with_spectrum:
-            spectrum = self._spectrum(orbit, at, apex_slopes)
+            spectrum = self._spectrum(gait, at, apex_slopes)
         slopes = varied.by_parameters * self.space.width
-        return Candidate(at, orbit, apex_slopes, varied.quantities, slopes, spectrum)
+        return Candidate(at, gait, apex_slopes, varied.quantities, slopes, spectrum)
 
-    def _spectrum(self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
+    def _spectrum(self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
         """Of a gait; without slopes where it has none, unless a limit is near and they matter."""
         try:
-            return spectrum_of(orbit.jacobian, self._jacobian_changes(orbit, at, apex_slopes))
+            return spectrum_of(gait.jacobian, self._jacobian_changes(gait, at, apex_slopes))
         except RunError:
-            spectrum = spectrum_of(orbit.jacobian, [np.zeros_like(orbit.jacobian)] * len(at), simple=False)
+            spectrum = spectrum_of(gait.jacobian, [np.zeros_like(gait.jacobian)] * len(at), simple=False)
             if spectrum.sizes[0] > self.radius - ROOM or spectrum.fold < OFF_FOLDS:
                 raise
             return spectrum
 
     def _jacobian_changes(
-        self, orbit: Orbit, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
+        self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
     ) -> list[NDArray[np.float64]]:
         """Of the map's Jacobian along the gaits, by each parameter.
 
@@ -123,11 +123,11 @@ class Gaits:
         """
 
         def along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-            def stride(step: float) -> Orbit:
+            def stride(step: float) -> Gait:
                 runner = self.space.runner_at(self.runner, at + step * direction)
-                return strides_from(runner, orbit.apex + step * (apex_slopes @ direction))
+                return strides_from(runner, gait.apex + step * (apex_slopes @ direction))
 
-            return _jacobian_change(orbit, stride)
+            return _jacobian_change(gait, stride)
 
         axes, changes, left = np.eye(len(at)), {}, []
         for k, axis in enumerate(axes):
@@ -160,7 +160,7 @@ class Gaits:
                 continue
         raise RunError(ON_EDGE)
 
-    def orbit_from(self, near: Candidate, at: NDArray[np.float64]) -> Orbit:
+    def gait_from(self, near: Candidate, at: NDArray[np.float64]) -> Gait:
         """The gait at a place, from one that is known, on the same branch.
 
         The way is gone in shorter steps where a gait is not near where the tangent predicts it, or where the
@@ -171,14 +171,14 @@ class Gaits:
         RunError
             The branch does not lead so far: it folds, the runner falls, or a value is refused.
         """
-        begin, orbit, slopes = near.at, near.orbit, near.apex_slopes
+        begin, gait, slopes = near.at, near.gait, near.apex_slopes
         done, step = 0.0, 1.0
         while True:
             to = min(1.0, done + step)
             there = at if to == 1.0 else begin + to * (at - begin)
-            guess = orbit.apex + slopes @ (there - (begin + done * (at - begin)))
+            guess = gait.apex + slopes @ (there - (begin + done * (at - begin)))
             try:
-                found = self._checked(there, guess, orbit)
+                found = self._checked(there, guess, gait)
                 if to == 1.0:
                     return found
                 slopes = self.candidate(found, there).apex_slopes
@@ -187,10 +187,10 @@ class Gaits:
                 if step < SHORTEST_SHARE:
                     raise RunError(str(problem)) from None
                 continue
-            orbit, done, step = found, to, 2.0 * step
+            gait, done, step = found, to, 2.0 * step
 
-    def _checked(self, at: NDArray[np.float64], guess: NDArray[np.float64], before: Orbit) -> Orbit:
-        found = orbit_near(self.space.runner_at(self.runner, at), guess)
+    def _checked(self, at: NDArray[np.float64], guess: NDArray[np.float64], before: Gait) -> Gait:
+        found = gait_near(self.space.runner_at(self.runner, at), guess)
         if found.stride["length"] <= 0.0:
             raise RunError("the gait there does not run forward")
         scales = found.runner.scales
@@ -205,17 +205,17 @@ class Gaits:
         Raises
         ------
         RunError
-            See `orbit_from` and `candidate`.
+            See `gait_from` and `candidate`.
         """
-        return self.candidate(self.orbit_from(near, at), at)
+        return self.candidate(self.gait_from(near, at), at)
 
 
-def _side(orbit: Orbit) -> bool:
+def _side(gait: Gait) -> bool:
     """Of a fold: the sign of det(I - J)."""
-    return bool(np.linalg.det(np.eye(len(orbit.jacobian)) - orbit.jacobian) > 0.0)
+    return bool(np.linalg.det(np.eye(len(gait.jacobian)) - gait.jacobian) > 0.0)
 
 
-def _jacobian_change(orbit: Orbit, stride: Callable[[float], Orbit]) -> NDArray[np.float64]:
+def _jacobian_change(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
     """By strides on both sides of a gait, or on one, where on the other is another piece or nothing.
 
     Raises
@@ -225,11 +225,11 @@ def _jacobian_change(orbit: Orbit, stride: Callable[[float], Orbit]) -> NDArray[
     """
     for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
-            orbits = [stride(length * steps) if steps else orbit for steps in weights]
+            gaits = [stride(length * steps) if steps else gait for steps in weights]
         except (InputError, RunError):
             continue
-        if len({other.sequence for other in orbits}) == 1 and orbits[0].word == orbit.word:
-            terms = [w / length * other.jacobian for w, other in zip(weights.values(), orbits, strict=True)]
+        if len({other.sequence for other in gaits}) == 1 and gaits[0].word == gait.word:
+            terms = [w / length * other.jacobian for w, other in zip(weights.values(), gaits, strict=True)]
             change: NDArray[np.float64] = np.sum(terms, axis=0)
             return change
     raise RunError(ON_EDGE)

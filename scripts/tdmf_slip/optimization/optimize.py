@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ..analysis.search import find_orbit, runner_by
+from ..analysis.search import periodic_gait, runner_by
 from ..checks import checked_whole
 from ..library.runner import Runner
 from ..terminal import progress
@@ -31,7 +31,7 @@ def optimize(
 ) -> Optimum:
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
 
-    By sequential quadratic programming (SLSQP), with gradients that are exact through the orbit. These change
+    By sequential quadratic programming (SLSQP), with gradients that are exact through the gait. These change
     smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
     piece. Where an iterate is on another, the border between the two is located. If the objective gets better
     away from the border on one side, the search goes on there; if on neither, the best place on the border is
@@ -64,7 +64,7 @@ def optimize(
         How many searches are made at the most; the best counts. With one, only the runner's own gait is begun
         with.
     model : str, optional
-        `full` or `reduced`, as in `find_orbit`.
+        `full` or `reduced`, as in `find_gait`.
     show_progress : bool, default False
         A bar on stderr.
     unit : Unit, optional
@@ -79,7 +79,7 @@ def optimize(
     ------
     InputError
         An unknown quantity, bounds that are none, a parameter that does not act, or a value that is refused.
-    OrderNotMetError
+    TargetNotMetError
         No gait within the bounds has what is prescribed, or is stable: `nearest` is the nearest that was
         found.
     RunError
@@ -99,7 +99,7 @@ def optimize(
     prescribed = checked_values(at, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MOST_STARTS)
-    before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
+    before = periodic_gait(runner_by(Runner.of(runner, unit), model), unit=unit)
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)
     with progress.bar("optimize", count, "starts", show_progress) as bar:

@@ -8,11 +8,11 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.ordered import OrderNotMetError
 from ..analysis.settled import evenly
+from ..analysis.targeted import TargetNotMetError
 from ..contents import ByContents
 from ..errors import RunError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..terminal.progress import Bar
 from .gaits import Candidate, Gaits
 from .optimum import FOLD, STABILITY, Optimum, told
@@ -51,13 +51,13 @@ class Best(ByContents):
     @property
     def start(self) -> Start:
         """As a start for other searches."""
-        return Start(self.found.gait.at, self.found.gait.orbit)
+        return Start(self.found.gait.at, self.found.gait.gait)
 
 
 class Optimizer:
     """Optima of one runner over some parameters."""
 
-    def __init__(self, before: Orbit, space: Space, starts: int) -> None:
+    def __init__(self, before: Gait, space: Space, starts: int) -> None:
         """The gait of the runner as it is given; where the searches begin, and how many.
 
         Raises
@@ -98,11 +98,11 @@ class Optimizer:
 
     def scales(self, goal: Goal) -> dict[str, float]:
         """Of a goal's quantities: their sizes at the first start, or what is prescribed."""
-        orbit = self.first.orbit
-        length, _, _, _, speed, rate = _natural(orbit)
+        gait = self.first.gait
+        length, _, _, _, speed, rate = _natural(gait)
         natural = {"speed": speed, "frequency": rate, "stance_time": 1.0 / rate}
         natural |= {"length": length, "slip_distance": length}
-        values = told(orbit)
+        values = told(gait)
         return {
             name: max(abs(goal.at.get(name, values[name])), NATURAL * natural.get(name, 1.0))
             for name in goal.names
@@ -110,14 +110,14 @@ class Optimizer:
 
     def candidate(self, goal: Goal) -> Candidate:
         """The first start, with its gradients."""
-        return self._gaits(goal).candidate(self.first.orbit, self.first.at)
+        return self._gaits(goal).candidate(self.first.gait, self.first.at)
 
     def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> "Best":
         """Of all searches, the best gait that meets the constraints.
 
         Raises
         ------
-        OrderNotMetError
+        TargetNotMetError
             None does.
         RunError
             No search could begin.
@@ -141,11 +141,11 @@ class Optimizer:
 
     def _searched(self, problem: Problem, start: Start) -> Found:
         """From one start; where it is far from meeting the constraints, first to where they are met."""
-        if problem.violation(self._gaits(problem.goal).candidate(start.orbit, start.at)) > ROUGHLY:
+        if problem.violation(self._gaits(problem.goal).candidate(start.gait, start.at)) > ROUGHLY:
             nearest = self._off_folds(Feasibility(problem.goal, problem.scales), start)
             if problem.violation(nearest.gait) > NEARLY:
                 return nearest
-            start = Start(nearest.gait.at, nearest.gait.orbit)
+            start = Start(nearest.gait.at, nearest.gait.gait)
         return self._off_folds(problem, start)
 
     def _off_folds(self, problem: Problem, start: Start) -> Found:
@@ -154,31 +154,31 @@ class Optimizer:
         if not found.why or problem.goal.fold:
             return found
         kept_off = type(problem)(replace(problem.goal, fold=True), problem.scales)
-        return self._search(kept_off, Start(found.gait.at, found.gait.orbit))
+        return self._search(kept_off, Start(found.gait.at, found.gait.gait))
 
     def _search(self, problem: Problem, start: Start) -> Found:
         gaits = self._gaits(problem.goal)
-        return Search(gaits, problem).run(gaits.candidate(start.orbit, start.at))
+        return Search(gaits, problem).run(gaits.candidate(start.gait, start.at))
 
     def _gaits(self, goal: Goal) -> Gaits:
         return Gaits(self.before.runner, self.space, goal.names, goal.with_spectrum, goal.radius)
 
-    def _not_met(self, goal: Goal, found: Found) -> OrderNotMetError:
+    def _not_met(self, goal: Goal, found: Found) -> TargetNotMetError:
         wanted = [f"{name} {value:.6g}" for name, value in goal.at.items()]
         wanted += [
             f"{name} of {limit:.6g} at the {'most' if sign > 0.0 else 'least'}"
             for name, (sign, limit) in goal.at_most.items()
         ]
         wanted += [f"a spectral radius of {goal.radius:g} at the most"] if goal.radius is not None else []
-        values = told(found.gait.orbit)
+        values = told(found.gait.gait)
         end = f"; the search ended there: {found.why}" if found.why else ""
         names = [*goal.at, *goal.at_most, *(["lambda_max"] if goal.radius is not None else [])]
         has = ", ".join(f"{name} {values[name]:.6g}" for name in names)
         at = ", ".join(f"{name} = {value:.6g}" for name, value in self.space.values(found.gait.at).items())
-        return OrderNotMetError(
+        return TargetNotMetError(
             f"no gait with {' and '.join(wanted)} was found within the bounds: the nearest has {has}, "
             f"at {at}{end}",
-            found.gait.orbit,
+            found.gait.gait,
             (),
         )
 
@@ -193,8 +193,8 @@ class Optimizer:
         return Optimum(
             objective=goal.objective,
             is_least=goal.sign > 0.0,
-            parameters={name: found.gait.orbit.runner.values[name] for name in self.space.bounds},
-            gait=found.gait.orbit,
+            parameters={name: found.gait.gait.runner.values[name] for name in self.space.bounds},
+            gait=found.gait.gait,
             before=self.before,
             active_bounds=self.space.active(found.gait.at),
             limits=tuple(limits),
@@ -209,31 +209,31 @@ def _basins(found: Sequence[Found]) -> int:
     """How many different optima there are among gaits that searches ended at."""
     different: list[Candidate] = []
     for gait in (one.gait for one in found if not one.why):
-        scales = gait.orbit.runner.scales
+        scales = gait.gait.runner.scales
         if not any(
             np.linalg.norm(gait.at - other.at) < APART
-            and np.linalg.norm((gait.orbit.apex - other.orbit.apex) / scales) < APART
+            and np.linalg.norm((gait.gait.apex - other.gait.apex) / scales) < APART
             for other in different
         ):
             different.append(gait)
     return len(different)
 
 
-def _natural(orbit: Orbit) -> NDArray[np.float64]:
+def _natural(gait: Gait) -> NDArray[np.float64]:
     """Scales of the six coordinates, whatever the runner's model."""
-    return replace(orbit.runner, reduced=False).scales
+    return replace(gait.runner, reduced=False).scales
 
 
 def _reached(gaits: Gaits, begin: Start, place: NDArray[np.float64], tries: int) -> Start | None:
     """The gait at a place or, where the branch does not lead so far, on the way there."""
     try:
-        first = gaits.candidate(begin.orbit, begin.at)
+        first = gaits.candidate(begin.gait, begin.at)
     except RunError:
         return None
     for number in range(tries):
         at = begin.at + 0.5**number * (place - begin.at)
         try:
-            return Start(at, gaits.orbit_from(first, at))
+            return Start(at, gaits.gait_from(first, at))
         except RunError:
             continue
     return None

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..contents import ByContents
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.quantities import known_quantities, quantities_of
 from ..library.scales import scale_of
 
@@ -24,12 +24,12 @@ NONE = 1e-9
 """Over the runner's scale: as little counts as zero."""
 
 
-def told(orbit: Orbit) -> dict[str, float]:
+def told(gait: Gait) -> dict[str, float]:
     """What an optimum is told by: quantities of the stride, and the spectral radius.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
 
     Returns
@@ -37,7 +37,7 @@ def told(orbit: Orbit) -> dict[str, float]:
     dict of str to float
         In SI units, `lambda_max` last.
     """
-    return quantities_of(orbit, known_quantities(orbit.runner)) | {"lambda_max": orbit.lambda_max}
+    return quantities_of(gait, known_quantities(gait.runner)) | {"lambda_max": gait.lambda_max}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,9 +50,9 @@ class Optimum(ByContents):
     """Which of them."""
     parameters: Mapping[str, float]
     """What was varied, by name, in the unit's units."""
-    gait: Orbit
+    gait: Gait
     """The gait; its runner has these parameters."""
-    before: Orbit
+    before: Gait
     """The gait of the runner that was given."""
     active_bounds: Mapping[str, str]
     """By name of the parameters that are at a bound: `lower` or `upper`."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..analysis.ordered import OrderNotMetError
-from ..analysis.search import find_orbit, runner_by
+from ..analysis.search import periodic_gait, runner_by
+from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
 from ..contents import ByContents
 from ..errors import InputError
@@ -89,7 +89,7 @@ def pareto_front(
     ------
     InputError
         Not two quantities, and as in `optimize`.
-    OrderNotMetError
+    TargetNotMetError
         As in `optimize`.
     RunError
         As in `optimize`.
@@ -111,7 +111,7 @@ def pareto_front(
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MOST_POINTS)
-    before = find_orbit(runner_by(Runner.of(runner, unit), model), unit=unit)
+    before = periodic_gait(runner_by(Runner.of(runner, unit), model), unit=unit)
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)
@@ -127,13 +127,13 @@ def _between(
 ) -> Iterator[Optimum]:
     """With limits on the second quantity, each from the one before and from the last."""
     first, second = goals
-    low, high = (told(start.orbit)[second.objective] for start in (begin, end))
+    low, high = (told(start.gait)[second.objective] for start in (begin, end))
     for limit in np.linspace(low, high, count)[1:-1]:
         at_most = {second.objective: (second.sign, float(limit))}
         goal = Goal(first.objective, first.sign, first.at, at_most, first.radius)
         try:
             found = optimizer.best(goal, bar, (begin, end))
-        except OrderNotMetError:
+        except TargetNotMetError:
             continue
         begin = found.start
         yield optimizer.optimum(goal, found)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 
 
 @dataclass
@@ -10,17 +10,17 @@ class Piece:
     """Sequences of events between which nothing has a kink."""
 
     sequences: set[tuple[object, ...]] = field(default_factory=set)
-    """Of the strides, see `Orbit.sequence`."""
+    """Of the strides, see `Gait.sequence`."""
 
     @classmethod
-    def of(cls, orbit: Orbit) -> "Piece":
+    def of(cls, gait: Gait) -> "Piece":
         """That of a gait, as far as is known from it alone."""
-        return cls({orbit.sequence})
+        return cls({gait.sequence})
 
-    def has(self, orbit: Orbit) -> bool:
+    def has(self, gait: Gait) -> bool:
         """Whether a gait is on it."""
-        return orbit.sequence in self.sequences
+        return gait.sequence in self.sequences
 
-    def grow(self, orbit: Orbit) -> None:
+    def grow(self, gait: Gait) -> None:
         """Take in a gait beyond a border at which nothing has a kink."""
-        self.sequences.add(orbit.sequence)
+        self.sequences.add(gait.sequence)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..analysis.ordered import LEAST, MOST, NO_ACTION, TRAVEL
+from ..analysis.targeted import LEAST, MOST, NO_ACTION, TRAVEL
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import mapping_of, row_of

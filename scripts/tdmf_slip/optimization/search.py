@@ -61,7 +61,7 @@ class Found(ByContents):
 
 def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
     """Whether between two gaits a foot just touches the ground once more within a stride."""
-    return gait.orbit.stride["touchdowns"] != beyond.orbit.stride["touchdowns"]
+    return gait.gait.stride["touchdowns"] != beyond.gait.stride["touchdowns"]
 
 
 class Search:
@@ -73,7 +73,7 @@ class Search:
 
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
-        best, piece, radius, largest, why = begin, Piece.of(begin.orbit), RADIUS, 1.0, ""
+        best, piece, radius, largest, why = begin, Piece.of(begin.gait), RADIUS, 1.0, ""
         edges, touches = 0, False
         merits: list[float] = []
         for _ in range(ROUNDS):
@@ -86,20 +86,20 @@ class Search:
             if ended.beyond is None:
                 fall = self.problem.steepest(best)
                 if fall <= STATIONARY and not ended.lost:
-                    return Found(best, {best.orbit.word: fall})
+                    return Found(best, {best.gait.word: fall})
                 if ended.lost and not self.problem.goal.fold:
-                    return Found(best, {best.orbit.word: fall}, why=ended.lost)
+                    return Found(best, {best.gait.word: fall}, why=ended.lost)
                 if self.problem.goal.fold and edges < EDGES and is_near(best):
                     edges += 1
                     best = best_on_edge(self.gaits, self.problem, best, piece, STATIONARY)
                     fall = self.problem.steepest(best)
                     if fall <= STATIONARY:
-                        return Found(best, {best.orbit.word: fall})
+                        return Found(best, {best.gait.word: fall})
                 grows = not ended.lost and progress > PROGRESS
                 largest = 0.5 * radius if ended.lost else 1.5 * largest
                 radius = min(1.0, largest, 2.0 * radius) if grows else 0.25 * radius
                 if not ended.lost and not grows and self.problem.violation(best) > ROUGHLY:
-                    return Found(best, {best.orbit.word: fall}, why="the constraints cannot be met from here")
+                    return Found(best, {best.gait.word: fall}, why="the constraints cannot be met from here")
                 why = ended.lost or "the search does not converge"
             else:
                 try:
@@ -114,13 +114,13 @@ class Search:
                 why = why or "words change too often"
             if radius < SMALLEST:
                 break
-        falls = {best.orbit.word: self.problem.steepest(best)}
+        falls = {best.gait.word: self.problem.steepest(best)}
         return Found(best, falls, why=TOUCHES if touches else why)
 
     def _in_box(self, best: Candidate, radius: float, piece: Piece) -> Ended:
         low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
         follow = self.gaits.follow
-        return minimize(self.problem, follow, best, low, high, lambda gait: piece.has(gait.orbit))
+        return minimize(self.problem, follow, best, low, high, lambda gait: piece.has(gait.gait))
 
     def _at_border(
         self, best: Candidate, beyond: Candidate, piece: Piece
@@ -132,7 +132,7 @@ class Search:
         merit = self.problem.merit
         border = between(self.gaits, best, beyond, piece.has)
         if border.is_smooth:
-            piece.grow(border.beyond.orbit)
+            piece.grow(border.beyond.gait)
             return min((best, border.short), key=merit), piece, False
         if min(merit(side.gait) for side in border.sides) > merit(best) + MET:
             return best, piece, True
@@ -143,7 +143,7 @@ class Search:
             if better is None:
                 return self._found(border)
         if better is border.beyond:
-            return better, Piece.of(better.orbit), False
+            return better, Piece.of(better.gait), False
         return min((best, better), key=merit), piece, True
 
     def _open_sides(self, border: Border) -> list[Side]:
@@ -162,6 +162,6 @@ class Search:
 
     def _found(self, border: Border) -> Found:
         sides = self._open_sides(border)
-        falls = {side.gait.orbit.word: self.problem.steepest(side.gait, side.away) for side in sides}
+        falls = {side.gait.gait.word: self.problem.steepest(side.gait, side.away) for side in sides}
         why = "" if max(falls.values()) <= STATIONARY else "the search along a border does not converge"
         return Found(min((side.gait for side in sides), key=self.problem.merit), falls, border, why)

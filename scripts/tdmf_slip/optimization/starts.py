@@ -10,7 +10,7 @@ from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.varied_stride import plain_stride
 from .problem import Problem
 from .space import Space
@@ -28,7 +28,7 @@ class Start(ByContents):
 
     at: NDArray[np.float64]
     """Where it is, inside the bounds from 0 to 1."""
-    orbit: Orbit
+    gait: Gait
     """The gait."""
 
 
@@ -37,11 +37,11 @@ class Spread:
 
     def __init__(self, first: Start, space: Space) -> None:
         """From a gait that is known, over the space."""
-        self.space, self.runner = space, first.orbit.runner
+        self.space, self.runner = space, first.gait.runner
         places = evenly(RUNNERS, len(space.bounds))
         values = space.low + places * space.width
         varied = {name: np.ascontiguousarray(row) for name, row in zip(space.bounds, values.T, strict=True)}
-        found = settled_gaits(self.runner, varied, first.orbit.apex)
+        found = settled_gaits(self.runner, varied, first.gait.apex)
         self.places, self.apexes = places[found.numbers], found.apexes
 
     def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
@@ -66,6 +66,6 @@ class Spread:
             known.append(number)
         for k in linked(self.places[known], np.array(merits)):
             try:
-                yield Start(self.places[known[k]], orbit_near(runners[known[k]], self.apexes[known[k]]))
+                yield Start(self.places[known[k]], gait_near(runners[known[k]], self.apexes[known[k]]))
             except RunError:
                 continue

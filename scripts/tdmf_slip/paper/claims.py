@@ -13,7 +13,7 @@ import numpy as np
 from ..analysis.sweep import Sweep, sweep
 from ..contents import ByContents
 from ..library import classic_slip
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 
 WORDS: Mapping[float, str] = {10.0: "0+", 1.2: "+0+", 0.6: "+0-0+", 0.43: "+0-", 0.2: "+-"}
@@ -105,20 +105,20 @@ def claims(evidence: Evidence) -> list[Claim]:
     list of Claim
         In the order of the paper.
     """
-    orbits = evidence.sweep.orbits
+    gaits = evidence.sweep.gaits
     return [
-        *_stability(orbits),
-        *_speed(orbits),
-        *_cost(orbits),
+        *_stability(gaits),
+        *_speed(gaits),
+        *_cost(gaits),
         _words(evidence.sweep),
         *_slip(evidence),
     ]
 
 
-def _stability(orbits: Sequence[Orbit]) -> list[Claim]:
-    values = [orbit.lambda_max for orbit in orbits]
-    lowest = min(orbit.friction for orbit in orbits)
-    small = max(int(np.sum(np.abs(orbit.eigenvalues) < 1e-2)) for orbit in orbits)
+def _stability(gaits: Sequence[Gait]) -> list[Claim]:
+    values = [gait.lambda_max for gait in gaits]
+    lowest = min(gait.friction for gait in gaits)
+    small = max(int(np.sum(np.abs(gait.eigenvalues) < 1e-2)) for gait in gaits)
     falls = sum(after < before - ROUNDING for before, after in pairwise(values))
     return [
         Claim(
@@ -135,24 +135,24 @@ def _stability(orbits: Sequence[Orbit]) -> list[Claim]:
         Claim(
             "tiny eigenvalues of the return map, x included",
             "4 of 7, 1e-3 to 1e-5",
-            f"{small} of 6 below 1e-2 without x, {_zeros(orbits[0])} of them 0",
+            f"{small} of 6 below 1e-2 without x, {_zeros(gaits[0])} of them 0",
             small == 4,
         ),
     ]
 
 
-def _zeros(orbit: Orbit) -> int:
-    return int(np.sum(np.abs(orbit.eigenvalues) < 1e-9))
+def _zeros(gait: Gait) -> int:
+    return int(np.sum(np.abs(gait.eigenvalues) < 1e-9))
 
 
-def _per_cent(orbits: Sequence[Orbit], name: str) -> list[float]:
-    return [100.0 * (orbit.stride[name] / orbits[0].stride[name] - 1.0) for orbit in orbits]
+def _per_cent(gaits: Sequence[Gait], name: str) -> list[float]:
+    return [100.0 * (gait.stride[name] / gaits[0].stride[name] - 1.0) for gait in gaits]
 
 
-def _speed(orbits: Sequence[Orbit]) -> list[Claim]:
-    changes = _per_cent(orbits, "speed")
+def _speed(gaits: Sequence[Gait]) -> list[Claim]:
+    changes = _per_cent(gaits, "speed")
     best = int(np.argmax(changes))
-    fastest = orbits[best].friction
+    fastest = gaits[best].friction
     return [
         Claim(
             "speed over mu = 10, largest",
@@ -163,17 +163,17 @@ def _speed(orbits: Sequence[Orbit]) -> list[Claim]:
         Claim(
             "speed below mu ≈ 0.5",
             "drops, sharply below 0.2",
-            f"{changes[-1]:+.1f} % at mu = {orbits[-1].friction:g}",
+            f"{changes[-1]:+.1f} % at mu = {gaits[-1].friction:g}",
             all(after < before for before, after in pairwise(changes[best:])),
         ),
     ]
 
 
-def _cost(orbits: Sequence[Orbit]) -> list[Claim]:
-    changes = _per_cent(orbits, "cost_of_transport")
+def _cost(gaits: Sequence[Gait]) -> list[Claim]:
+    changes = _per_cent(gaits, "cost_of_transport")
     best = int(np.argmin(changes))
-    cheapest = orbits[best].friction
-    slipping = [change for change, orbit in zip(changes, orbits, strict=True) if orbit.word != "0+"]
+    cheapest = gaits[best].friction
+    slipping = [change for change, gait in zip(changes, gaits, strict=True) if gait.word != "0+"]
     return [
         Claim(
             "cost of transport over mu = 10, least",
@@ -190,14 +190,14 @@ def _cost(orbits: Sequence[Orbit]) -> list[Claim]:
         Claim(
             "cost of transport below mu ≈ 0.5",
             "rises again",
-            f"{changes[-1]:+.1f} % at mu = {orbits[-1].friction:g}",
+            f"{changes[-1]:+.1f} % at mu = {gaits[-1].friction:g}",
             all(after > before for before, after in pairwise(changes[best:])),
         ),
     ]
 
 
 def _words(found: Sweep) -> Claim:
-    words = [found.orbits[0].word, *(border.after for border in found.borders)]
+    words = [found.gaits[0].word, *(border.after for border in found.borders)]
     return Claim(
         "gait words from mu = 10 down",
         ", ".join(WORDS.values()),
@@ -237,7 +237,7 @@ def recorded(evidence: Evidence) -> list[tuple[str, float, float, float]]:
         (f"border {before} to {after}", borders.get((before, after), math.nan), value, 5e-5)
         for (before, after), value in RECORDED_BORDERS.items()
     ]
-    by_friction = {orbit.friction: orbit for orbit in evidence.sweep.orbits}
+    by_friction = {gait.friction: gait for gait in evidence.sweep.gaits}
     return [
         *rows,
         ("lambda_max at mu = 10", by_friction[SWEPT[0]].lambda_max, 0.811488219, 1e-8),

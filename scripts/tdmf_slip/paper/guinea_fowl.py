@@ -13,11 +13,11 @@ from importlib import resources
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.ordered import find_gait
 from ..analysis.patch import Meetings, contact_angle_of, meet_patch
+from ..analysis.targeted import find_gait
 from ..contents import ByContents
 from ..errors import RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..unit.unit import FRICTION
 from .claims import Claim
@@ -47,7 +47,7 @@ def published() -> Mapping[str, Mapping[str, float]]:
 class Map(ByContents):
     """Falls over speed and contact angle."""
 
-    gaits: tuple[Orbit, ...]
+    gaits: tuple[Gait, ...]
     """On ground of high friction, by rising speed."""
     meetings: Mapping[float, Meetings]
     """By the friction of the patch; the high one among them."""
@@ -113,7 +113,7 @@ def runner_of(leg_length: float | None = None) -> Runner:
     return replace(Runner.of(values), reduced=True)
 
 
-def gaits(leg_length: float | None = None) -> tuple[Orbit, ...]:
+def gaits(leg_length: float | None = None) -> tuple[Gait, ...]:
     """Gaits over the published speeds, as far as there are any, each from its neighbour.
 
     Parameters
@@ -123,13 +123,13 @@ def gaits(leg_length: float | None = None) -> tuple[Orbit, ...]:
 
     Returns
     -------
-    tuple of Orbit
+    tuple of Gait
         By rising speed; the hip's torque is that which makes it.
     """
     its = published()["runner"]
     runner = runner_of(leg_length)
     length, begin = runner.values["leg.free_length"], its["start_speed"]
-    first = orbit_near(runner, [its["start_height"] * length, begin])
+    first = gait_near(runner, [its["start_height"] * length, begin])
     low, high = published()["published"]["slowest"], published()["published"]["fastest"]
     count = round((high - low) / STEP)
     speeds = [low + STEP * k for k in range(count + 1)]
@@ -138,13 +138,13 @@ def gaits(leg_length: float | None = None) -> tuple[Orbit, ...]:
     return (*reversed(down), *up)
 
 
-def _continued(gait: Orbit, speeds: Sequence[float]) -> list[Orbit]:
+def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
     """Gaits at speeds in turn, to the last that there is."""
-    found: list[Orbit] = []
+    found: list[Gait] = []
     for speed in speeds:
         runner = gait.runner.but("hip.retraction_rate", speed / gait.runner.values["leg.free_length"])
         try:
-            gait = find_gait(runner, {"speed": speed}, ["hip.stance_torque"], guess=gait.apex)
+            gait = find_gait(runner, target={"speed": speed}, vary=["hip.stance_torque"], guess=gait.apex)
         except RunError:
             break
         found.append(gait)

@@ -12,10 +12,10 @@ import numpy as np
 
 from ..analysis.comparison import compare
 from ..analysis.first_passage import strides_to_fall
-from ..analysis.ordered import find_gait
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
 from ..analysis.sweep import sweep
-from ..library.orbit import Orbit
+from ..analysis.targeted import find_gait
+from ..library.gait import Gait
 from ..library.rough_ground import RoughGround, correlated_weights
 from ..unit.parameters import read_parameters
 from ..unit.unit import FRICTION
@@ -54,17 +54,17 @@ class OwnClaim:
 
 
 @cache
-def _gait(friction: float) -> Orbit:
-    return find_orbit({FRICTION: friction})
+def _gait(friction: float) -> Gait:
+    return periodic_gait({FRICTION: friction})
 
 
 @cache
-def _matched(reference: float, other: float) -> Orbit:
+def _matched(reference: float, other: float) -> Gait:
     """The runner on the other friction, as its control."""
     return compare([_gait(reference), _gait(other)], hold=HOLD, vary=VARY).gaits[1]
 
 
-def _strides(gait: Orbit, seed: int, correlation: float = 0.0) -> float:
+def _strides(gait: Gait, seed: int, correlation: float = 0.0) -> float:
     ground = RoughGround(ROUGHNESS, seed, correlated_weights(correlation))
     found = strides_to_fall(gait.runner, ground, RUNNERS, most_strides=MOST_STRIDES, gait=gait, workers=1)
     return found.mean_strides
@@ -100,15 +100,15 @@ def _least(quantity: str) -> float:
 
 def _human(friction: float, quantity: str) -> float:
     values: Mapping[str, Given] = read_parameters("human")
-    return find_orbit({**values, FRICTION: friction}).stride[quantity]
+    return periodic_gait({**values, FRICTION: friction}).stride[quantity]
 
 
 @cache
-def _at_speed(thrust: bool) -> Orbit:
+def _at_speed(thrust: bool) -> Gait:
     """At friction 0.2 and speed 1.1, by torque alone, or by thrust added to the default torque."""
     if thrust:
-        return find_gait({FRICTION: SLIPS, "leg.thrust": 0.1}, {"speed": 1.1}, ["leg.thrust"])
-    return find_gait({FRICTION: SLIPS}, {"speed": 1.1}, [TORQUE])
+        return find_gait({FRICTION: SLIPS, "leg.thrust": 0.1}, target={"speed": 1.1}, vary=["leg.thrust"])
+    return find_gait({FRICTION: SLIPS}, target={"speed": 1.1}, vary=[TORQUE])
 
 
 def _thrust(quantity: str) -> Callable[[int], float]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..library.orbit import TOLD
+from ..library.gait import TOLD
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..unit.unit import Unit

@@ -10,7 +10,7 @@ from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import RunError
 from ..given import mapping_of
-from ..library.orbit import TOLD
+from ..library.gait import TOLD
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal import progress
@@ -76,7 +76,7 @@ def settle_unit(
     that of the twenty before within 1000 `relative_tolerance`, each coordinate over its scale, and no stride
     is farther from the mean than 20 times that, as in a gait that repeats after two strides only.
 
-    The gaits of the library, by `find_orbit`, are found faster and to rounding, unstable ones too: this is
+    The gaits of the library, by `find_gait`, are found faster and to rounding, unstable ones too: this is
     how the unit is held against them.
 
     Parameters

@@ -12,7 +12,7 @@ from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from ..analysis.borders import Border
 from ..analysis.sweep import Sweep
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.told import Told
 from ..unit.unit import Unit
 from . import style
@@ -28,7 +28,7 @@ DECADES = 10.0
 def figure_of(
     name: str,
     values: Sequence[float],
-    orbits: Sequence[Orbit],
+    gaits: Sequence[Gait],
     borders: Sequence[Border],
     unit: Unit,
     told: Told | None = None,
@@ -41,7 +41,7 @@ def figure_of(
         Of the parameter or input.
     values : sequence of float
         Of it, in the order of the gaits.
-    orbits : sequence of Orbit
+    gaits : sequence of Gait
         The gaits.
     borders : sequence of Border
         Where the word changes.
@@ -59,9 +59,9 @@ def figure_of(
         figure, panels = plt.subplots(
             len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True, layout="constrained"
         )
-        _eigenvalues(panels[0], values, orbits)
+        _eigenvalues(panels[0], values, gaits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
-            _draw(axes, values, [orbit.stride[quantity] for orbit in orbits], orbits)
+            _draw(axes, values, [gait.stride[quantity] for gait in gaits], gaits)
             axes.set_ylabel(style.with_unit(label, unit.variables[f"stride.{quantity}"].unit))
         for axes in panels:
             for border in borders:
@@ -75,7 +75,7 @@ def figure_of(
             panels[-1].minorticks_off()
         panels[-1].set_xlabel(label)
         figure.draw_without_rendering()  # lays out the axes
-        _words(panels[0], values, orbits)
+        _words(panels[0], values, gaits)
     return figure
 
 
@@ -96,15 +96,15 @@ def draw(path: Path, found: Sweep, unit: Unit, told: Told | None = None) -> None
     style.save(figure_of(*drawn_of(found), unit, told), path)
 
 
-def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Orbit, ...], tuple[Border, ...]]:
+def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Gait, ...], tuple[Border, ...]]:
     """What `figure_of` draws of a sweep: name, values, gaits, borders."""
-    return found.name, [gait.runner.values[found.name] for gait in found.orbits], found.orbits, found.borders
+    return found.name, [gait.runner.values[found.name] for gait in found.gaits], found.gaits, found.borders
 
 
-def _eigenvalues(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None:
-    sizes = np.array([np.abs(orbit.eigenvalues[:3]) for orbit in orbits])
+def _eigenvalues(axes: Axes, values: Sequence[float], gaits: Sequence[Gait]) -> None:
+    sizes = np.array([np.abs(gait.eigenvalues[:3]) for gait in gaits])
     for column, colour in zip(sizes.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=True):
-        _draw(axes, values, column, orbits, colour)
+        _draw(axes, values, column, gaits, colour)
     axes.axhline(1.0, **style.LIMIT_LINE)
     axes.set_ylabel("eigenvalues, size")
 
@@ -113,24 +113,24 @@ def _draw(
     axes: Axes,
     values: Sequence[float],
     heights: Sequence[float],
-    orbits: Sequence[Orbit],
+    gaits: Sequence[Gait],
     colour: str = style.CURVE,
 ) -> None:
-    stable = np.array([orbit.stable for orbit in orbits])
+    stable = np.array([gait.stable for gait in gaits])
     axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
     axes.plot(
         values, np.where(stable, heights, np.nan), color=colour, marker="." if len(values) < 2 else None
     )
 
 
-def _words(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit]) -> None:
+def _words(axes: Axes, values: Sequence[float], gaits: Sequence[Gait]) -> None:
     """The gait word above each stretch of equal words that has room for it; none where a branch turns."""
     if len(set(np.sign(np.diff(values)))) > 1:
         return
-    starts = [0, *(i for i in range(1, len(orbits)) if orbits[i].word != orbits[i - 1].word), len(orbits)]
+    starts = [0, *(i for i in range(1, len(gaits)) if gaits[i].word != gaits[i - 1].word), len(gaits)]
     shown = axes.transData.transform([(value, 0.0) for value in values])[:, 0]
     for start, end in pairwise(starts):
-        word = style.word(orbits[start].word)
+        word = style.word(gaits[start].word)
         if abs(shown[end - 1] - shown[start]) > LETTER_WIDTH * len(word) or len(starts) == 2:
             middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
             top = ("data", "axes fraction")

@@ -19,7 +19,7 @@ from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOU
 from ..analysis.branch import Branch
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.section import COORDINATES
 from ..unit.told import Told
 from ..unit.unit import load
@@ -45,12 +45,12 @@ BESIDE, ASLANT = 6.0, 0.35
 """How far from its line a word is, in points; and from which slope on it is at the side of it."""
 
 
-def values_of(orbit: Orbit, quantity: str) -> list[float]:
+def values_of(gait: Gait, quantity: str) -> list[float]:
     """A quantity of a gait: for each of its apexes, or one for all of its strides.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         The gait.
     quantity : str
         Coordinate of the apex, quantity of a stride, or `lambda_max`.
@@ -65,10 +65,10 @@ def values_of(orbit: Orbit, quantity: str) -> list[float]:
     InputError
         There is no such quantity.
     """
-    coordinates = orbit.runner.coordinates
+    coordinates = gait.runner.coordinates
     if is_one_of(quantity, coordinates):
-        return [float(apex[coordinates.index(quantity)]) for apex in (orbit.apex, *orbit.following)]
-    numbers = {**orbit.stride, "lambda_max": orbit.lambda_max, "liftoff_angle": orbit.liftoff_angle}
+        return [float(apex[coordinates.index(quantity)]) for apex in (gait.apex, *gait.following)]
+    numbers = {**gait.stride, "lambda_max": gait.lambda_max, "liftoff_angle": gait.liftoff_angle}
     if not is_one_of(quantity, numbers):
         known = (*coordinates, *numbers)
         raise InputError(
@@ -100,7 +100,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
     InputError
         There is no such quantity.
     """
-    values_of(branch.orbits[0], quantity)
+    values_of(branch.gaits[0], quantity)
     unit = load()
     told = told or Told(unit)
     with style.styled():
@@ -163,7 +163,7 @@ def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
             }
             axes.plot(x, line, label=label if number == 0 else "_", zorder=2 + depth, **look)
     for special in branch.specials:
-        for value in values_of(special.orbit, quantity):
+        for value in values_of(special.gait, quantity):
             label = special.kind
             axes.plot([special.value], [value], linestyle="", label=label, zorder=6, **MARKS[special.kind])
     for other in branch.branches:
@@ -176,17 +176,17 @@ def _pieces(
     """Straight pieces between neighbouring gaits, special ones too: whether stable, begin and end."""
     found = []
     by_index = {index: list(of) for index, of in groupby(branch.specials, key=lambda s: s.index)}
-    gaits = list(zip(branch.values, branch.orbits, strict=True))
+    gaits = list(zip(branch.values, branch.gaits, strict=True))
     for index, ((low, before), (high, after)) in enumerate(pairwise(gaits)):
         met = [special for special in by_index.get(index, []) if special.kind != NOT_JUDGED]
-        places = [(low, before), *((s.value, s.orbit) for s in met), (high, after)]
+        places = [(low, before), *((s.value, s.gait) for s in met), (high, after)]
         changes = [number for number, s in enumerate(met, 1) if s.kind != WORD_BORDER]
         change = changes[0] if changes else len(places) - 1
         for number, (begin, end) in enumerate(pairwise(places)):
             stable = before.stable if number < change else after.stable
             if not changes:
                 stable = before.stable and after.stable
-            ends = [(value, values_of(orbit, quantity)) for value, orbit in (begin, end)]
+            ends = [(value, values_of(gait, quantity)) for value, gait in (begin, end)]
             found.append((stable, ends[0], ends[1]))
     return found
 
@@ -219,8 +219,8 @@ def _write_words(axes: Axes, branch: Branch, quantity: str, depth: int = 0) -> N
 
 def _runs_of_words(branch: Branch, quantity: str) -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Each word with the places of its gaits, from one border to the next, in the branch's order."""
-    gaits = list(zip(branch.values, branch.orbits, strict=True))
-    borders = {s.index: (s.value, s.orbit) for s in branch.specials if s.kind == WORD_BORDER}
+    gaits = list(zip(branch.values, branch.gaits, strict=True))
+    borders = {s.index: (s.value, s.gait) for s in branch.specials if s.kind == WORD_BORDER}
     begin = 0
     for word, run in groupby(gaits, key=lambda gait: gait[1].word):
         end = begin + len(list(run))

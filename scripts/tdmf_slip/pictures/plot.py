@@ -9,7 +9,7 @@ from ..analysis.branch import Branch
 from ..analysis.sweep import Sweep
 from ..errors import InputError
 from ..fitting.result import Fit
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.run import Run
 from ..unit.unit import load
 from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio
@@ -21,7 +21,7 @@ def plot(result: object) -> Figure:
 
     Parameters
     ----------
-    result : Run, Orbit, Sweep, Branch or Fit
+    result : Run, Gait, Sweep, Branch or Fit
         What to draw.
 
     Returns
@@ -41,7 +41,7 @@ def plot(result: object) -> Figure:
 
 @singledispatch
 def _figure_of(result: object) -> Figure:
-    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Orbit, Sweep, Branch, Fit")
+    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Gait, Sweep, Branch, Fit")
 
 
 @_figure_of.register
@@ -50,7 +50,7 @@ def _run(result: Run) -> Figure:
 
 
 @_figure_of.register
-def _gait(result: Orbit) -> Figure:
+def _gait(result: Gait) -> Figure:
     return velocity_and_ratio.figure_of(Stride(result, load()))
 
 

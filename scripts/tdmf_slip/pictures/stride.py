@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..unit.events import MODE
 from ..unit.simulation import simulate
 from ..unit.unit import Unit
@@ -41,7 +41,7 @@ class Piece:
 class Stride:
     """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
 
-    def __init__(self, gait: Orbit, unit: Unit) -> None:
+    def __init__(self, gait: Gait, unit: Unit) -> None:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
         self.unit = unit

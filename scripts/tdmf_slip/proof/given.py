@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
 from ..checks import check_kind
 from ..errors import InputError
+from ..library.gait import Gait
 from ..library.members import VARIED
-from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..unit.unit import load
 from .exact import Exact, exact_values
@@ -27,21 +27,21 @@ KNOWN = frozenset(
     }
 )
 """Parameters and inputs that the enclosures take account of."""
-Given = Orbit | Runner | Mapping[str, object] | None
+Given = Gait | Runner | Mapping[str, object] | None
 Radius = float | str | Fraction
 
 
-def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
+def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
     """A gait, and its runner's parameters exactly.
 
     Parameters
     ----------
-    gait : Orbit, Runner or mapping of str to value, optional
+    gait : Gait, Runner or mapping of str to value, optional
         As in `prove`.
 
     Returns
     -------
-    Orbit
+    Gait
         In doubles.
     dict of str to Exact
         By the unit's names.
@@ -53,27 +53,27 @@ def gait_of(gait: Given) -> tuple[Orbit, dict[str, Exact]]:
     """
     unit = load()
     given: dict[str, object] = {}
-    if isinstance(gait, Orbit):
-        orbit = gait
+    if isinstance(gait, Gait):
+        found = gait
     elif gait is None or isinstance(gait, Runner):
-        orbit = find_orbit(gait, unit=unit)
+        found = periodic_gait(gait, unit=unit)
     else:
-        check_kind(gait, Mapping, "gait", "an Orbit, a Runner, or start values by name")
+        check_kind(gait, Mapping, "gait", "a Gait, a Runner, or start values by name")
         given = dict(gait)
         exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
         floats = {
             name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
         }
-        orbit = find_orbit(floats, unit=unit)  # type: ignore[arg-type] # what is no variable is refused there
-    if orbit.runner.reduced:
+        found = periodic_gait(floats, unit=unit)  # type: ignore[arg-type] # what is no variable is refused there
+    if found.runner.reduced:
         raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
-    if orbit.following:
+    if found.following:
         raise InputError(
-            f"a gait of {orbit.strides} strides is not proved; allowed: one that repeats each stride"
+            f"a gait of {found.strides} strides is not proved; allowed: one that repeats each stride"
         )
-    own = {name: orbit.runner.values[name] for name in VARIED}
+    own = {name: found.runner.values[name] for name in VARIED}
     check_laws(own)
-    return orbit, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
+    return found, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
 
 
 def check_laws(values: Mapping[str, float]) -> None:
@@ -98,7 +98,7 @@ def check_laws(values: Mapping[str, float]) -> None:
             )
 
 
-def gait_near(given: Mapping[str, object]) -> dict[str, Any]:
+def floats_of(given: Mapping[str, object]) -> dict[str, Any]:
     """Start values as floats, near those that are meant.
 
     Parameters

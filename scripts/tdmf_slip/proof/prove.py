@@ -12,8 +12,8 @@ from flint import acb, arb, ctx
 
 from ..checks import check_kind, checked_whole
 from ..errors import InputError
+from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.orbit import Orbit
 from ..unit.unit import load
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
@@ -79,7 +79,7 @@ def prove(
 
     Parameters
     ----------
-    gait : Orbit, Runner or mapping of str to value, optional
+    gait : Gait, Runner or mapping of str to value, optional
         The gait, or whose. A float is the binary number that it is, a text or a `Fraction` the exact number
         that it reads as: "0.6" is 3/5, "40 deg" is 2 pi/9. What is not given is Table 1, exactly, and so is a
         float of a runner that is the unit's own start value.
@@ -124,18 +124,18 @@ def prove(
         return _over(gait, vary, output, workers, show_progress)
     if output is not None or workers is not None:
         raise InputError("output, workers: are of use for a range only; allowed: with vary")
-    orbit, values = gait_of(gait)
-    return prove_exactly(orbit, values, digits, box, given=isinstance(gait, Orbit))
+    found, values = gait_of(gait)
+    return prove_exactly(found, values, digits, box, given=isinstance(gait, Gait))
 
 
 def prove_exactly(
-    orbit: Orbit, values: Mapping[str, Exact], digits: int, box: Radius | None, *, given: bool
+    gait: Gait, values: Mapping[str, Exact], digits: int, box: Radius | None, *, given: bool
 ) -> Proof:
     """A gait whose parameters are known exactly.
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         In doubles.
     values : mapping of str to Exact
         The parameters.
@@ -158,7 +158,7 @@ def prove_exactly(
     """
     digits = checked_whole("digits", digits, 5, MOST_DIGITS)
     asked = None if box is None else radius_of(box)
-    return _Prover(orbit, values, digits, given).proof(asked)
+    return _Prover(gait, values, digits, given).proof(asked)
 
 
 def _over(
@@ -185,10 +185,10 @@ def _over(
         checked_whole("workers", workers, 1, 1024)
     if gait is None or (isinstance(gait, Mapping) and name not in gait):
         gait = {**(gait or {}), name: begin}
-    orbit, values = gait_of(gait)
+    found, values = gait_of(gait)
     path = None if output is None else Path(output)
     return prove_range(
-        orbit, values, name, (begin, end), output=path, workers=workers, show_progress=show_progress
+        found, values, name, (begin, end), output=path, workers=workers, show_progress=show_progress
     )
 
 
@@ -206,11 +206,11 @@ def known_digits(balls: Sequence[arb | acb]) -> int:
 class _Prover:
     """One gait."""
 
-    def __init__(self, orbit: Orbit, values: Mapping[str, Exact], digits: int, given: bool) -> None:
-        self.orbit, self.values, self.digits, self.given = orbit, values, digits, given
+    def __init__(self, gait: Gait, values: Mapping[str, Exact], digits: int, given: bool) -> None:
+        self.gait, self.values, self.digits, self.given = gait, values, digits, given
         self.parameters = Parameters(values)
-        self.scales = [float(scale) for scale in orbit.runner.scales]
-        self.start = [arb(float(x)) for x in orbit.apex]
+        self.scales = [float(scale) for scale in gait.runner.scales]
+        self.start = [arb(float(x)) for x in gait.apex]
 
     def proof(self, box: Fraction | None) -> Proof:
         """With a box, or the largest that is proved."""
@@ -231,7 +231,7 @@ class _Prover:
 
     def _near(self, start: Sequence[arb]) -> list[arb]:
         """A point near the gait."""
-        jacobian, nearness = self.orbit.jacobian - np.eye(6), 10.0 ** -(self.narrow + 1)
+        jacobian, nearness = self.gait.jacobian - np.eye(6), 10.0 ** -(self.narrow + 1)
         return refined(self.parameters, start, jacobian, self.fine, nearness)
 
     def _told(self, box: Box, near: Sequence[arb]) -> Proof:
@@ -250,7 +250,7 @@ class _Prover:
 
     def _box(self, centre: Sequence[arb], radius: Fraction) -> Box:
         if self.given:
-            decimals = [Fraction(repr(float(x))) for x in self.orbit.apex]
+            decimals = [Fraction(repr(float(x))) for x in self.gait.apex]
             return Box(decimals, [radius * Fraction(scale) for scale in self.scales])
         return Box.around(centre, radius, self.scales)
 

@@ -73,7 +73,7 @@ def prove_attraction(gait: Given = None) -> Attraction:
 
     Parameters
     ----------
-    gait : Orbit, Runner or mapping of str to value, optional
+    gait : Gait, Runner or mapping of str to value, optional
         As in `prove`.
 
     Returns
@@ -95,12 +95,12 @@ def prove_attraction(gait: Given = None) -> Attraction:
     >>> print(ball.proved, f"{ball.radius:.1e}")
     True 4.1e-08
     """
-    orbit, values = gait_of(gait)
-    if not orbit.stable:
+    found, values = gait_of(gait)
+    if not found.stable:
         return Attraction(False, undecided="whether the stride contracts: the gait is found to be unstable")
     parameters, fine = Parameters(values), Fineness(BITS)
-    scales = [float(scale) for scale in orbit.runner.scales]
-    centre = [arb(float(x)) for x in orbit.apex]
+    scales = [float(scale) for scale in found.runner.scales]
+    centre = [arb(float(x)) for x in found.apex]
     problem = "whether the stride contracts"
     for radius in BOXES:
         with ctx.workprec(BITS):

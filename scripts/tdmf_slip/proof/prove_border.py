@@ -8,15 +8,15 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from ..analysis.borders import Border
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
 from ..checks import check_kind, checked_whole
+from ..library.gait import Gait
 from ..library.members import VARIED, check_varied
-from ..library.orbit import Orbit
 from ..library.runner import Runner
 from ..unit.unit import FRICTION, load
 from .exact import Exact, exact_values
 from .forced import Forced
-from .given import MOST_DIGITS, check_laws, gait_near
+from .given import MOST_DIGITS, check_laws, floats_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof, decimal, exactly, short, statement, text_of, told
@@ -158,7 +158,7 @@ class _BorderProver:
         self, runner: Runner | Mapping[str, object] | None, name: str, place: float, digits: int, sides: bool
     ) -> None:
         self.given = {} if runner is None or isinstance(runner, Runner) else dict(runner)
-        floats = runner if isinstance(runner, Runner) else gait_near(self.given)
+        floats = runner if isinstance(runner, Runner) else floats_of(self.given)
         self.runner, self.name, self.place, self.digits = Runner.of(floats), name, place, digits
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
@@ -178,10 +178,10 @@ class _BorderProver:
 
     def _proof(self) -> BorderProof:
         step = BESIDE * max(abs(self.place), BESIDE)
-        sides = [find_orbit(self.runner.but(self.name, self.place + by)) for by in (-step, step)]
-        forced, orbit = _told_apart(*(self._seen(side) for side in sides))
-        scales = [*(float(scale) for scale in orbit.runner.scales), max(abs(self.place), 1.0)]
-        start = [*(arb(float(x)) for x in orbit.apex), arb(self.place)]
+        sides = [periodic_gait(self.runner.but(self.name, self.place + by)) for by in (-step, step)]
+        forced, gait = _told_apart(*(self._seen(side) for side in sides))
+        scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.place), 1.0)]
+        start = [*(arb(float(x)) for x in gait.apex), arb(self.place)]
         rough = Fineness(COARSE_BITS)
         stride = proved_stride(self.parameters, self._starts(start, scales, arb(ROUGH)), rough, rough, forced)
         jacobian = middle_of(slopes_of(stride))
@@ -212,10 +212,10 @@ class _BorderProver:
         with ctx.workprec(self.fine.bits):
             return Starts(centre, [(radius * scale).upper().mid() for scale in scales])
 
-    def _seen(self, orbit: Orbit) -> tuple[Orbit, Stride]:
-        value = arb(orbit.runner.values[self.name])
-        apex = [*(arb(float(x)) for x in orbit.apex), value]
-        return orbit, Traveller(self.parameters, apex, Fineness(COARSE_BITS)).stride()
+    def _seen(self, gait: Gait) -> tuple[Gait, Stride]:
+        value = arb(gait.runner.values[self.name])
+        apex = [*(arb(float(x)) for x in gait.apex), value]
+        return gait, Traveller(self.parameters, apex, Fineness(COARSE_BITS)).stride()
 
     def _sides(self, value: arb) -> tuple[Proof, ...]:
         """Gaits at decimals below and above."""
@@ -227,11 +227,11 @@ class _BorderProver:
 
 def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:
     """The gait of a runner with exact values, at a value of one of them."""
-    orbit = find_orbit(runner.but(name, float(value)))
-    return prove_exactly(orbit, {**values, name: Exact(value)}, 6, None, given=False)
+    gait = periodic_gait(runner.but(name, float(value)))
+    return prove_exactly(gait, {**values, name: Exact(value)}, 6, None, given=False)
 
 
-def _told_apart(one: tuple[Orbit, Stride], other: tuple[Orbit, Stride]) -> tuple[Forced, Orbit]:
+def _told_apart(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:
     """What happens at once between two gaits, and the gait whose side is smooth across it."""
     pairs = zip(one[1].events, other[1].events, strict=False)
     for index, (first, second) in enumerate(pairs):
@@ -239,12 +239,12 @@ def _told_apart(one: tuple[Orbit, Stride], other: tuple[Orbit, Stride]) -> tuple
             continue
         sides = ((first, one[0]), (second, other[0]))
         names = {first.name, second.name}
-        for event, orbit in sides:
+        for event, gait in sides:
             slips = event.mode.contact == "slip"
             if names == {"end of slip", "lift-off"} and event.name == "lift-off":
-                return Forced(index, event.name, "rest as it lifts off"), orbit
+                return Forced(index, event.name, "rest as it lifts off"), gait
             if names == {"touchdown"} and not slips:
-                return Forced(index, event.name, "impact at the limit of the cone"), orbit
+                return Forced(index, event.name, "impact at the limit of the cone"), gait
             if len(names) == 1 and "touchdown" not in names and slips:
-                return Forced(index, event.name, "rest at the limit of the cone", event.mode.sign), orbit
+                return Forced(index, event.name, "rest at the limit of the cone", event.mode.sign), gait
     raise UndecidedError("which two events happen at once: gaits beside the border have the same")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..terminal import progress
 from .exact import Exact
@@ -37,7 +37,7 @@ def cut(begin: Fraction, end: Fraction, number: int) -> list[tuple[Fraction, Fra
 
 
 def prove_range(
-    orbit: Orbit,
+    gait: Gait,
     values: Mapping[str, Exact],
     name: str,
     ends: tuple[Fraction, Fraction],
@@ -50,7 +50,7 @@ def prove_range(
 
     Parameters
     ----------
-    orbit : Orbit
+    gait : Gait
         A gait of the runner.
     values : mapping of str to Exact
         Its parameters.
@@ -85,7 +85,7 @@ def prove_range(
     with progress.bar("prove", len(parts), "parts", show_progress) as bar:
         for _ in range(len(parts) - len(open_ones)):
             bar.update()
-        tasks = [(orbit.runner, values, name, part) for part in open_ones]
+        tasks = [(gait.runner, values, name, part) for part in open_ones]
         found = side_by_side(prove_pieces, tasks, workers)
         for part, pieces in zip(open_ones, found, strict=True):
             done[part] = pieces

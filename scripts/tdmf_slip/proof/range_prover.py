@@ -14,9 +14,9 @@ import numpy as np
 from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
-from ..analysis.search import find_orbit
+from ..analysis.search import periodic_gait
 from ..errors import RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from .eigenvalues import eigenvalues, is_contracting
 from .exact import Exact, ball_of
@@ -69,52 +69,52 @@ class RangeProver:
         Piece
             In order, without gaps.
         """
-        width, orbit, shrinkage = (end - begin) * FIRST, None, FIRST
+        width, gait, shrinkage = (end - begin) * FIRST, None, FIRST
         most = width
         while begin < end:
             until = min(begin + short_decimal(min(width, most)), end)
             try:
-                orbit = self._orbit((begin + until) / 2, orbit)
-                piece = self._piece(begin, until, orbit)
+                gait = self._gait((begin + until) / 2, gait)
+                piece = self._piece(begin, until, gait)
             except (UndecidedError, RunError) as problem:
                 if until - begin > NARROWEST:
                     width, most = (until - begin) * shrinkage, (until - begin) * SHRINKAGE
                     continue
                 piece = Piece(begin, until, undecided=str(problem))
-            yield from self._judged(piece, orbit, SPLITS)
+            yield from self._judged(piece, gait, SPLITS)
             width, most = (until - begin) * Fraction(self.growth), short_decimal(most * RECOVERY, 5)
             begin, shrinkage = until, SHRINKAGE
 
-    def _judged(self, piece: Piece, orbit: Orbit | None, splits: int) -> Iterator[Piece]:
+    def _judged(self, piece: Piece, gait: Gait | None, splits: int) -> Iterator[Piece]:
         """The piece, or its halves where these tell whether the gaits are stable."""
-        if not piece.proved or piece.stable is not None or not splits or orbit is None:
+        if not piece.proved or piece.stable is not None or not splits or gait is None:
             yield piece
             return
         middle = (piece.begin + piece.end) / 2
         try:
-            halves = [self._half(*ends, orbit) for ends in ((piece.begin, middle), (middle, piece.end))]
+            halves = [self._half(*ends, gait) for ends in ((piece.begin, middle), (middle, piece.end))]
         except (UndecidedError, RunError):
             yield piece
             return
         for half, own in halves:
             yield from self._judged(half, own, splits - 1)
 
-    def _half(self, begin: Fraction, end: Fraction, orbit: Orbit) -> tuple[Piece, Orbit]:
-        own = self._orbit((begin + end) / 2, orbit)
+    def _half(self, begin: Fraction, end: Fraction, gait: Gait) -> tuple[Piece, Gait]:
+        own = self._gait((begin + end) / 2, gait)
         return self._piece(begin, end, own), own
 
-    def _orbit(self, value: Fraction, last: Orbit | None) -> Orbit:
+    def _gait(self, value: Fraction, last: Gait | None) -> Gait:
         runner = self.runner.but(self.name, float(value))
         if last is None:
-            return find_orbit(runner, along=self.name)
-        return orbit_near(runner, last.apex, along=self.name)
+            return periodic_gait(runner, along=self.name)
+        return gait_near(runner, last.apex, along=self.name)
 
-    def _piece(self, begin: Fraction, end: Fraction, orbit: Orbit) -> Piece:
+    def _piece(self, begin: Fraction, end: Fraction, gait: Gait) -> Piece:
         """One box, or no decision."""
-        tilt = np.linalg.solve(np.eye(6) - orbit.jacobian, np.asarray(orbit.by_parameter))
+        tilt = np.linalg.solve(np.eye(6) - gait.jacobian, np.asarray(gait.by_parameter))
         square = float((end - begin) / 2) ** 2
         box: Sequence[float] = [bend * square + 1e-11 for bend in self.bend]
-        tried = Piece(begin, end, centre=rounded(orbit.apex, 12), tilt=rounded(tilt, 6))
+        tried = Piece(begin, end, centre=rounded(gait.apex, 12), tilt=rounded(tilt, 6))
         for _ in range(TRIES):
             try:
                 piece, inside = proved_piece(self.parameters, replace(tried, box=[at_least(r) for r in box]))

@@ -33,7 +33,7 @@ def tube_along(gait: Given = None, radius: Radius = Fraction(1, 10**8)) -> list[
 
     Parameters
     ----------
-    gait : Orbit, Runner or mapping of str to value, optional
+    gait : Gait, Runner or mapping of str to value, optional
         As in `prove`.
     radius : float, str or Fraction, default 1e-8
         Of the starts around the apex, in units of the coordinates' scales.
@@ -50,11 +50,11 @@ def tube_along(gait: Given = None, radius: Radius = Fraction(1, 10**8)) -> list[
     UndecidedError
         The set is too wide for its events to be told.
     """
-    orbit, values = gait_of(gait)
+    found, values = gait_of(gait)
     fine, size = Fineness(BITS), radius_of(radius)
     with ctx.workprec(BITS):
-        radii = [ball_of(size) * float(scale) for scale in orbit.runner.scales]
-        starts = Starts([arb(float(x)) for x in orbit.apex], [r.upper().mid() for r in radii])
+        radii = [ball_of(size) * float(scale) for scale in found.runner.scales]
+        starts = Starts([arb(float(x)) for x in found.apex], [r.upper().mid() for r in radii])
     traveller = SetTraveller(Parameters(values), starts, fine, fine)
     sections = [_section(traveller)]
     while not traveller.step():

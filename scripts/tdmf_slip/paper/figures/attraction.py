@@ -45,8 +45,8 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
         figure, axes = plt.subplots(3, 1, figsize=(7.6, 7.6), sharex=True, layout="constrained")
         _draw_share(axes[0], data)
         axes[1].plot(
-            [orbit.friction for orbit in sweep.orbits],
-            [orbit.lambda_max for orbit in sweep.orbits],
+            [gait.friction for gait in sweep.gaits],
+            [gait.lambda_max for gait in sweep.gaits],
             color=style.CURVE,
         )
         axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
@@ -54,7 +54,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
         for panel in axes:
             figure_9.mark_borders(panel, sweep)
         figure_9.name_words(axes[0], sweep, height=0.2)
-        figure_9.friction_axis(axes[-1], [orbit.friction for orbit in sweep.orbits])
+        figure_9.friction_axis(axes[-1], [gait.friction for gait in sweep.gaits])
         style.save(figure, path)
 
 

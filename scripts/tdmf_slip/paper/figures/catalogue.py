@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ...analysis.attraction import Attraction, measure_all
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
@@ -138,7 +138,7 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def stride(friction: float) -> Stride:
-        return Stride(find_orbit(runner.but(FRICTION, friction)), unit)
+        return Stride(periodic_gait(runner.but(FRICTION, friction)), unit)
 
     @cache
     def gaits() -> Sweep:
@@ -146,8 +146,8 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def measured() -> list[Attraction]:
-        orbits = gaits().orbits
-        chosen = [orbits[i] for i in np.linspace(0, len(orbits) - 1, MEASURED).round().astype(int)]
+        found = gaits().gaits
+        chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
         return measure_all(chosen)
 
     retracting = cache(lambda: retraction.branches(runner))

@@ -27,14 +27,14 @@ def table(sweep: Sweep) -> Columns:
         "cost_of_transport": [],
         **{n: [] for n in SHARES},
     }
-    for orbit in sweep.orbits:
-        values = orbit.runner.values
+    for gait in sweep.gaits:
+        values = gait.runner.values
         weight = (values["body.mass"] + values["foot.mass"]) * values["gravity"]
-        columns["friction"].append(orbit.friction)
-        columns["word"].append(orbit.word)
-        columns["cost_of_transport"].append(orbit.stride["cost_of_transport"])
+        columns["friction"].append(gait.friction)
+        columns["word"].append(gait.word)
+        columns["cost_of_transport"].append(gait.stride["cost_of_transport"])
         for name in SHARES:
-            columns[name].append(orbit.stride[name] / (weight * orbit.stride["length"]))
+            columns[name].append(gait.stride[name] / (weight * gait.stride["length"]))
     return columns
 
 

@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ...analysis.robustness import FARTHEST
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
-from ...library.orbit import Orbit
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
@@ -49,18 +49,18 @@ COUNTED = ("falls", "strides", "stopped", "unsolved")
 """Of the runners on rough ground."""
 
 
-def laws(orbit: Orbit) -> dict[str, Feedback | None]:
+def laws(gait: Gait) -> dict[str, Feedback | None]:
     """The feedbacks that are judged at a gait, by name."""
     reach = {
-        name: (orbit.runner.values[name] - REACH[name], orbit.runner.values[name] + REACH[name])
+        name: (gait.runner.values[name] - REACH[name], gait.runner.values[name] + REACH[name])
         for name in REACH
     }
     alone, both = (ANGLE,), (ANGLE, TORQUE)
     made = (
         None,
-        lqr(orbit, alone, limits={ANGLE: reach[ANGLE]}),
-        lqr(orbit, both, limits=reach),
-        dead_beat(orbit, both, limits=reach, forgotten=LEFT_ALONE),
+        lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
+        lqr(gait, both, limits=reach),
+        dead_beat(gait, both, limits=reach, forgotten=LEFT_ALONE),
     )
     return dict(zip(COLOURS, made, strict=True))
 
@@ -80,13 +80,13 @@ def measure(runner: Runner, *, show_progress: bool = False) -> dict[str, list[Ju
     dict of str to list of Judgement
         By the feedback's name, in the order of `FRICTIONS`.
     """
-    orbits = [find_orbit(runner.but(FRICTION, friction)) for friction in FRICTIONS]
+    gaits = [periodic_gait(runner.but(FRICTION, friction)) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     trials: dict[str, list[Trial]] = {name: [] for name in COLOURS}
-    for orbit in orbits:
-        for name, law in laws(orbit).items():
+    for gait in gaits:
+        for name, law in laws(gait).items():
             noisy = None if law is None else replace(law, noise=noise, seed=SEED)
-            trials[name].append(Trial(orbit, noisy, ROUGHNESS, SEED))
+            trials[name].append(Trial(gait, noisy, ROUGHNESS, SEED))
     found = iter(judge_all([trial for its in trials.values() for trial in its], show_progress=show_progress))
     return {name: [next(found) for _ in its] for name, its in trials.items()}
 
@@ -97,8 +97,8 @@ def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
     found = [one for _, one in named]
     data: dict[str, list[Any]] = {
         "law": [name for name, _ in named],
-        "friction": [one.trial.orbit.friction for one in found],
-        "word": [one.trial.orbit.word for one in found],
+        "friction": [one.trial.gait.friction for one in found],
+        "word": [one.trial.gait.word for one in found],
         "lambda_max": [_lambda_max(one.trial) for one in found],
         "samples": [one.volume.samples for one in found],
         "attracted_share": [one.volume.share for one in found],
@@ -118,7 +118,7 @@ def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
 
 
 def _lambda_max(trial: Trial) -> float:
-    return trial.law.lambda_max if isinstance(trial.law, Feedback) else trial.orbit.lambda_max
+    return trial.law.lambda_max if isinstance(trial.law, Feedback) else trial.gait.lambda_max
 
 
 def draw(path: Path, data: Columns) -> None:

@@ -28,13 +28,13 @@ TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 def table(sweep: Sweep) -> Columns:
     """The figure's data, by column."""
-    orbits = sweep.orbits
+    gaits = sweep.gaits
     return {
-        "friction": [orbit.friction for orbit in orbits],
-        "word": [orbit.word for orbit in orbits],
-        "lambda_max": [orbit.lambda_max for orbit in orbits],
-        "speed": [orbit.stride["speed"] for orbit in orbits],
-        "cost_of_transport": [orbit.stride["cost_of_transport"] for orbit in orbits],
+        "friction": [gait.friction for gait in gaits],
+        "word": [gait.word for gait in gaits],
+        "lambda_max": [gait.lambda_max for gait in gaits],
+        "speed": [gait.stride["speed"] for gait in gaits],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
     }
 
 
@@ -80,9 +80,9 @@ def mark_borders(axes: Axes, sweep: Sweep) -> None:
 
 def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
     """The gait words between the borders, above the axes; what is too narrow is named inside, at a height."""
-    frictions = sorted(orbit.friction for orbit in (sweep.orbits[0], sweep.orbits[-1]))
+    frictions = sorted(gait.friction for gait in (sweep.gaits[0], sweep.gaits[-1]))
     edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]
-    words = [sweep.orbits[0].word, *(border.after for border in sweep.borders)]
+    words = [sweep.gaits[0].word, *(border.after for border in sweep.borders)]
     for word, high, low in zip(words, edges, edges[1:], strict=False):
         centre = (high * low) ** 0.5
         if high > NARROW * low:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
@@ -41,7 +41,7 @@ def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
     with progress.bar("pictures", len(WORDS) + 7, "", show_progress) as bar:
         strides = {}
         for friction in WORDS:
-            strides[friction] = Stride(find_orbit(runner.but(FRICTION, friction)), unit)
+            strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), unit)
             bar.update()
         written = []
         for name, drawing in _drawings(strides).items():

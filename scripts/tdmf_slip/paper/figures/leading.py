@@ -8,19 +8,19 @@ from numpy.typing import NDArray
 
 from ...analysis.bifurcations import FOLD, PERIOD_DOUBLING
 from ...analysis.branch import Branch
-from ...library.orbit import Orbit
+from ...library.gait import Gait
 from ...pictures import style
 
 COLOURS = (style.CURVE, style.SECOND_CURVE)
 MARKS: Mapping[str, str] = {FOLD: "o", PERIOD_DOUBLING: "s"}
 
 
-def leading(orbits: Sequence[Orbit]) -> NDArray[np.float64]:
+def leading(gaits: Sequence[Gait]) -> NDArray[np.float64]:
     """Real parts of the two eigenvalues of largest size, the greater first: shape (gaits, 2).
 
     Parameters
     ----------
-    orbits : sequence of Orbit
+    gaits : sequence of Gait
         The gaits.
 
     Returns
@@ -28,10 +28,10 @@ def leading(orbits: Sequence[Orbit]) -> NDArray[np.float64]:
     ndarray of float, shape (gaits, 2)
         In the order of the gaits.
     """
-    return np.array([np.sort(orbit.eigenvalues[:2].real)[::-1] for orbit in orbits])
+    return np.array([np.sort(gait.eigenvalues[:2].real)[::-1] for gait in gaits])
 
 
-def draw(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit], *, named: bool = False) -> None:
+def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: bool = False) -> None:
     """Draw both over a parameter, solid where the gait is stable, and the borders of stability.
 
     Parameters
@@ -40,14 +40,14 @@ def draw(axes: Axes, values: Sequence[float], orbits: Sequence[Orbit], *, named:
         To draw in.
     values : sequence of float
         Of the parameter.
-    orbits : sequence of Orbit
+    gaits : sequence of Gait
         The gaits.
     named : bool, default False
         Whether the curves are named in a legend.
     """
-    stable = np.array([orbit.stable for orbit in orbits])
+    stable = np.array([gait.stable for gait in gaits])
     for heights, colour, name in zip(
-        leading(orbits).T, COLOURS, ("the greater", "the other, of height"), strict=True
+        leading(gaits).T, COLOURS, ("the greater", "the other, of height"), strict=True
     ):
         axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
         axes.plot(values, np.where(stable, heights, np.nan), color=colour, label=name if named else None)

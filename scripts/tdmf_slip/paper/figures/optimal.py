@@ -12,9 +12,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...library.orbit import orbit_near
+from ...library.gait import gait_near
 from ...library.runner import Runner
 from ...optimization.optimizer import Optimizer
 from ...optimization.optimum import Optimum
@@ -95,7 +95,7 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
     """
     goal = Goal(objective, at={"speed": SPEED}, radius=RADIUS)
     try:
-        optimizer = Optimizer(find_orbit(runner), Space(BOUNDS), 1)
+        optimizer = Optimizer(periodic_gait(runner), Space(BOUNDS), 1)
         starts = list(_starts(optimizer.space, runner, near))
         starts += [optimizer.first] if begin or not starts else []
         with progress.bar("", len(starts), "", show=False) as bar:
@@ -108,7 +108,7 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[S
     for optimum in near:
         at = space.place_of(optimum.gait.runner)
         try:
-            yield Start(at, orbit_near(space.runner_at(runner, at), optimum.gait.apex))
+            yield Start(at, gait_near(space.runner_at(runner, at), optimum.gait.apex))
         except RunError:
             continue
 

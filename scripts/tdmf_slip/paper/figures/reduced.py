@@ -71,12 +71,12 @@ def draw_regions(path: Path, maps: dict[str, xarray.Dataset]) -> None:
 
 def eigenvalue_table(sweeps: dict[str, Sweep]) -> Columns:
     """The two largest eigenvalues of both models by friction."""
-    columns: dict[str, Any] = {"friction": [orbit.friction for orbit in sweeps["full"].orbits]}
+    columns: dict[str, Any] = {"friction": [gait.friction for gait in sweeps["full"].gaits]}
     for name, sweep in sweeps.items():
-        columns[f"word_{name}"] = [orbit.word for orbit in sweep.orbits]
+        columns[f"word_{name}"] = [gait.word for gait in sweep.gaits]
         for number in (0, 1):
             columns[f"eigenvalue_{number + 1}_{name}"] = [
-                float(orbit.eigenvalues[number].real) for orbit in sweep.orbits
+                float(gait.eigenvalues[number].real) for gait in sweep.gaits
             ]
     return columns
 

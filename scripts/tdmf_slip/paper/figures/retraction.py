@@ -6,7 +6,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from ...analysis.branch import Branch
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
 from ...library.runner import Runner
 from ...pictures import style
@@ -40,7 +40,7 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
     found = {}
     for friction in FRICTIONS:
         its = runner.but(FRICTION, friction)
-        first = find_orbit(its)
+        first = periodic_gait(its)
         back, forth = (
             trace(its, RATE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
             for end in (2.0 * SHOWN[0], SHOWN[1])
@@ -52,23 +52,23 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
 def table(found: Mapping[float, tuple[Branch, Branch]]) -> Columns:
     """The figure's data, by column: along each branch from its fold to its largest rate."""
     rows = [
-        (friction, value, orbit)
+        (friction, value, gait)
         for friction, (back, forth) in found.items()
-        for value, orbit in [
-            *reversed(list(zip(back.values, back.orbits, strict=True))[1:]),
-            *zip(forth.values, forth.orbits, strict=True),
+        for value, gait in [
+            *reversed(list(zip(back.values, back.gaits, strict=True))[1:]),
+            *zip(forth.values, forth.gaits, strict=True),
         ]
     ]
-    pairs = leading.leading([orbit for _, _, orbit in rows])
+    pairs = leading.leading([gait for _, _, gait in rows])
     return {
         "friction": [friction for friction, _, _ in rows],
         "retraction_rate": [value for _, value, _ in rows],
-        "word": [orbit.word for _, _, orbit in rows],
-        "stable": [orbit.stable for _, _, orbit in rows],
+        "word": [gait.word for _, _, gait in rows],
+        "stable": [gait.stable for _, _, gait in rows],
         "greater_eigenvalue": pairs[:, 0],
         "other_eigenvalue": pairs[:, 1],
-        "speed": [orbit.stride["speed"] for _, _, orbit in rows],
-        "cost_of_transport": [orbit.stride["cost_of_transport"] for _, _, orbit in rows],
+        "speed": [gait.stride["speed"] for _, _, gait in rows],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for _, _, gait in rows],
     }
 
 
@@ -81,7 +81,7 @@ def draw(path: Path, found: Mapping[float, tuple[Branch, Branch]]) -> None:
         for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
             for number, branch in enumerate(pair):
                 named = axes is panels[0] and number == 1
-                leading.draw(axes, branch.values, branch.orbits, named=named)
+                leading.draw(axes, branch.values, branch.gaits, named=named)
                 leading.mark(axes, branch, named=named)
             axes.axvline(0.0, **style.STANCE_LINE)
             axes.set_title(f"({letter}) leading eigenvalues at friction {friction:g}")

@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 
 from ...analysis.bifurcations import FOLD
 from ...analysis.branch import Branch
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...library.orbit import Orbit
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
@@ -29,7 +29,7 @@ POINTS = 260
 DRAWN = {"speed": 0, "cost_of_transport": 1, "greater_eigenvalue": 2, "other_eigenvalue": 2}
 """Columns, and the panels that they are in."""
 
-Gaits = Mapping[float, tuple[tuple[float, Orbit], ...]]
+Gaits = Mapping[float, tuple[tuple[float, Gait], ...]]
 """By friction: slopes, and the gaits there."""
 
 
@@ -43,43 +43,43 @@ def gaits(runner: Runner) -> Gaits:
 
     Returns
     -------
-    mapping of float to tuple of (float, Orbit)
+    mapping of float to tuple of (float, Gait)
         Slopes in rad, rising, and the gaits.
     """
     found = {}
     for friction in COLOURS:
         its = runner.but(FRICTION, friction)
-        first = find_orbit(its)
+        first = periodic_gait(its)
         down, up = (
             trace(its, SLOPE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
             for end in (LOWEST, HIGHEST)
         )
-        below = tuple(zip(down.values, down.orbits, strict=True))[:0:-1]
+        below = tuple(zip(down.values, down.gaits, strict=True))[:0:-1]
         found[friction] = below + _to_the_top(up)
     return found
 
 
-def _to_the_top(branch: Branch) -> tuple[tuple[float, Orbit], ...]:
+def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     """To the first fold, with the gait there."""
     top = next((special for special in branch.specials if special.kind == FOLD), None)
     last = int(np.argmax(np.diff(branch.values) < 0.0))
-    climb = tuple(zip(branch.values, branch.orbits, strict=True))
+    climb = tuple(zip(branch.values, branch.gaits, strict=True))
     if top is None:
         return climb
-    return (*climb[:last], (top.value, top.orbit))  # the last before the turn may be beyond the fold
+    return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
 def table(found: Gaits) -> Columns:
     """The figure's data, by column."""
-    rows = [(friction, slope, orbit) for friction, branch in found.items() for slope, orbit in branch]
-    pairs = leading.leading([orbit for _, _, orbit in rows])
+    rows = [(friction, slope, gait) for friction, branch in found.items() for slope, gait in branch]
+    pairs = leading.leading([gait for _, _, gait in rows])
     return {
         "friction": [friction for friction, _, _ in rows],
         "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
-        "word": [orbit.word for _, _, orbit in rows],
-        "stable": [orbit.stable for _, _, orbit in rows],
-        "speed": [orbit.stride["speed"] for _, _, orbit in rows],
-        "cost_of_transport": [orbit.stride["cost_of_transport"] for _, _, orbit in rows],
+        "word": [gait.word for _, _, gait in rows],
+        "stable": [gait.stable for _, _, gait in rows],
+        "speed": [gait.stride["speed"] for _, _, gait in rows],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for _, _, gait in rows],
         "greater_eigenvalue": pairs[:, 0],
         "other_eigenvalue": pairs[:, 1],
     }

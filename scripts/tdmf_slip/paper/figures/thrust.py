@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ...analysis.branch import Branch
-from ...analysis.search import find_orbit
+from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...library.orbit import Orbit
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
@@ -33,7 +33,7 @@ HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque o
 COLOURS: Mapping[str, str] = {HIP_ALONE: "#e07b00", BOTH: "#0b7a75", LEG_ALONE: "#22303c"}
 
 
-def gaits(runner: Runner) -> Mapping[float, tuple[Orbit, ...]]:
+def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
     """By friction: gaits of each actuation, along branches over its strength.
 
     Where the torque cannot be taken away without the gait, thrust alone has none.
@@ -45,47 +45,47 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Orbit, ...]]:
 
     Returns
     -------
-    mapping of float to tuple of Orbit
+    mapping of float to tuple of Gait
         By hip torque alone, then thrust and hip torque, then thrust alone.
     """
     found = {}
     for friction in FRICTIONS:
         its = runner.but(FRICTION, friction)
-        first = find_orbit(its)
+        first = periodic_gait(its)
         hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
         added = _branch(first, THRUST, HIGHEST_THRUST)
-        found[friction] = (*hip.orbits, *added.orbits[1:], *_leg_alone(first))
+        found[friction] = (*hip.gaits, *added.gaits[1:], *_leg_alone(first))
     return found
 
 
-def _leg_alone(first: Orbit) -> Iterator[Orbit]:
-    driven = _branch(first, THRUST, WITHOUT_TORQUE).orbits[-1]
+def _leg_alone(first: Gait) -> Iterator[Gait]:
+    driven = _branch(first, THRUST, WITHOUT_TORQUE).gaits[-1]
     freed = _branch(driven, TORQUE, 0.0)
     if freed.values[-1] == 0.0:
-        yield from _both_ways(freed.orbits[-1], THRUST, HIGHEST_THRUST).orbits
+        yield from _both_ways(freed.gaits[-1], THRUST, HIGHEST_THRUST).gaits
 
 
-def _branch(first: Orbit, name: str, end: float) -> Branch:
+def _branch(first: Gait, name: str, end: float) -> Branch:
     return trace(first.runner, name, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
 
 
-def _both_ways(first: Orbit, name: str, end: float) -> Branch:
+def _both_ways(first: Gait, name: str, end: float) -> Branch:
     return trace(first.runner, name, first, end, begin=0.0, largest_step=LARGEST_STEP, most_points=POINTS)
 
 
-def table(found: Mapping[float, tuple[Orbit, ...]]) -> Columns:
+def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
     """The figure's data, by column."""
-    orbits = [orbit for its in found.values() for orbit in its]
-    pairs = leading.leading(orbits)
+    gaits = [gait for its in found.values() for gait in its]
+    pairs = leading.leading(gaits)
     return {
-        "friction": [orbit.friction for orbit in orbits],
-        "hip_torque": [orbit.runner.values[TORQUE] for orbit in orbits],
-        "thrust": [orbit.runner.values[THRUST] for orbit in orbits],
-        "word": [orbit.word for orbit in orbits],
-        "stable": [orbit.stable for orbit in orbits],
-        "speed": [orbit.stride["speed"] for orbit in orbits],
-        "cost_of_transport": [orbit.stride["cost_of_transport"] for orbit in orbits],
-        "slip_per_length": [orbit.stride["slip_distance"] / orbit.stride["length"] for orbit in orbits],
+        "friction": [gait.friction for gait in gaits],
+        "hip_torque": [gait.runner.values[TORQUE] for gait in gaits],
+        "thrust": [gait.runner.values[THRUST] for gait in gaits],
+        "word": [gait.word for gait in gaits],
+        "stable": [gait.stable for gait in gaits],
+        "speed": [gait.stride["speed"] for gait in gaits],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
+        "slip_per_length": [gait.stride["slip_distance"] / gait.stride["length"] for gait in gaits],
         "greater_eigenvalue": pairs[:, 0],
         "other_eigenvalue": pairs[:, 1],
     }

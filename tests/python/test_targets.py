@@ -1,4 +1,4 @@
-"""Gaits to order: what is ordered is met, and what cannot be met is told with the nearest gait."""
+"""Gaits with a target: what is prescribed is met, and what cannot be met is told with the nearest gait."""
 
 import json
 import re
@@ -6,39 +6,39 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, OrderNotMetError, Runner, find_gait, find_orbit, read_parameters
-from tdmf_slip.analysis.order import Order
+from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait, read_parameters
+from tdmf_slip.analysis.target import Target
+from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.members import VARIED
-from tdmf_slip.library.orbit import orbit_near
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
 
-def relative_change(orbit, name, factor):
-    return {name: quantities_of(orbit, [name])[name] * factor}
+def relative_change(gait, name, factor):
+    return {name: quantities_of(gait, [name])[name] * factor}
 
 
-def assert_met(gait, order, within=1e-10):
-    """By the strides of a runner that knows nothing of the order."""
-    again = orbit_near(gait.runner, gait.apex)
-    assert order
-    for name, value in order.items():
+def assert_met(gait, target, within=1e-10):
+    """By the strides of a runner that knows nothing of the target."""
+    again = gait_near(gait.runner, gait.apex)
+    assert target
+    for name, value in target.items():
         assert quantities_of(again, [name])[name] == pytest.approx(value, rel=within)
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
 @pytest.mark.parametrize("parameters", [{"ground.friction": 0.6}, read_parameters(FAST_HUMAN)])
 def test_derivatives_of_what_is_ordered_are_those_of_differences(model, parameters):
-    orbit = find_orbit(parameters, model=model)
+    gait = find_gait(parameters, model=model)
     names = ["hip.stance_torque", "leg.stiffness", "body.mass", "gravity"]
-    scales, steps = scales_of(orbit.runner, names), 1e-6
+    scales, steps = scales_of(gait.runner, names), 1e-6
     quantities = QUANTITIES if model == "full" else REDUCED_QUANTITIES
-    exact = varied_stride(orbit.runner, orbit.apex, quantities, names).by_all * scales
+    exact = varied_stride(gait.runner, gait.apex, quantities, names).by_all * scales
 
     def moved(k, sign):
-        apex, runner = orbit.apex.copy(), orbit.runner
+        apex, runner = gait.apex.copy(), gait.runner
         if k < len(apex):
             apex[k] += sign * steps * scales[k]
         else:
@@ -60,55 +60,58 @@ ORDERED = [
 
 
 @pytest.mark.parametrize(("quantity", "model"), ORDERED)
-def test_each_quantity_can_be_ordered(quantity, model):
-    order = relative_change(find_orbit({"ground.friction": 0.6}, model=model), quantity, 1.03)
-    gait = find_gait({"ground.friction": 0.6}, order, ["hip.stance_torque"], model=model)
-    assert_met(gait, order)
+def test_each_quantity_can_be_prescribed(quantity, model):
+    target = relative_change(find_gait({"ground.friction": 0.6}, model=model), quantity, 1.03)
+    gait = find_gait({"ground.friction": 0.6}, target=target, vary=["hip.stance_torque"], model=model)
+    assert_met(gait, target)
     assert gait.runner.reduced == (model == "reduced")
 
 
 def test_three_parameters_make_three_quantities():
-    gait = find_orbit({"ground.friction": 0.6})
-    order = {
+    gait = find_gait({"ground.friction": 0.6})
+    target = {
         **relative_change(gait, "speed", 1.02),
         **relative_change(gait, "frequency", 0.98),
         **relative_change(gait, "cost_of_transport", 1.01),
     }
-    free = ["hip.stance_torque", "leg.stiffness", "leg.damping"]
-    assert_met(find_gait({"ground.friction": 0.6}, order, free), order)
+    vary = ["hip.stance_torque", "leg.stiffness", "leg.damping"]
+    assert_met(find_gait({"ground.friction": 0.6}, target=target, vary=vary), target)
 
 
-def test_more_parameters_may_be_freed_than_are_ordered():
-    """The least change of both, over their values: less than where one alone is free."""
-    free = ["hip.stance_torque", "leg.stiffness"]
-    first = find_orbit({"ground.friction": 0.6}).runner.values
+def test_more_parameters_may_vary_than_are_prescribed():
+    """The least change of both, over their values: less than where one alone varies."""
+    vary = ["hip.stance_torque", "leg.stiffness"]
+    first = find_gait({"ground.friction": 0.6}).runner.values
 
     def change(gait):
-        return np.hypot(*(gait.runner.values[name] / first[name] - 1.0 for name in free))
+        return np.hypot(*(gait.runner.values[name] / first[name] - 1.0 for name in vary))
 
     both, *alone = (
-        find_gait({"ground.friction": 0.6}, {"speed": 1.08}, names) for names in (free, *([n] for n in free))
+        find_gait({"ground.friction": 0.6}, target={"speed": 1.08}, vary=names)
+        for names in (vary, *([n] for n in vary))
     )
     assert_met(both, {"speed": 1.08})
     assert 0.0 < change(both) < min(map(change, alone))
 
 
 def test_the_fast_human_runs_at_five_metres_a_second():
-    gait = find_gait(read_parameters(FAST_HUMAN), {"speed": 5.0}, ["hip.stance_torque"])
+    gait = find_gait(read_parameters(FAST_HUMAN), target={"speed": 5.0}, vary=["hip.stance_torque"])
     assert_met(gait, {"speed": 5.0})
     assert gait.runner.values["leg.stiffness"] == 20000.0
 
 
 def test_the_fast_human_jogs_by_another_touchdown_angle():
-    order = {"speed": 3.5, "frequency": 2.75}
-    gait = find_gait(read_parameters(FAST_HUMAN), order, ["hip.touchdown_angle", "leg.stiffness"])
-    assert_met(gait, order)
+    target = {"speed": 3.5, "frequency": 2.75}
+    gait = find_gait(
+        read_parameters(FAST_HUMAN), target=target, vary=["hip.touchdown_angle", "leg.stiffness"]
+    )
+    assert_met(gait, target)
     assert gait.stride["length"] == pytest.approx(3.5 / 2.75, rel=1e-10)
 
 
 def test_the_preset_is_a_jogger():
     """What was measured on people, as its file cites it; the duty factor is that of one straight leg."""
-    gait = find_orbit(read_parameters("human"))
+    gait = find_gait(read_parameters("human"))
     values, stride = gait.runner.values, gait.stride
     assert gait.stable and gait.word == "+0+" and stride["touchdowns"] == 1.0
     assert stride["speed"] == pytest.approx(2.7, rel=0.01)
@@ -121,17 +124,17 @@ def test_the_preset_is_a_jogger():
     assert 15800.0 < values["leg.stiffness"] < 26300.0
 
 
-@pytest.mark.parametrize("order", [{"speed": 3.5, "frequency": 2.75}, {"speed": 5.0}])
-def test_the_jogger_runs_to_order(command, order):
-    options = [part for name, value in order.items() for part in (f"--{name}", value)]
-    free = "hip.stance_torque,leg.stiffness"
-    status, out, said = command("gait", *options, "--free", free, "--parameters", "human", "--json")
+@pytest.mark.parametrize("target", [{"speed": 3.5, "frequency": 2.75}, {"speed": 5.0}])
+def test_the_jogger_runs_with_a_target(command, target):
+    options = [part for name, value in target.items() for part in (f"--{name}", value)]
+    vary = "hip.stance_torque,leg.stiffness"
+    status, out, said = command("gait", *options, "--free", vary, "--parameters", "human", "--json")
     told = json.loads(out)
-    assert (status, said) == (0, "") and told["stable"] and set(told["free"]) == set(free.split(","))
-    gait = orbit_near(Runner.of(told["start_values"]), told["apex"])
-    assert_met(gait, order)
+    assert (status, said) == (0, "") and told["stable"] and set(told["free"]) == set(vary.split(","))
+    gait = gait_near(Runner.of(told["start_values"]), told["apex"])
+    assert_met(gait, target)
     changed = {n for n, v in read_parameters("human").items() if n in VARIED and gait.runner.values[n] != v}
-    assert changed - {"hip.touchdown_angle"} == set(free.split(","))
+    assert changed - {"hip.touchdown_angle"} == set(vary.split(","))
 
 
 REFUSED = {
@@ -143,57 +146,57 @@ REFUSED = {
 
 @pytest.fixture(scope="module", params=REFUSED)
 def refused(request):
-    """An order that is not met: whose, what, the error, and how many strides it took."""
-    name, order, free = REFUSED[request.param]
-    strides, honest = [], Order.look
+    """A target that is not met: whose, what, the error, and how many strides it took."""
+    name, target, vary = REFUSED[request.param]
+    strides, honest = [], Target.look
 
     def counted(self, at):
         strides.append(at)
         return honest(self, at)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Order, "look", counted)
-        with pytest.raises(OrderNotMetError, match="the nearest has speed") as error:
-            find_gait(read_parameters(name), order, free)
-    return read_parameters(name), order, free, error.value, len(strides)
+        patch.setattr(Target, "look", counted)
+        with pytest.raises(TargetNotMetError, match="the nearest has speed") as error:
+            find_gait(read_parameters(name), target=target, vary=vary)
+    return read_parameters(name), target, vary, error.value, len(strides)
 
 
-def gap(gait, order):
-    has = quantities_of(gait, list(order))
-    return np.linalg.norm([has[name] / value - 1.0 for name, value in order.items()])
+def gap(gait, target):
+    has = quantities_of(gait, list(target))
+    return np.linalg.norm([has[name] / value - 1.0 for name, value in target.items()])
 
 
 def test_a_refusal_takes_a_bounded_number_of_strides(refused):
-    """However hopeless the order; 2,000 to 3,300 before steps towards it were counted."""
+    """However hopeless the target; 2,000 to 3,300 before steps towards it were counted."""
     assert refused[-1] < 2400
 
 
 def test_the_nearest_gait_is_nearer_than_the_first(refused):
-    parameters, order, _free, error, _ = refused
+    parameters, target, _vary, error, _ = refused
     nearest = error.nearest
-    assert 1e-10 < gap(nearest, order) < gap(find_orbit(parameters), order)
-    again = orbit_near(nearest.runner, nearest.apex)
-    assert gap(again, order) == pytest.approx(gap(nearest, order), rel=1e-6)
+    assert 1e-10 < gap(nearest, target) < gap(find_gait(parameters), target)
+    again = gait_near(nearest.runner, nearest.apex)
+    assert gap(again, target) == pytest.approx(gap(nearest, target), rel=1e-6)
     assert {n for n in VARIED if nearest.runner.values[n] != again.runner.values[n]} == set()
 
 
-def test_what_helps_mends_the_order(refused):
-    """Each is tried as it is told: freed too, or instead of another; it meets the order, or comes nearer."""
-    parameters, order, free, error, _ = refused
+def test_what_helps_meets_the_target(refused):
+    """Each is tried as it is told: varied too, or instead of another; the target is met, or nearer."""
+    parameters, target, vary, error, _ = refused
     told = re.findall(r"([\w.]+) (too|instead of ([\w.]+)) (meets it|helps)", str(error))
     assert 1 <= len(told) <= 3 and tuple(name for name, *_ in told) == error.helps[: len(told)]
     assert told[0][-1] == "meets it"
-    for name, _, instead, result in told[: 1 if len(order) > 1 else 3]:
-        mended = [*(one for one in free if one != instead), name]
+    for name, _, instead, result in told[: 1 if len(target) > 1 else 3]:
+        mended = [*(one for one in vary if one != instead), name]
         try:
-            gait = find_gait(parameters, order, mended)
-            assert_met(gait, order)
-        except OrderNotMetError as problem:
+            gait = find_gait(parameters, target=target, vary=mended)
+            assert_met(gait, target)
+        except TargetNotMetError as problem:
             assert result == "helps"
-            assert gap(problem.nearest, order) < 0.96 * gap(error.nearest, order)
+            assert gap(problem.nearest, target) < 0.96 * gap(error.nearest, target)
 
 
-def test_the_command_prints_a_gait_with_what_was_freed(command):
+def test_the_command_prints_a_gait_with_what_was_varied(command):
     status, out, said = command(
         "gait", "--parameters", str(FAST_HUMAN), "--speed", "5", "--free", "hip.stance_torque", "--json"
     )
@@ -204,8 +207,8 @@ def test_the_command_prints_a_gait_with_what_was_freed(command):
 
 
 def test_the_command_tells_what_is_nearest_and_what_helps(command):
-    order = ["--cost-of-transport", "0.001", "--free", "hip.stance_torque"]
-    status, out, said = command("gait", "--friction", "0.6", "--model", "reduced", *order, "--json")
+    target = ["--cost-of-transport", "0.001", "--free", "hip.stance_torque"]
+    status, out, said = command("gait", "--friction", "0.6", "--model", "reduced", *target, "--json")
     told = json.loads(out)
     assert status == 1 and "no gait with cost_of_transport 0.001" in said
     assert told["nearest"]["cost_of_transport"] > 0.001
@@ -220,7 +223,7 @@ def test_the_command_tells_what_is_nearest_and_what_helps(command):
         (["--free", "leg.stiffness"], "nothing is ordered"),
         (
             ["--speed", "1", "--frequency", "1", "--free", "leg.damping"],
-            "as many parameters as are ordered, 2",
+            "as many parameters as are prescribed, 2",
         ),
         (["--speed", "1", "--frequency", "1", "--free", "leg.damping,leg.damping"], "given twice"),
         (["--speed", "1", "--free", "leg.stifness"], "leg.stiffness"),
@@ -253,10 +256,10 @@ def test_a_bad_order_gets_one_sentence(command, arguments, words):
     assert words in said and len(said.strip().splitlines()) == 1
 
 
-@pytest.mark.parametrize("order", [{}, {"velocity": 1.0}, {"speed": "fast"}, 3.0])
-def test_what_is_no_order_is_refused(order):
-    with pytest.raises(InputError, match=r"order|speed"):
-        find_gait({}, order, ["leg.stiffness"])
+@pytest.mark.parametrize("target", [{}, {"velocity": 1.0}, {"speed": "fast"}, 3.0])
+def test_what_is_no_order_is_refused(target):
+    with pytest.raises(InputError, match=r"target|speed"):
+        find_gait({}, target=target, vary=["leg.stiffness"])
 
 
 HAD = {
@@ -277,15 +280,15 @@ torque 0.11006 and angle 0.71879."""
 
 @pytest.mark.parametrize("name", HAD)
 def test_gaits_far_from_the_runners_own_are_found(name):
-    runner, order, free = HAD[name]
-    gait = find_gait(runner, order, free)
-    assert_met(gait, order)
+    runner, target, vary = HAD[name]
+    gait = find_gait(runner, target=target, vary=vary)
+    assert_met(gait, target)
     values = Runner.of(runner).values
-    assert {n for n in VARIED if gait.runner.values[n] != values[n]} <= set(free)
+    assert {n for n in VARIED if gait.runner.values[n] != values[n]} <= set(vary)
 
 
 def test_what_a_random_runner_has_is_met():
-    """By construction each order has an answer: it is read off a runner whose freed parameters are random."""
+    """By construction each target has an answer: it is read off a runner whose varied values are random."""
     ranges = {
         "hip.stance_torque": (0.1, 0.45),
         "hip.touchdown_angle": (0.4, 0.9),
@@ -296,20 +299,20 @@ def test_what_a_random_runner_has_is_met():
     }
     random, met = np.random.default_rng(2026), 0
     for _ in range(12):
-        free = [str(name) for name in random.choice(list(ranges), size=2, replace=False)]
-        true = find_orbit({name: random.uniform(*ranges[name]) for name in free})
+        vary = [str(name) for name in random.choice(list(ranges), size=2, replace=False)]
+        true = find_gait({name: random.uniform(*ranges[name]) for name in vary})
         names = [str(name) for name in random.choice(QUANTITIES, size=2, replace=False)]
-        order = quantities_of(true, names)
-        if min(order.values()) > 1e-6:
-            assert_met(find_gait({}, order, free), order, 1e-9)
+        target = quantities_of(true, names)
+        if min(target.values()) > 1e-6:
+            assert_met(find_gait({}, target=target, vary=vary), target, 1e-9)
             met += 1
     assert met >= 10
 
 
-def test_the_nearest_gait_is_looked_for_all_over_what_is_free():
+def test_the_nearest_gait_is_looked_for_all_over_what_varies():
     """A search near the runner came to 13.1 m, farther than a gait that is known, of 4.04 m and 0.253 N."""
-    order, free = {"length": 1.0, "peak_force": 0.25}, ["hip.stance_torque", "hip.touchdown_angle"]
-    known = find_orbit({"ground.friction": 2.5479, free[0]: 0.11006, free[1]: 0.71879})
-    with pytest.raises(OrderNotMetError) as refused:
-        find_gait({"ground.friction": 2.5479}, order, free)
-    assert gap(refused.value.nearest, order) < 0.5 < gap(known, order)
+    target, vary = {"length": 1.0, "peak_force": 0.25}, ["hip.stance_torque", "hip.touchdown_angle"]
+    known = find_gait({"ground.friction": 2.5479, vary[0]: 0.11006, vary[1]: 0.71879})
+    with pytest.raises(TargetNotMetError) as refused:
+        find_gait({"ground.friction": 2.5479}, target=target, vary=vary)
+    assert gap(refused.value.nearest, target) < 0.5 < gap(known, target)

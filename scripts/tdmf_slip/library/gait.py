@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..checks import check_kind
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..errors import RunError
+from ..errors import GaitNotFoundError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
@@ -36,7 +36,7 @@ PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Orbit(ByContents, Drawable):
+class Gait(ByContents, Drawable):
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner
@@ -80,7 +80,7 @@ class Orbit(ByContents, Drawable):
         """In a line: what tells one gait from another."""
         stride, kind = self.stride, "stable" if self.stable else "unstable"
         return (
-            f"<Orbit {self.word} at {FRICTION} = {self.friction:.6g}: period {self.period:.6g} s, "
+            f"<Gait {self.word} at {FRICTION} = {self.friction:.6g}: period {self.period:.6g} s, "
             f"speed {stride['speed']:.6g} m/s, cost of transport {stride['cost_of_transport']:.6g}, "
             f"{kind}, largest eigenvalue {self.lambda_max:.6g}>"
         )
@@ -156,7 +156,7 @@ class Orbit(ByContents, Drawable):
         }
 
 
-def check_orbit(given: object, what: str) -> None:
+def check_is_gait(given: object, what: str) -> None:
     """Refuse what is no gait of the return map.
 
     Parameters
@@ -171,10 +171,10 @@ def check_orbit(given: object, what: str) -> None:
     InputError
         It is something else.
     """
-    check_kind(given, Orbit, what, "an Orbit, as find_orbit gives")
+    check_kind(given, Gait, what, "a Gait, as find_gait gives")
 
 
-def orbit_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Orbit:
+def gait_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Gait:
     """The periodic gait near a guess, by Newton's method.
 
     Parameters
@@ -188,7 +188,7 @@ def orbit_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Or
 
     Returns
     -------
-    Orbit
+    Gait
         The gait to rounding, unless it is very sensitive.
 
     Raises
@@ -202,7 +202,7 @@ def orbit_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Or
     return _search(runner, checked_apex(guess, runner.coordinates), 0, along)
 
 
-def settled_orbit(runner: Runner, *, along: Along | None = None) -> Orbit:
+def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
     """The periodic gait that a runner settles on from its start, at the end by Newton's method.
 
     Parameters
@@ -214,7 +214,7 @@ def settled_orbit(runner: Runner, *, along: Along | None = None) -> Orbit:
 
     Returns
     -------
-    Orbit
+    Gait
         The gait near where the runner is after `SETTLING_STRIDES` strides.
 
     Raises
@@ -222,13 +222,13 @@ def settled_orbit(runner: Runner, *, along: Along | None = None) -> Orbit:
     InputError
         The start values are refused or not in flight, `along` is unknown, or the friction is 0.
     RunError
-        As in `orbit_near`.
+        As in `gait_near`.
     """
     check_has_gaits(runner.values[FRICTION])
     return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
 
 
-def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Orbit:
+def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Gait:
     """By Newton's method, after so many strides."""
     check_has_gaits(runner.values[FRICTION])
     change, map = direction(along), map_of(runner)
@@ -237,19 +237,19 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
     ran = settling and map.settle(solver, runner.model, runner.inputs, settling, section)
     found = map.find(solver, runner.model, runner.inputs, section, change)
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise RunError(why_no_gait(runner, found, ran < settling, ran))
+        raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0
     fixed_point = map.fixed_point(found)
     stride = map.measured_stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
     if not runner.reduced:
         found.stride.measures = stride.measures
-    orbit = orbit_of(runner, np.array(list(fixed_point)), found.stride, log, along)
-    return replace(orbit, error=found.error, iterations=found.iterations)
+    gait = gait_of_stride(runner, np.array(list(fixed_point)), found.stride, log, along)
+    return replace(gait, error=found.error, iterations=found.iterations)
 
 
-def orbit_of(
+def gait_of_stride(
     runner: Runner, apex: NDArray[np.float64], stride: Return, log: EventLog, along: Along | None
-) -> Orbit:
+) -> Gait:
     """A stride as the library gives it, whether it leads back to its apex or not.
 
     Parameters
@@ -267,14 +267,14 @@ def orbit_of(
 
     Returns
     -------
-    Orbit
+    Gait
         As of a gait.
     """
     jacobian, by_parameter = derivatives(runner, stride)
     told = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
     told |= {name: float(getattr(stride, name)) for name in LEDGER}
     told |= {} if runner.reduced else all_measures(runner, apex, stride)
-    return Orbit(
+    return Gait(
         runner=runner,
         apex=apex,
         word=text_of(stride.stride.word),

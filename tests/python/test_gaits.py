@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, Runner, find_orbit, read_parameters
+from tdmf_slip import InputError, RunError, Runner, find_gait, read_parameters
 from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweep as sweeps
 from tdmf_slip.analysis.borders import borders_between
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.grid import grid
+from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.cli.ranges import values_of
@@ -51,29 +52,29 @@ def swept(runner):
 
 @pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: gait.word)
 def test_gait_agrees_with_the_reference(runner, known):
-    orbit = find_orbit(runner.but(FRICTION, known.friction))
-    assert orbit.word == known.word
-    assert orbit.error < 1e-12
+    found = find_gait(runner.but(FRICTION, known.friction))
+    assert found.word == known.word
+    assert found.error < 1e-12
     for name in ("period", "speed", "work", "cost_of_transport"):
-        assert orbit.stride[name] == pytest.approx(getattr(known, name), rel=1e-11)
-    assert orbit.liftoff_angle == pytest.approx(known.liftoff_angle, rel=1e-11)
-    assert orbit.apex == pytest.approx(known.apex, abs=1e-11)
+        assert found.stride[name] == pytest.approx(getattr(known, name), rel=1e-11)
+    assert found.liftoff_angle == pytest.approx(known.liftoff_angle, rel=1e-11)
+    assert found.apex == pytest.approx(known.apex, abs=1e-11)
 
 
 @pytest.mark.parametrize("friction", EIGENVALUES)
 def test_eigenvalues_and_the_three_that_vanish(runner, friction):
-    orbit = find_orbit(runner.but(FRICTION, friction))
-    assert np.real(orbit.eigenvalues[:3]) == pytest.approx(EIGENVALUES[friction], abs=1e-8)
-    assert np.abs(orbit.eigenvalues[3:]) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
-    assert orbit.stable
+    gait = find_gait(runner.but(FRICTION, friction))
+    assert np.real(gait.eigenvalues[:3]) == pytest.approx(EIGENVALUES[friction], abs=1e-8)
+    assert np.abs(gait.eigenvalues[3:]) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
+    assert gait.stable
 
 
 @pytest.mark.parametrize("given", LIGHT_AND_DAMPED)
 def test_a_light_foot_on_a_damped_leg_has_its_eigenvalues_too(unit, given):
     values = dict(zip((FRICTION, "foot.mass", "leg.damping"), given, strict=True))
-    orbit = find_orbit(Runner.of(values, unit))
+    gait = find_gait(Runner.of(values, unit))
     known = LIGHT_AND_DAMPED[given]
-    assert np.abs(orbit.eigenvalues[: len(known)]) == pytest.approx(known, abs=1e-6)
+    assert np.abs(gait.eigenvalues[: len(known)]) == pytest.approx(known, abs=1e-6)
 
 
 def test_a_stride_without_derivatives_is_said_to_have_none(unit):
@@ -86,21 +87,21 @@ def test_a_stride_without_derivatives_is_said_to_have_none(unit):
 
 
 def test_without_stick_two_eigenvalues_vanish(runner):
-    values = np.abs(find_orbit(runner.but(FRICTION, 0.2)).eigenvalues)
+    values = np.abs(find_gait(runner.but(FRICTION, 0.2)).eigenvalues)
     assert 1e-8 < values[3] < 1e-6
     assert values[4:] == pytest.approx([0.0, 0.0], abs=1e-9)
 
 
 def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
     """Run, not linearized: after some strides only the slowest direction is left."""
-    orbit = find_orbit(runner)
-    section = ffi.new("double[6]", list(orbit.apex + np.array([1e-4, 0, 0, 0, 0, 0])))
+    gait = find_gait(runner)
+    section = ffi.new("double[6]", list(gait.apex + np.array([1e-4, 0, 0, 0, 0, 0])))
     distances = []
     for _ in range(2):
         c.tdmf_settle(runner.solver(), runner.model, runner.inputs, 20, section)
-        distances.append(np.linalg.norm(np.array(list(section)) - orbit.apex))
+        distances.append(np.linalg.norm(np.array(list(section)) - gait.apex))
     rate = (distances[1] / distances[0]) ** (1 / 20)
-    assert rate == pytest.approx(abs(orbit.eigenvalues[0]), rel=1e-4)
+    assert rate == pytest.approx(abs(gait.eigenvalues[0]), rel=1e-4)
 
 
 def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
@@ -121,14 +122,14 @@ def test_a_word_in_a_window_of_a_few_millionths(runner, swept):
     high, low = (b.value for b in inner)
     assert high == pytest.approx(0.4991, abs=5e-5)
     assert high - low == pytest.approx(WINDOW, rel=0.2)
-    around = find_orbit(runner.but(FRICTION, 0.5))
+    around = find_gait(runner.but(FRICTION, 0.5))
     within = next(gaits_over(runner, FRICTION, [0.5 * (high + low)], around))
     assert within.word == "+0-+"
 
 
 def test_every_border_lies_between_its_words(runner, swept):
     for border in swept.borders:
-        near = find_orbit(runner.but(FRICTION, border.value * (1.0 + 1e-7)))
+        near = find_gait(runner.but(FRICTION, border.value * (1.0 + 1e-7)))
         beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
         assert (near.word, beyond.word) == (border.before, border.after)
         assert borders_between(runner, FRICTION, near, beyond)[0].value == pytest.approx(
@@ -137,9 +138,9 @@ def test_every_border_lies_between_its_words(runner, swept):
 
 
 def test_the_ledger_of_a_gait_closes(swept):
-    for orbit in swept.orbits:
-        losses = sum(orbit.stride[name] for name in ("damper_loss", "friction_loss", "impact_loss"))
-        assert losses == pytest.approx(orbit.stride["work"], abs=1e-11)
+    for gait in swept.gaits:
+        losses = sum(gait.stride[name] for name in ("damper_loss", "friction_loss", "impact_loss"))
+        assert losses == pytest.approx(gait.stride["work"], abs=1e-11)
 
 
 def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeypatch):
@@ -162,7 +163,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
     on_file = xarray.load_dataset(path)
     assert on_file["period"].attrs["units"] == "s"
     assert on_file.attrs["leg.stiffness"] == 1.0
-    middle = find_orbit(runner.but(FRICTION, 0.6))
+    middle = find_gait(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
         grid(runner, frictions, "leg.damping", rows + 0.01, path, workers=1, unit=unit)
@@ -175,25 +176,25 @@ def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
         state = other.state_at(other.start_apex())
         for kept in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate", "foot.y", "foot.vx"):
             assert state[kept] == pytest.approx(runner.values[kept], abs=1e-14)
-        assert find_orbit(other).error < 1e-12
+        assert find_gait(other).error < 1e-12
 
 
 def test_events_and_letters_are_those_of_one_stride(unit):
     """A word's letters with their durations, in stances of their own too."""
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = trace(human, "leg.stiffness", find_orbit(human), 18000.0)
-    assert {orbit.word for orbit in branch.orbits} == {"+0+", "+|+0+"}
-    for orbit in branch.orbits:
-        assert "".join(letter.letter for letter in orbit.letters) == orbit.word.replace("|", "")
-        times = [event.time for event in orbit.events]
-        assert times == sorted(times) and times[0] >= 0.0 and times[-1] <= orbit.period * (1.0 + 1e-9)
+    branch = trace(human, "leg.stiffness", find_gait(human), 18000.0)
+    assert {gait.word for gait in branch.gaits} == {"+0+", "+|+0+"}
+    for gait in branch.gaits:
+        assert "".join(letter.letter for letter in gait.letters) == gait.word.replace("|", "")
+        times = [event.time for event in gait.events]
+        assert times == sorted(times) and times[0] >= 0.0 and times[-1] <= gait.period * (1.0 + 1e-9)
         standing = [
             after.time - event.time
-            for event, after in pairwise(orbit.events)
+            for event, after in pairwise(gait.events)
             if event.contact_after in LETTERS
         ]
-        assert sum(letter.duration for letter in orbit.letters) == pytest.approx(sum(standing), rel=1e-12)
-        assert 0.0 < sum(standing) <= orbit.stride["stance_time"] * (1.0 + 1e-9)
+        assert sum(letter.duration for letter in gait.letters) == pytest.approx(sum(standing), rel=1e-12)
+        assert 0.0 < sum(standing) <= gait.stride["stance_time"] * (1.0 + 1e-9)
 
 
 def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
@@ -209,12 +210,12 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_pat
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
-    first = find_orbit(runner.but("hip.touchdown_angle", 1.0), unit=unit)
+    first = find_gait(runner.but("hip.touchdown_angle", 1.0), unit=unit)
     assert float(found["lambda_max"][0, 0]) == pytest.approx(np.max(np.abs(first.eigenvalues)), rel=1e-9)
     for name in ("speed", "work", "impact_loss"):
         assert float(found[name][0, 0]) == pytest.approx(first.stride[name], rel=1e-9)
     with pytest.raises(RunError, match=r"at friction 0\.02"):
-        find_orbit(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), unit=unit)
+        find_gait(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), unit=unit)
 
 
 def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
@@ -224,7 +225,7 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
 
     monkeypatch.setattr(sweeps, "crossings", none)
     found = sweep(runner, [0.6, 0.7])
-    assert len(found.orbits) == 2 and found.problem == "not located"
+    assert len(found.gaits) == 2 and found.problem == "not located"
 
 
 def test_a_grid_over_a_mass(runner, unit, tmp_path):
@@ -246,10 +247,10 @@ def test_a_grid_over_a_mass(runner, unit, tmp_path):
 
 def test_what_was_not_asked_for_is_absent(runner):
     """Not zero: a derivative of zero would be a result."""
-    plain, along = find_orbit(runner), find_orbit(runner, along="leg.damping")
+    plain, along = find_gait(runner), periodic_gait(runner, along="leg.damping")
     assert plain.along is None and plain.by_parameter is None
     assert along.along == "leg.damping"
-    changed = find_orbit(runner.but("leg.damping", runner.values["leg.damping"] + 1e-6), plain.apex)
+    changed = find_gait(runner.but("leg.damping", runner.values["leg.damping"] + 1e-6), guess=plain.apex)
     slope = np.linalg.solve(np.eye(6) - along.jacobian, along.by_parameter)
     assert (changed.apex - plain.apex) / 1e-6 == pytest.approx(slope, rel=1e-3, abs=1e-6)
 
@@ -262,40 +263,40 @@ def test_a_solvers_trouble_is_not_called_a_fall(runner, monkeypatch):
         solver.step_limit = 7
         return solver
 
-    known = find_orbit(runner)
+    known = find_gait(runner)
     monkeypatch.setattr(Runner, "solver", hurried)
     with pytest.raises(RunError, match=r"too many steps.*after 0 strides"):
-        find_orbit(runner)
+        find_gait(runner)
     with pytest.raises(RunError, match=r"from the apex that was tried, too many steps"):
-        find_orbit(runner, known.apex)
+        find_gait(runner, guess=known.apex)
     with pytest.raises(RunError, match=r"no stride closes at friction 0\.6: too many steps"):
         stride_from(runner, known.apex, FRICTION)
 
 
 def test_what_cannot_be_found_is_said(runner):
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner fell"):
-        find_orbit(runner.but("hip.stance_torque", 0.0))
+        find_gait(runner.but("hip.stance_torque", 0.0))
     stiff = runner.but("hip.kd", 2.5e13)
     with pytest.raises(RunError, match=r"no gait at friction 0\.6: the runner is too stiff .* CVODE"):
-        find_orbit(stiff)
+        find_gait(stiff)
     with pytest.raises(RunError, match=r"no stride closes .* too stiff"):
         stride_from(stiff, runner.start_apex(), "gravity")
     with pytest.raises(InputError, match=r"ground.friction = -1"):
-        find_orbit(runner.but(FRICTION, -1.0))
+        find_gait(runner.but(FRICTION, -1.0))
     with pytest.raises(InputError, match="begins in flight"):
-        find_orbit(runner.but("foot.y", 0.0).but("leg.length_rate", 1.0))
+        find_gait(runner.but("foot.y", 0.0).but("leg.length_rate", 1.0))
     with pytest.raises(InputError, match=r"foot\.y = -0\.1"):
-        find_orbit(runner.but("foot.y", -0.1))
+        find_gait(runner.but("foot.y", -0.1))
     with pytest.raises(InputError, match="speed"):
-        find_orbit(runner.but(FRICTION, 0.0))
+        find_gait(runner.but(FRICTION, 0.0))
     with pytest.raises(InputError, match="shape"):
-        find_orbit(runner, [1.0, 2.0])
+        find_gait(runner, guess=[1.0, 2.0])
     with pytest.raises(InputError, match="nosuch"):
-        find_orbit(runner, along="nosuch")
+        periodic_gait(runner, along="nosuch")
     with pytest.raises(InputError, match="nosuch"):
         runner.but("nosuch", 1.0)
     with pytest.raises(InputError, match="relative_tolerance"):
-        find_orbit(Runner(runner.values, float("nan")))
+        find_gait(Runner(runner.values, float("nan")))
 
 
 @pytest.mark.parametrize("ends", [(1.0, 1000.0), (0.1, 10.0)])
@@ -375,18 +376,18 @@ def test_a_light_foot_that_never_slips_has_a_gait(unit):
     The period is that which runs of the unit by CVODE settle to.
     """
     light = {"foot.mass": 0.02, "hip.touchdown_angle": "49.6715 deg", "ground.friction": 1000.0}
-    orbit = find_orbit(Runner.of(light, unit))
-    assert (orbit.word, orbit.stable) == ("0+", True)
-    assert orbit.period == pytest.approx(25.36965, rel=3e-7)
+    gait = find_gait(Runner.of(light, unit))
+    assert (gait.word, gait.stable) == ("0+", True)
+    assert gait.period == pytest.approx(25.36965, rel=3e-7)
 
 
 def test_friction_without_bound_has_the_gait_of_no_slip(runner):
     """What the friction changes vanishes with its inverse."""
-    never = find_orbit(runner.but(FRICTION, 1e6))
+    never = find_gait(runner.but(FRICTION, 1e6))
     for friction in (1e3, 1e4, 1e5):
-        orbit = find_orbit(runner.but(FRICTION, friction))
-        assert orbit.word == never.word == "0+"
-        assert orbit.period == pytest.approx(never.period, rel=1e-3 / friction)
+        gait = find_gait(runner.but(FRICTION, friction))
+        assert gait.word == never.word == "0+"
+        assert gait.period == pytest.approx(never.period, rel=1e-3 / friction)
 
 
 def test_trouble_of_the_solver_is_not_called_a_fall(unit):
@@ -394,8 +395,8 @@ def test_trouble_of_the_solver_is_not_called_a_fall(unit):
     stiff = Runner.of({"foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18}, unit)
     apex = [1.34, 0.95, 1.0, 0.93, 0.0, 0.2]
     for search in (
-        lambda: find_orbit(stiff),
-        lambda: find_orbit(stiff, apex),
+        lambda: find_gait(stiff),
+        lambda: find_gait(stiff, guess=apex),
         lambda: stride_from(stiff, apex, FRICTION),
     ):
         with pytest.raises(RunError, match=r"too stiff|no step") as trouble:
@@ -470,7 +471,7 @@ def test_a_sweep_goes_on_beyond_a_gap(unit):
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
     runner = Runner.of(read_parameters(FAST_HUMAN), unit)
     found = sweep(runner, [0.6, 0.3, 0.405])
-    assert [gait and gait.word for gait in found.gaits] == ["+0+", None, "+0-0+"]
+    assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
     assert "friction 0.3" in found.problem
     assert found.borders == ()
     assert [gait["friction"] for gait in found.as_json()["gaits"]] == [0.6, 0.405]

@@ -1,7 +1,7 @@
-"""The system that a gait to order solves: that its stride closes, and that its quantities are those ordered.
+"""The system that a gait with a target solves: its stride closes, its quantities are those prescribed.
 
-Unknowns are the apex z and the freed parameters p. With the return map P and the quantities q, Newton's
-method solves P(z, p) - z = 0 and q(z, p) = the order, all over their scales.
+Unknowns are the apex z and the varied parameters p. With the return map P and the quantities q, Newton's
+method solves P(z, p) - z = 0 and q(z, p) = the target, all over their scales.
 """
 
 import contextlib
@@ -14,23 +14,23 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.orbit import Orbit, orbit_near
+from ..library.gait import Gait, gait_near
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_stride import VariedStride, varied_stride
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
-"""To what is ordered at once."""
+"""To what is prescribed at once."""
 LONGEST_STEP = 1.0
 """Of Newton's method, over the scales of apex and parameters: far beyond them a stride may take an age."""
 CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
 """Where a place is near a gait that is sought, or else is of no use."""
 STEPS = 40
-"""Of the way from the first gait's quantities to those ordered, with those that are refused."""
+"""Of the way from the first gait's quantities to those prescribed, with those that are refused."""
 CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
-"""Largest difference of apex and next apex over the scales, and of quantities over those ordered."""
+"""Largest difference of apex and next apex over the scales, and of quantities over those prescribed."""
 SHORTEST_SHARE = 5e-3
-"""Of the way from the first gait's quantities to those ordered."""
+"""Of the way from the first gait's quantities to those prescribed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,44 +38,44 @@ class Place(ByContents):
     """An apex and parameters, with the stride from there."""
 
     at: NDArray[np.float64]
-    """Coordinates, then freed parameters, over the scales."""
+    """Coordinates, then varied parameters, over the scales."""
     varied: VariedStride
     """Of it."""
 
 
-class Order:
-    """Quantities that a gait is to have, and the parameters that are freed for it."""
+class Target:
+    """Quantities that a gait is to have, and the parameters that are varied for it."""
 
-    def __init__(self, runner: Runner, quantities: Mapping[str, float], free: Sequence[str]) -> None:
+    def __init__(self, runner: Runner, quantities: Mapping[str, float], vary: Sequence[str]) -> None:
         """All are taken as they are; `find_gait` checks them."""
-        self.runner, self.free = runner, tuple(free)
+        self.runner, self.vary = runner, tuple(vary)
         self.names = tuple(quantities)
-        self.ordered = np.array([quantities[name] for name in self.names])
-        self.scales = scales_of(runner, self.free)
+        self.prescribed = np.array([quantities[name] for name in self.names])
+        self.scales = scales_of(runner, self.vary)
         self._apex_scales = runner.scales
-        self.quantity_scales = np.array([abs(value) or 1.0 for value in self.ordered])
+        self.quantity_scales = np.array([abs(value) or 1.0 for value in self.prescribed])
 
-    def with_more(self, *names: str) -> "Order":
-        """The same order with more parameters freed."""
-        quantities = dict(zip(self.names, map(float, self.ordered), strict=True))
-        return Order(self.runner, quantities, [*self.free, *names])
+    def with_more(self, *names: str) -> "Target":
+        """The same target with more parameters varied."""
+        quantities = dict(zip(self.names, map(float, self.prescribed), strict=True))
+        return Target(self.runner, quantities, [*self.vary, *names])
 
-    def with_one_for(self, name: str, other: str) -> "Order":
-        """The same order with another parameter freed instead of one."""
-        quantities = dict(zip(self.names, map(float, self.ordered), strict=True))
-        return Order(self.runner, quantities, [other if free == name else free for free in self.free])
+    def with_one_for(self, name: str, other: str) -> "Target":
+        """The same target with another parameter varied instead of one."""
+        quantities = dict(zip(self.names, map(float, self.prescribed), strict=True))
+        return Target(self.runner, quantities, [other if varied == name else varied for varied in self.vary])
 
     def runner_at(self, at: NDArray[np.float64]) -> Runner:
-        """The runner with the freed parameters' values at a place."""
+        """The runner with the varied parameters' values at a place."""
         runner = self.runner
-        for name, value in zip(self.free, (at * self.scales)[-len(self.free) :], strict=True):
+        for name, value in zip(self.vary, (at * self.scales)[-len(self.vary) :], strict=True):
             runner = runner.but(name, float(value))
         return runner
 
-    def place_of(self, orbit: Orbit) -> Place:
-        """That of a gait of this runner, whatever its freed parameters."""
-        freed = [orbit.runner.values[name] for name in self.free]
-        return self.look(np.append(orbit.apex, freed) / self.scales)
+    def place_of(self, gait: Gait) -> Place:
+        """That of a gait of this runner, whatever its varied parameters."""
+        values = [gait.runner.values[name] for name in self.vary]
+        return self.look(np.append(gait.apex, values) / self.scales)
 
     def look(self, at: NDArray[np.float64]) -> Place:
         """The stride from a place.
@@ -88,12 +88,12 @@ class Order:
         count = len(self._apex_scales)
         try:
             runner = self.runner_at(at)
-            varied = varied_stride(runner, (at * self.scales)[:count], self.names, self.free)
+            varied = varied_stride(runner, (at * self.scales)[:count], self.names, self.vary)
         except InputError as problem:
             raise RunError(str(problem)) from None
         return Place(at, varied)
 
-    def orbit(self, place: Place) -> Orbit:
+    def gait(self, place: Place) -> Gait:
         """The gait at a place where the stride leads back to its apex.
 
         Raises
@@ -101,11 +101,11 @@ class Order:
         RunError
             There is none.
         """
-        return orbit_near(self.runner_at(place.at), (place.at * self.scales)[: len(self._apex_scales)])
+        return gait_near(self.runner_at(place.at), (place.at * self.scales)[: len(self._apex_scales)])
 
     def deviations(self, place: Place) -> NDArray[np.float64]:
-        """How far a place's quantities are from those ordered, over these."""
-        off: NDArray[np.float64] = (place.varied.quantities - self.ordered) / self.quantity_scales
+        """How far a place's quantities are from those prescribed, over these."""
+        off: NDArray[np.float64] = (place.varied.quantities - self.prescribed) / self.quantity_scales
         return off
 
     def rows(self, place: Place) -> NDArray[np.float64]:
@@ -119,10 +119,10 @@ class Order:
         return place.varied.left_over / self._apex_scales
 
     def solved_from(self, place: Place, steps: int = STEPS) -> tuple[Place, float]:
-        """The place that meets the order, or the last one on the way to it.
+        """The place that meets the target, or the last one on the way to it.
 
-        Newton's method alone, from the place given; where it fails, on a way of orders from what the gait has
-        to what is ordered, a share at a time.
+        Newton's method alone, from the place given; where it fails, through targets between what the gait
+        has and what is prescribed, a share at a time.
 
         Parameters
         ----------
@@ -136,15 +136,15 @@ class Order:
         place : Place
             That of a gait.
         share : float
-            Of the way that was gone: 1 where the order is met.
+            Of the way that was gone: 1 where the target is met.
         """
         with contextlib.suppress(RunError):
-            return self._by_newton(place, self.ordered), 1.0
-        begin, way = place.varied.quantities, self.ordered - place.varied.quantities
+            return self._by_newton(place, self.prescribed), 1.0
+        begin, way = place.varied.quantities, self.prescribed - place.varied.quantities
         done, step = 0.0, 0.5
         for _ in range(steps):
             to = min(done + step, 1.0)
-            goal = self.ordered if to == 1.0 else begin + to * way
+            goal = self.prescribed if to == 1.0 else begin + to * way
             try:
                 place = self._by_newton(place, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
             except RunError:
@@ -213,5 +213,5 @@ class Order:
         return None
 
     def gap(self, place: Place) -> float:
-        """How far a gait is from the order: the root of the sum of squared deviations."""
+        """How far a gait is from the target: the root of the sum of squared deviations."""
         return float(np.linalg.norm(self.deviations(place)))

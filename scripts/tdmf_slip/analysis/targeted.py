@@ -1,0 +1,252 @@
+"""A gait with a target: of a given speed, step frequency or the like, by varying as many parameters."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+
+import numpy as np
+
+from ..checks import checked, is_one_of, near_matches, shown
+from ..errors import InputError, RunError
+from ..given import mapping_of, row_of
+from ..library.gait import Gait
+from ..library.members import check_varied
+from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
+from ..library.runner import Runner
+from ..library.section import Apex
+from ..unit.unit import Unit, load
+from ..unit.variable import Given
+from .beginnings import beginnings
+from .nearest import Help, nearest_from, parameters_that_help
+from .search import periodic_gait, runner_by
+from .target import Place, Target
+
+TRAVEL = ("speed", "frequency", "length")
+"""Any two of them set the third."""
+LEAST, MOST = 1e-9, 1e9
+"""Of what is prescribed, in SI units."""
+MET = 1e-10
+"""Of what is prescribed."""
+LAST_STEPS = 10
+"""From the nearest gait towards the target, and from each of the others."""
+MOST_BEGINNINGS = 8
+"""Other gaits that a search begins from."""
+DESCENTS = 2
+"""Of these, so many of the nearest lead on to the gait that is nearest of all."""
+NO_ACTION = 1e-11
+"""Changes over the scales that are no more than rounding."""
+NAMES = "a list of names of parameters and inputs"
+"""What `vary` takes."""
+
+
+class TargetNotMetError(RunError):
+    """No gait was found that has what is prescribed."""
+
+    def __init__(self, message: str, nearest: Gait, helps: tuple[str, ...]) -> None:
+        """With the gait that is nearest to the target, and the parameters that would bring it nearer."""
+        super().__init__(message)
+        self.nearest, self.helps = nearest, helps
+
+    def __reduce__(self) -> tuple[type["TargetNotMetError"], tuple[str, Gait, tuple[str, ...]]]:
+        """As it was made."""
+        return type(self), (str(self), self.nearest, self.helps)
+
+
+def find_gait(
+    runner: Runner | Mapping[str, Given] | None = None,
+    *,
+    target: Mapping[str, float] | None = None,
+    vary: Sequence[str] = (),
+    guess: Apex | None = None,
+    model: str | None = None,
+    show_progress: bool = False,
+    unit: Unit | None = None,
+) -> Gait:
+    """The periodic gait of a runner, stable or not, or the one that has what a target prescribes.
+
+    With a guess, the gait near it, by Newton's method on the return map. Without one, the gait that the
+    runner settles on from its start values; where it falls or does not settle, the gait that is reached
+    along the friction from the unit's own; and where none is, one from starts all over the section that run
+    side by side, a stable one if there is, see `spread.search_from_spread`. These are always the same starts,
+    so that the same gait is found each time; the search takes a second or two.
+
+    With a target, Newton's method goes on from there on apex and varied parameters at once; where it fails,
+    through targets in between. Derivatives are exact. Where more parameters are varied than prescribed
+    quantities ask for, each step is the shortest one, over their values.
+
+    Parameters
+    ----------
+    runner : Runner or mapping of str to float, optional
+        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own.
+        Varied parameters begin with the values that they have here.
+    target : mapping of str to float, optional
+        What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
+        strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
+        foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
+        in the full model also those of `library.measures.MEASURE_UNITS`, as `foot_clearance`.
+    vary : sequence of str
+        Names of the parameters and inputs that may change for the target, at least as many as it prescribes.
+    guess : sequence of float, shape (6,), optional
+        An apex near the gait's, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s;
+        for the reduced map the first two.
+    model : str, optional
+        One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
+        in flight as if by itself. By default that of the runner.
+    show_progress : bool, default False
+        A bar on stderr while parameters are tried that would help.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Gait
+        Apex, word, quantities of the stride, Jacobian and eigenvalues of the map. The varied parameters are
+        in its `runner.values`; what is prescribed is met to 1e-10.
+
+    Raises
+    ------
+    InputError
+        The guess is no apex, the start values are refused or not in flight, a name is unknown, or the
+        friction is 0; fewer parameters are varied than quantities prescribed, one does not act, or they
+        cannot be told from each other.
+    GaitNotFoundError
+        No gait was found; the message says what happened on the way.
+    TargetNotMetError
+        No gait with this target was found: `nearest` is the nearest that was, `helps` names parameters that,
+        varied too or instead of another, as the message says, meet the target or bring it nearer.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.2})
+    >>> gait.word, gait.stable
+    ('+-', True)
+    >>> gait = tdmf_slip.find_gait(target={"speed": 1.0}, vary=["hip.stance_torque"])
+    >>> round(gait.stride["speed"], 10)
+    1.0
+    """
+    if target is None and not len(row_of(vary, "vary", NAMES)):
+        return periodic_gait(runner, guess, model=model, unit=unit)
+    wanted = _checked_target(target)
+    names = _checked_vary(vary, wanted)
+    starting = runner_by(Runner.of(runner, unit), model)
+    check_quantities(starting, list(wanted))
+    first = periodic_gait(starting, guess, unit=unit)
+    system = Target(first.runner, wanted, names)
+    begin = system.place_of(first)
+    _check_action(system, begin)
+    place, share = system.solved_from(begin)
+    if share < 1.0:
+        others = beginnings(system, first, load(unit))
+        place, share, nearest = _met_from_elsewhere(system, (begin, place), others)
+        if share < 1.0:
+            helps = parameters_that_help(system, nearest, first, show_progress)
+            raise _not_met(system, nearest, helps, load(unit))
+    return _met(system, place)
+
+
+def _met_from_elsewhere(
+    target: Target, known: Sequence[Place], others: Iterator[Place]
+) -> tuple[Place, float, Place]:
+    """From gaits all over the varied parameters, and from the nearest one that the nearest of them lead to.
+
+    The place that was come to, the share of the way to the target, and the nearest of all that were seen.
+    """
+    seen = [*known]
+    for other in islice(others, MOST_BEGINNINGS):
+        place, share = target.solved_from(other, LAST_STEPS)
+        seen += [other, place]
+        if share == 1.0:
+            return place, share, place
+    nearest = nearest_from(target, sorted(seen, key=target.gap)[:DESCENTS])
+    place, share = target.solved_from(nearest, LAST_STEPS)
+    return place, share, min(nearest, place, key=target.gap)
+
+
+def _met(target: Target, place: Place) -> Gait:
+    """The gait at a place that meets the target.
+
+    Raises
+    ------
+    RunError
+        It is so sensitive that its own Newton's method leads elsewhere.
+    """
+    gait = target.gait(place)
+    has = np.array([*quantities_of(gait, target.names).values()])
+    if not np.all(np.abs(has - target.prescribed) <= MET * target.quantity_scales):
+        raise RunError(
+            f"the gait with {', '.join(target.names)} as prescribed is too sensitive to be found to {MET:g}"
+        )
+    return gait
+
+
+def _checked_target(target: object) -> dict[str, float]:
+    """What is prescribed, by its names."""
+    given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
+    if not given:
+        raise InputError(f"target: nothing is prescribed; allowed: {', '.join(QUANTITIES)}")
+    for name in given:
+        if not is_one_of(name, QUANTITIES):
+            raise InputError(
+                f"target {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
+                f"{near_matches(name, QUANTITIES)}"
+            )
+    if all(name in given for name in TRAVEL):
+        raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
+    most, least = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MOST)
+    return {
+        name: checked(name, value, least.get(name, LEAST), most.get(name, MOST))
+        for name, value in given.items()
+    }
+
+
+def _checked_vary(vary: object, target: Mapping[str, float]) -> tuple[str, ...]:
+    """The varied parameters' names."""
+    names = tuple(row_of(vary, "vary", NAMES))
+    for name in names:
+        check_varied(name, "vary")
+        if names.count(name) > 1:
+            raise InputError(f"vary: {name} is given twice; allowed: once")
+    if len(names) < len(target):
+        raise InputError(
+            f"vary: {', '.join(names) or 'nothing'} for {', '.join(target)}; allowed: at least as many "
+            f"parameters as are prescribed, {len(target)}"
+        )
+    return names
+
+
+def _check_action(target: Target, place: Place) -> None:
+    """Refuse parameters that do not act on the first gait, or not each in a way of its own."""
+    count = len(target.closing(place))
+    rows = target.rows(place)
+    for name, column in zip(target.vary, rows[:, count:].T, strict=True):
+        if np.max(np.abs(column)) <= NO_ACTION:
+            raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")
+    sizes = np.linalg.svd(rows, compute_uv=False)
+    if sizes[-1] <= NO_ACTION * sizes[0]:
+        raise InputError(
+            f"vary {', '.join(target.vary)}: do not change {', '.join(target.names)} of this gait each in "
+            "its own way; allowed: parameters that do"
+        )
+
+
+def _not_met(target: Target, nearest: Place, helps: Sequence[Help], unit: Unit) -> TargetNotMetError:
+    """With the nearest gait, and what would help."""
+    gait = target.gait(nearest)
+    has = quantities_of(gait, target.names)
+    wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
+    near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
+    at = ", ".join(
+        f"{name} = {gait.runner.values[name]:.6g} {unit.variables[name].unit}".removesuffix(" 1").strip()
+        for name in target.vary
+    )
+    tip = (
+        f"varying {', '.join(map(str, helps[:3]))}"
+        if helps
+        else "no single further parameter that was tried helps"
+    )
+    return TargetNotMetError(
+        f"no gait with {wanted} was found by {', '.join(target.vary)}: "
+        f"the nearest has {near}, at {at}; {tip}",
+        gait,
+        tuple(help.name for help in helps),
+    )
