@@ -68,10 +68,21 @@ def periodic_gait(
 
     Parameters
     ----------
-    runner, guess, model, unit
-        See `find_gait`.
+    runner : Runner or mapping of str to float, optional
+        Whose gait, as in `find_gait`.
+    guess : sequence of float, optional
+        An apex near the gait's, as in `find_gait`.
     along : str or mapping of str to float, optional
         A parameter or input by which the next apex is differentiated, too; or a direction of several.
+    model : str, optional
+        One of `MODELS`; by default that of the runner.
+    unit : Unit, optional
+        Whose start values hold; by default that of `fmu_path`.
+
+    Returns
+    -------
+    Gait
+        Where `along` is given, with its derivative by that.
 
     Raises
     ------
