@@ -108,17 +108,17 @@ class Importer:
         self._unit.enterEventMode()
 
     def _new_solver(self):
-        unit = self._unit
+        fmu = self._unit
         return CVodeSolver(
             nx=self._description.numberOfContinuousStates,
             nz=self._description.numberOfEventIndicators,
-            get_x=unit.getContinuousStates,
-            set_x=unit.setContinuousStates,
-            get_dx=unit.getDerivatives,
-            get_z=unit.getEventIndicators,
-            get_nominals=unit.getNominalsOfContinuousStates,
-            set_time=unit.setTime,
-            input=Input(unit, self._description, None),
+            get_x=fmu.getContinuousStates,
+            set_x=fmu.setContinuousStates,
+            get_dx=fmu.getDerivatives,
+            get_z=fmu.getEventIndicators,
+            get_nominals=fmu.getNominalsOfContinuousStates,
+            set_time=fmu.setTime,
+            input=Input(fmu, self._description, None),
             startTime=self._time,
             relativeTolerance=TOLERANCE,
             maxNumSteps=100_000,

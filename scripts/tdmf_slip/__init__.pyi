@@ -33,7 +33,7 @@ from .unit.parameters import read_parameters
 from .unit.profile import Profile, simulate_over
 from .unit.run import Run
 from .unit.simulation import simulate
-from .unit.unit import Unit, fmu_path, load
+from .unit.unit import Fmu, fmu_path, load_fmu
 from .version import __version__
 
 __all__ = [
@@ -46,6 +46,7 @@ __all__ = [
     "Curve",
     "Feedback",
     "Fit",
+    "Fmu",
     "Front",
     "Gait",
     "GaitNotFoundError",
@@ -60,7 +61,6 @@ __all__ = [
     "Sweep",
     "TargetNotMetError",
     "TdmfSlipError",
-    "Unit",
     "Validation",
     "__version__",
     "apex_covariance",
@@ -73,7 +73,7 @@ __all__ = [
     "find_gait",
     "fit",
     "fmu_path",
-    "load",
+    "load_fmu",
     "lqr",
     "optimize",
     "pareto_front",

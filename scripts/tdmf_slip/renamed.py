@@ -5,7 +5,9 @@ from collections.abc import Mapping
 NAMES: Mapping[str, str] = {
     "Orbit": "Gait",
     "OrderNotMetError": "TargetNotMetError",
+    "Unit": "Fmu",
     "find_orbit": "find_gait",
+    "load": "load_fmu",
 }
 """Of the package, from the old to the new."""
 

@@ -31,7 +31,7 @@ def fmu():
 
 @pytest.fixture(scope="session")
 def unit():
-    return tdmf_slip.load()
+    return tdmf_slip.load_fmu()
 
 
 @pytest.fixture(scope="session")

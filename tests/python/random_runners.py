@@ -54,7 +54,7 @@ def gaits_of(values):
         if drawing == DRAWINGS:
             spread.SPEEDS, spread.ANGLES, spread.LENGTHS = (0.01, 5.0), (-1.5, 2.5), (0.9, 1.1)
         spread.starts_of.__defaults__ = (spread.SEED + drawing,)
-        found += spread.search_from_spread(runner, most_gaits=10**6).gaits
+        found += spread.search_from_spread(runner, max_gaits=10**6).gaits
     spread.SPEEDS, spread.ANGLES, spread.LENGTHS = box
     apart = []
     for gait in found:

@@ -45,7 +45,7 @@ TAKE_A_RUNNER = {
     "find_gait": lambda given, found: find_gait(given).apex,
     "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
     "Case": lambda given, found: ensemble.Case(given).runner.values,
-    "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], most_strides=2)[0]["apex"],
+    "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], max_strides=2)[0]["apex"],
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, [0.3]).gaits[0].apex,
     "grid": lambda given, found: (
@@ -53,7 +53,7 @@ TAKE_A_RUNNER = {
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
-    "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, most_points=2).values,
+    "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, max_points=2).values,
     "basin": lambda given, found: basin.basin(given, AXES, RANGES, workers=1)["strides"].values,
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
@@ -90,9 +90,9 @@ WRONG = [
     lambda r, o: r.but(FRICTION, None),
     lambda r, o: r.but(FRICTION, [1, 2]),
     lambda r, o: Runner(r.values, "x").solver(),
-    lambda r, o: ensemble.run_ensemble(r, [o.apex], most_strides=2),
-    lambda r, o: ensemble.run_ensemble(ensemble.Case(r), [o.apex], most_strides=2),
-    lambda r, o: ensemble.run_ensemble(None, [o.apex], most_strides=2),
+    lambda r, o: ensemble.run_ensemble(r, [o.apex], max_strides=2),
+    lambda r, o: ensemble.run_ensemble(ensemble.Case(r), [o.apex], max_strides=2),
+    lambda r, o: ensemble.run_ensemble(None, [o.apex], max_strides=2),
     lambda r, o: ensemble.Case(r, o),
     lambda r, o: sweep.sweep(r, 0.3),
     lambda r, o: sweep.sweep(r, "0.3:1:3"),
@@ -113,8 +113,8 @@ WRONG = [
     lambda r, o: tracing.trace(r, FRICTION, o, "x"),
     lambda r, o: tracing.trace(r, FRICTION, o, float("nan")),
     lambda r, o: tracing.trace(r, FRICTION, o, 0.2),
-    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, most_points=0),
-    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, largest_step=-1),
+    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, max_points=0),
+    lambda r, o: tracing.trace(r, FRICTION, o, 0.3, max_step=-1),
     lambda r, o: basin.basin(r, AXES, RANGES[:1]),
     lambda r, o: basin.basin(r, "com_height", RANGES),
     lambda r, o: basin.basin(r, 3, RANGES),
@@ -141,22 +141,22 @@ WRONG = [
     lambda r, o: tdmf_slip.simulate(variables=[3], stop_time=1),
     lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
     lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
-    lambda r, o: tdmf_slip.simulate(unit=3, stop_time=1),
+    lambda r, o: tdmf_slip.simulate(fmu=3, stop_time=1),
     lambda r, o: settling.settle_unit("human"),
     lambda r, o: settling.settle_unit(r),
-    lambda r, o: settling.settle_unit(most_strides="x"),
-    lambda r, o: settling.settle_unit(relative_tolerance="x"),
+    lambda r, o: settling.settle_unit(max_strides="x"),
+    lambda r, o: settling.settle_unit(tolerance="x"),
     lambda r, o: tdmf_slip.read_parameters(3),
     lambda r, o: gait_file.read_gait("none.json"),
-    lambda r, o: tdmf_slip.load(3),
+    lambda r, o: tdmf_slip.load_fmu(3),
     lambda r, o: tdmf_slip.fmu_path([2]),
     lambda r, o: batch.run_batch(START, strides=1),
     lambda r, o: batch.run_batch(iter([START]), strides=1),
     lambda r, o: batch.run_batch([3], strides=1),
     lambda r, o: batch.run_batch([START], strides=0),
     lambda r, o: batch.run_batch([START], strides=1, interface="x"),
-    lambda r, o: batch.run_batch([START], strides=1, relative_tolerance=5),
-    lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load()),
+    lambda r, o: batch.run_batch([START], strides=1, tolerance=5),
+    lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load_fmu()),
     lambda r, o: r.state_at([1, 2]),
     lambda r, o: r.start_values("human"),
     lambda r, o: r.but("hip.touchdown_angle", "42 deg"),
@@ -217,9 +217,9 @@ def test_start_values_may_be_texts_with_a_unit():
 
 
 def test_a_unit_may_be_given_as_it_is_or_by_its_path():
-    unit = tdmf_slip.load()
-    assert tdmf_slip.load(unit) is unit
-    assert tdmf_slip.simulate(unit=tdmf_slip.fmu_path(), stop_time=1).final["time"] == 1.0
+    fmu = tdmf_slip.load_fmu()
+    assert tdmf_slip.load_fmu(fmu) is fmu
+    assert tdmf_slip.simulate(fmu=tdmf_slip.fmu_path(), stop_time=1).final["time"] == 1.0
 
 
 def test_start_values_of_a_gait_begin_on_it(found):

@@ -20,7 +20,7 @@ def settles(gait, apex):
     """By the native solver, one runner at a time."""
     case = ensemble.Case(Runner(gait.runner.values), (gait.apex,))
     ends, _ = ensemble.run_ensemble(
-        [case], np.array([apex]), most_strides=400, instructions="one by one", threads=1
+        [case], np.array([apex]), max_strides=400, instructions="one by one", threads=1
     )
     return ends["fate"][0] == 0
 

@@ -25,7 +25,7 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def slice_(runner, unit):
-    return basin.basin(runner, AXES, RANGES, workers=1, unit=unit)
+    return basin.basin(runner, AXES, RANGES, workers=1, fmu=unit)
 
 
 def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
@@ -36,7 +36,7 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
     for row, column in [*fallen[:2], *settled[:2]]:
         apex = [slice_.attrs[f"gait_{name}"] for name in section.COORDINATES]
         apex[0], apex[1] = RANGES[0][row], RANGES[1][column]
-        run = tdmf_slip.simulate(Runner.of({}, unit).state_at(apex), strides=60, relative_tolerance=1e-9)
+        run = tdmf_slip.simulate(Runner.of({}, unit).state_at(apex), strides=60, tolerance=1e-9)
         assert run.fallen == (slice_["fate"].values[row, column] == 1)
         if run.fallen:
             assert run.stride["count"] == slice_["strides"].values[row, column]
@@ -46,9 +46,9 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
 
 def test_fates_do_not_depend_on_who_computes_them(runner, slice_, unit, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
-    two = basin.basin(runner, AXES, RANGES, workers=2, unit=unit)
+    two = basin.basin(runner, AXES, RANGES, workers=2, fmu=unit)
     xarray.testing.assert_equal(two, slice_)
-    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), workers=1, unit=unit)
+    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), workers=1, fmu=unit)
     np.testing.assert_array_equal(part["strides"].values, slice_["strides"].values[3:5, 1:])
 
 
@@ -65,20 +65,20 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * len(RANGES[1]))
     monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
-    whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, unit=unit)
+        basin.basin(runner, AXES, RANGES, workers=1, path=path, fmu=unit)
+    whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, fmu=unit)
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     xarray.testing.assert_equal(whole, slice_)
     xarray.testing.assert_equal(xarray.load_dataset(path), slice_)
     assert xarray.load_dataset(path).attrs["settled_share"] == whole.attrs["settled_share"]
     with pytest.raises(InputError, match="another slice"):
-        basin.basin(runner, AXES, (RANGES[0] + 0.1, RANGES[1]), path=path, unit=unit)
+        basin.basin(runner, AXES, (RANGES[0] + 0.1, RANGES[1]), path=path, fmu=unit)
 
 
 @pytest.mark.parametrize("ranges", [([], [1.0]), ([1.0], [float("nan")])])
 def test_ranges_that_are_none_are_refused(runner, unit, ranges):
     with pytest.raises(InputError, match="range of com_"):
-        basin.basin(runner, AXES, ranges, workers=1, unit=unit)
+        basin.basin(runner, AXES, ranges, workers=1, fmu=unit)
 
 
 def test_basin_command(command):
@@ -118,7 +118,7 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, unit, tmp_path, spoil
     path = tmp_path / "map.nc"
     spoil(slice_).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
-        basin.basin(runner, AXES, RANGES, path=path, workers=1, unit=unit)
+        basin.basin(runner, AXES, RANGES, path=path, workers=1, fmu=unit)
 
 
 def drawn(data, monkeypatch):

@@ -87,15 +87,15 @@ def test_a_tighter_tolerance_errs_less(unit, solver):
 def test_the_ensemble_makes_the_gaits_word(unit):
     """Peers are told the sequence of modes; it has to be that of every start."""
     many = runners.runners_about_the_gait(unit)
-    ends, _ = ensemble.run_ensemble([many.case], many.starts, most_strides=1)
+    ends, _ = ensemble.run_ensemble([many.case], many.starts, max_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
 
 def test_bench_command(command, measured, monkeypatch):
     asked = []
 
-    def remembered(*, effort, show_progress):
-        asked.append((effort, show_progress))
+    def remembered(*, effort, progress):
+        asked.append((effort, progress))
         return measured
 
     assert command("bench", "--effort", 0)[0] == 2

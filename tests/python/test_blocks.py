@@ -134,8 +134,8 @@ def test_a_cluster_gives_the_same_map(cluster, unit):
     address, *_ = cluster
     runner = Runner.of({}, unit)
     ranges = np.linspace(1.2, 2.9, 6), np.linspace(0.9, 1.6, 5)
-    here = basin.basin(runner, ("com_height", "com_speed"), ranges, workers=1, unit=unit)
-    there = basin.basin(runner, ("com_height", "com_speed"), ranges, scheduler=address, unit=unit)
+    here = basin.basin(runner, ("com_height", "com_speed"), ranges, workers=1, fmu=unit)
+    there = basin.basin(runner, ("com_height", "com_speed"), ranges, scheduler=address, fmu=unit)
     xarray.testing.assert_identical(here, there)
 
 
@@ -143,7 +143,7 @@ def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
     runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
     grids = [
         grid.grid(
-            runner, frictions, "leg.damping", dampings, tmp_path / f"{workers}.nc", workers=workers, unit=unit
+            runner, frictions, "leg.damping", dampings, tmp_path / f"{workers}.nc", workers=workers, fmu=unit
         )
         for workers in (1, 2)
     ]
@@ -152,7 +152,7 @@ def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
 
 def test_a_batch_of_units_is_the_same_by_two_workers(unit):
     table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.run_batch(table, strides=3, workers=workers, unit=unit) for workers in (1, 2))
+    one, two = (batch.run_batch(table, strides=3, workers=workers, fmu=unit) for workers in (1, 2))
     xarray.testing.assert_identical(one, two)
     assert list(one["count"].values) == [3, 3, 3]
     assert list(one["ground.friction"].values) == [1.2, 0.6, 0.2]
@@ -163,8 +163,8 @@ def test_a_batch_of_units_is_the_same_by_two_workers(unit):
 def test_a_run_that_fails_leaves_the_others(unit):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
-    runs = batch.run_batch(table, strides=2, workers=1, unit=unit)
-    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, unit=unit)
+    runs = batch.run_batch(table, strides=2, workers=1, fmu=unit)
+    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, fmu=unit)
     assert together["problem"].values[0] == "" and "leg.length" in together["problem"].values[1]
     assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
     assert runs["fallen"].values[1] or runs["problem"].values[1]
@@ -288,7 +288,7 @@ from tdmf_slip.blocks.running import run_blocks
 
 def endless(number):
     from tdmf_slip.terminal import progress
-    progress.bar("a bar that nobody sees", 1, "", show=False)
+    progress_bar("a bar that nobody sees", 1, "", show=False)
     pathlib.Path(f"begun-{number}").touch()
     while True:
         time.sleep(0.01)
@@ -407,6 +407,6 @@ def test_wrong_arguments_are_said(unit):
     with pytest.raises(InputError, match="workers 0"), run_blocks(abs, [1, 2], workers=0):
         pass
     with pytest.raises(InputError, match="table: allowed"):
-        batch.run_batch([], strides=1, unit=unit)
+        batch.run_batch([], strides=1, fmu=unit)
     with pytest.raises(InputError, match="row 1"):
-        batch.run_batch([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, unit=unit)
+        batch.run_batch([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=unit)

@@ -25,19 +25,19 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def over_torque(runner, unit):
-    return continue_branch(runner, TORQUE, 0.55, 0.6, unit=unit)
+    return continue_branch(runner, TORQUE, 0.55, 0.6, fmu=unit)
 
 
 @pytest.fixture(scope="module")
 def over_angle(runner, unit):
     """From 40 degrees upwards, around two folds."""
-    return continue_branch(runner, ANGLE, np.radians(40.0), np.radians(53.0), largest_step=1.0, unit=unit)
+    return continue_branch(runner, ANGLE, np.radians(40.0), np.radians(53.0), max_step=1.0, fmu=unit)
 
 
 @pytest.fixture(scope="module")
 def over_rate(unit):
     """On friction 0.2, over the rate of retraction."""
-    return continue_branch({FRICTION: 0.2}, "hip.retraction_rate", 0.0, 0.03, unit=unit)
+    return continue_branch({FRICTION: 0.2}, "hip.retraction_rate", 0.0, 0.03, fmu=unit)
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -141,7 +141,7 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
 def test_a_branch_does_not_jump_to_another_sheet(unit):
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8}
-    branch = continue_branch(runner, ANGLE, 0.76, 0.72, switch=False, unit=unit)
+    branch = continue_branch(runner, ANGLE, 0.76, 0.72, switch=False, fmu=unit)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
@@ -191,7 +191,7 @@ def code_of(word):
 def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, least):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner.of(read_parameters(preset) if preset else {}, unit)
-    branch = continue_branch(runner, name, begin, end, switch=False, unit=unit)
+    branch = continue_branch(runner, name, begin, end, switch=False, fmu=unit)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -204,7 +204,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
     assert all(gait.stable for gait in gaits) and [gait.word for gait in gaits] == words
     starts = [gait.apex + 1e-3 * gait.runner.scales for gait in gaits]
     cases = [gait.runner for gait in gaits]
-    ends, _ = run_ensemble(cases, starts, range(len(cases)), most_strides=STRIDES)
+    ends, _ = run_ensemble(cases, starts, range(len(cases)), max_strides=STRIDES)
     assert ends["strides"].tolist() == [STRIDES] * len(gaits)
     assert ends["word_code"].tolist() == [code_of(word) for word in words]
     for gait, apex in zip(gaits, ends["apex"], strict=True):
@@ -215,13 +215,13 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
 def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):
     """Beside a word border, on the friction; the runner falls beyond it."""
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, FRICTION, 0.6, 0.38, switch=False, unit=unit)
+    branch = continue_branch(human, FRICTION, 0.6, 0.38, switch=False, fmu=unit)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
     cases = [gait.runner, human.but(FRICTION, fold.value - 1e-3)]
     starts = [gait.apex + 1e-4 * human.scales, fold.gait.apex]
-    ends, _ = run_ensemble(cases, starts, [0, 1], most_strides=STRIDES)
+    ends, _ = run_ensemble(cases, starts, [0, 1], max_strides=STRIDES)
     assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], gait.apex) < 1e-6
     assert FATES[ends["fate"][1]] == "fell"
 
@@ -250,7 +250,7 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
 def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
     """The fast human falls at 0.35: the branch begins above its fold."""
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, FRICTION, 0.35, 0.5, unit=unit)
+    branch = continue_branch(human, FRICTION, 0.35, 0.5, fmu=unit)
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]

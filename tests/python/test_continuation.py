@@ -67,7 +67,7 @@ def assert_judged_rightly(special):
 def test_a_branch_is_followed_past_loss_of_stability(runner):
     """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
     first = find_gait(runner)
-    branch = trace(runner, "hip.stance_torque", first, 0.6, largest_step=0.1)
+    branch = trace(runner, "hip.stance_torque", first, 0.6, max_step=0.1)
     assert branch.ended == "end of the range"
     assert all(gait.error < 1e-11 for gait in branch.gaits)
     (doubling,) = [special for special in branch.specials if special.kind != "word border"]
@@ -83,7 +83,7 @@ def test_a_branch_is_followed_past_loss_of_stability(runner):
 
 def test_a_branch_turns_at_a_fold(runner):
     """The leg cannot be put forward at will: two gaits meet, where an eigenvalue is 1, and none is beyond."""
-    branch = trace(runner, ANGLE, find_gait(runner), 1.2, largest_step=0.1, most_points=120)
+    branch = trace(runner, ANGLE, find_gait(runner), 1.2, max_step=0.1, max_points=120)
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     assert_judged_rightly(fold)
     assert max(branch.values) <= fold.value + 1e-9
@@ -116,7 +116,7 @@ def test_a_fold_beside_word_borders_is_found(human):
 def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
     """Outside the unit circle they become a complex pair: the number of unstable ones stays."""
     first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
-    branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
+    branch = trace(runner, ANGLE, first, 0.7, max_step=0.1)
     complex_pairs = [abs(gait.eigenvalues[0].imag) > 1e-3 for gait in branch.gaits]
     assert not complex_pairs[0] and complex_pairs[-1] and branch.gaits[-1].unstable == 2
     assert kinds(branch) == ["fold"]
@@ -125,8 +125,8 @@ def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
 def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     """On the same branch, farther on."""
     first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
-    branch = trace(runner, ANGLE, first, 0.7, largest_step=0.1)
-    back = trace(runner, ANGLE, branch.gaits[-1], 0.755, largest_step=0.1)
+    branch = trace(runner, ANGLE, first, 0.7, max_step=0.1)
+    back = trace(runner, ANGLE, branch.gaits[-1], 0.755, max_step=0.1)
     assert kinds(back) == ["Neimark-Sacker"]
     assert [gait.unstable for gait in (back.gaits[0], back.gaits[-1])] == [2, 0]
     assert_judged_rightly(next(special for special in back.specials if special.kind == "Neimark-Sacker"))
@@ -136,7 +136,7 @@ def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     ("name", "end", "most"), [("leg.stiffness", 15000.0, 40), ("hip.kd", 75.0, 40), ("leg.damping", 24.0, 30)]
 )
 def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
-    branch = trace(human, name, find_gait(human), end, largest_step=0.1, most_points=most)
+    branch = trace(human, name, find_gait(human), end, max_step=0.1, max_points=most)
     assert places_told(branch) >= 1
     for special in branch.specials:
         assert_judged_rightly(special)
@@ -158,7 +158,7 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
 def test_a_border_is_where_the_word_changes(unit, preset, name, end):
     """To 3e-10 of the parameter, also where a duration ends as a square root does; seen by words alone."""
     runner = Runner.of(read_parameters(preset) if preset else preset, unit)
-    branch = trace(runner, name, find_gait(runner), end, largest_step=0.1)
+    branch = trace(runner, name, find_gait(runner), end, max_step=0.1)
     met = [special for special in branch.specials if special.kind == "word border"]
     assert len(met) == len(branch.borders) >= 2
     for border, special in zip(branch.borders, met, strict=True):
@@ -299,5 +299,5 @@ def test_the_range_of_a_branch_is_checked(runner):
 def test_a_branch_that_leads_to_what_is_not_allowed_keeps_its_gaits(runner):
     """A step of this length from a friction of 0.05 would pass 0."""
     first = find_gait(runner.but(FRICTION, 0.05), guess=find_gait(runner).apex)
-    branch = trace(runner, FRICTION, first, -1.0, largest_step=0.3, most_points=15)
+    branch = trace(runner, FRICTION, first, -1.0, max_step=0.3, max_points=15)
     assert len(branch.gaits) == 15 and 0.0 < min(branch.values) < 0.01

@@ -106,19 +106,19 @@ def test_period_doublings_over_two_parameters(command, unit, tmp_path):
     assert ends[0][0] == pytest.approx(0.57, abs=1e-9) and ends[1][1] == pytest.approx(0.201, abs=1e-9)
     torque, damping = curve["points"][len(curve["points"]) // 4]
     runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, TORQUE, torque - 2e-3, torque + 2e-3, switch=False, unit=unit)
+    branch = continue_branch(runner, TORQUE, torque - 2e-3, torque + 2e-3, switch=False, fmu=unit)
     (doubling,) = branch.specials
     assert doubling.value == pytest.approx(torque, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
 def test_word_borders_over_two_parameters(unit):
-    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, unit=unit)
+    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, fmu=unit)
     assert (curve.kind, curve.words) == ("word border", ("+0+", "+0-0+"))
     assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
     friction, damping = curve.points[len(curve.points) // 4]
     runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, FRICTION, friction + 0.01, friction - 0.01, switch=False, unit=unit)
+    branch = continue_branch(runner, FRICTION, friction + 0.01, friction - 0.01, switch=False, fmu=unit)
     (border,) = branch.borders
     assert border.value == pytest.approx(friction, rel=1e-8)
 
@@ -128,7 +128,7 @@ def test_a_border_has_each_word_on_its_side(unit, turned):
     """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
     span = (1.2, 1.1)[:: -1 if turned else 1]
     over = {FRICTION: span, DAMPING: (0.198, 0.202)}
-    curves = continue_curves({}, over, unit=unit)
+    curves = continue_curves({}, over, fmu=unit)
     figure = figure_of(curves, over)
     figure.canvas.draw()
     axes = figure.axes[0]
@@ -141,9 +141,9 @@ def test_a_border_has_each_word_on_its_side(unit, turned):
 
 def test_two_parameters_are_two(unit, command):
     with pytest.raises(InputError, match="two parameters"):
-        continue_curves({}, {FRICTION: (0.6, 0.5)}, unit=unit)
+        continue_curves({}, {FRICTION: (0.6, 0.5)}, fmu=unit)
     with pytest.raises(InputError, match="ends differ"):
-        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, unit=unit)
+        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, fmu=unit)
     over = ("--over", "leg.damping=0.1:0.2", "--over", "ground.friction=0.5:0.6")
     for more in (("--over", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
         status, out, said = command("continue", *over, *more)

@@ -20,7 +20,7 @@ ON_THE_GROUND = {
 @pytest.mark.parametrize("interface", ["me", "cs"])
 def test_an_upright_runner_at_rest_stands(interface, unit):
     names = ("leg.angle", "leg.angle_rate", "hip.work", "foot.x")
-    run = simulate(ON_THE_GROUND, stop_time=50.0, interface=interface, variables=names, unit=unit)
+    run = simulate(ON_THE_GROUND, stop_time=50.0, interface=interface, variables=names, fmu=unit)
     assert not run.fallen
     for name in names[:3]:
         assert (run.table[name] == 0.0).all()
@@ -39,7 +39,7 @@ def test_friction_that_vanishes_is_none(interface, friction, unit):
 @pytest.mark.parametrize("interface", ["me", "cs"])
 @pytest.mark.parametrize("friction", [1e3, 1e6])
 def test_friction_without_bound_never_slips(interface, friction, unit):
-    run = simulate({"ground.friction": friction}, strides=20, interface=interface, unit=unit)
+    run = simulate({"ground.friction": friction}, strides=20, interface=interface, fmu=unit)
     assert (run.stride["count"], run.stride["word"]) == (20, "0+")
     assert run.stride["slip_distance"] < 1e-4
 
@@ -47,7 +47,7 @@ def test_friction_without_bound_never_slips(interface, friction, unit):
 @pytest.mark.parametrize("friction", [1e12, 1e300, math.inf])
 def test_friction_beyond_its_range_is_refused(friction, unit):
     with pytest.raises(InputError, match=r"ground\.friction"):
-        simulate({"ground.friction": friction}, strides=1, unit=unit)
+        simulate({"ground.friction": friction}, strides=1, fmu=unit)
 
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
@@ -57,7 +57,7 @@ def test_a_wound_leg_falls_as_one_that_is_not(interface, unit):
     for turns in (0, 150):
         start = ON_THE_GROUND | {"leg.angle": 0.5 + 2.0 * math.pi * turns, "leg.angle_rate": 0.3}
         hip = {"hip.kp": 0.0, "hip.kd": 0.0, "hip.stance_torque": 0.0}
-        run = simulate(start | hip, stop_time=100.0, interface=interface, unit=unit)
+        run = simulate(start | hip, stop_time=100.0, interface=interface, fmu=unit)
         assert run.fallen
         falls.append(run.fall_time)
     assert falls[1] == pytest.approx(falls[0], rel=1e-5)

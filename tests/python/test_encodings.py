@@ -20,7 +20,7 @@ COMMANDS = {
     "simulate": ("simulate", "--strides", "2"),
     "variables": ("variables",),
     "continue": ("continue", "--over", "ground.friction=0.5:0.6", "--points", "3"),
-    "rough": ("rough", "--roughness", "0.3", "--runners", "10", "--most-strides", "10"),
+    "rough": ("rough", "--roughness", "0.3", "--runners", "10", "--max-strides", "10"),
     "optimize": ("optimize", "--over", "hip.stance_torque=0.15:0.3", "--minimize", "slip_distance"),
     "fit": ("fit", "human_fast_running", "--free", "leg.stiffness", "--model", "reduced"),
     "help": ("sweep", "--help"),

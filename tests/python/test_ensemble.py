@@ -23,7 +23,7 @@ def test_every_instruction_set_ends_alike(gaits, starts):
     numbers = np.arange(len(starts)) % 2
     ends = {
         name: ensemble.run_ensemble(
-            cases, starts, numbers, most_strides=3, tolerance=1e-11, instructions=name, threads=2
+            cases, starts, numbers, max_strides=3, tolerance=1e-11, instructions=name, threads=2
         )[0]
         for name in ensemble.instruction_sets()
     }
@@ -66,7 +66,7 @@ def errors(cases, starts, numbers, tolerance, instructions):
 
     def run(tolerance, instructions):
         return ensemble.run_ensemble(
-            cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=instructions, threads=2
+            cases, starts, numbers, max_strides=1, tolerance=tolerance, instructions=instructions, threads=2
         )[0]
 
     exact, found = run(1e-13, "one by one"), run(tolerance, instructions)
@@ -103,7 +103,7 @@ def test_a_map_keeps_the_promised_accuracy(unit):
         scales = np.array([case.runner.scales for case in cases])[numbers]
         apices = [
             ensemble.run_ensemble(
-                cases, starts, numbers, most_strides=1, tolerance=tolerance, instructions=kind, threads=2
+                cases, starts, numbers, max_strides=1, tolerance=tolerance, instructions=kind, threads=2
             )[0]["apex"]
             for tolerance, kind in ((fates.TOLERANCE, fastest), (1e-13, "one by one"))
         ]
@@ -117,7 +117,7 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
     apices = [g.apex for g in gaits]
     cases = [ensemble.Case(Runner(g.runner.values), apices) for g in gaits]
     numbers = np.arange(len(starts)) % 2
-    ends, work = ensemble.run_ensemble(cases, starts, numbers, most_strides=400, near=1e-3)
+    ends, work = ensemble.run_ensemble(cases, starts, numbers, max_strides=400, near=1e-3)
     np.testing.assert_array_equal(ends["gait"], numbers)
     assert (ends["fate"] == ensemble.FATES.index("settled")).all()
     np.testing.assert_allclose(ends["apex"], np.array(apices)[numbers], atol=1e-3)
@@ -126,7 +126,7 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
 
 def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
     stiff = ensemble.Case(Runner({**gaits[0].runner.values, "hip.kd": 2.5e13}), [gaits[0].apex])
-    ends, work = ensemble.run_ensemble([stiff], starts[:50], most_strides=400)
+    ends, work = ensemble.run_ensemble([stiff], starts[:50], max_strides=400)
     assert (ends["fate"] == ensemble.FATES.index("unsolved")).all()
     assert work.steps <= 50
 
@@ -140,10 +140,10 @@ def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
         {"instructions": "mmx"},
         {"tolerance": 1e300},
         {"threads": 0.5},
-        {"most_strides": 0},
-        {"most_strides": 2.9},
-        {"most_strides": 10**12},
-        {"most_strides": float("nan")},
+        {"max_strides": 0},
+        {"max_strides": 2.9},
+        {"max_strides": 10**12},
+        {"max_strides": float("nan")},
         {"near": -1.0},
         {"case_of": np.array([0, 1])},
         {"case_of": [0.7, 0.0]},
@@ -155,7 +155,7 @@ def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
     ],
 )
 def test_what_is_not_allowed_is_said(gaits, starts, wrong):
-    arguments = {"starts": starts[:2], "most_strides": 1} | wrong
+    arguments = {"starts": starts[:2], "max_strides": 1} | wrong
     with pytest.raises(InputError, match="allowed"):
         ensemble.run_ensemble([ensemble.Case(gaits[0].runner)], arguments.pop("starts"), **arguments)
 
@@ -174,16 +174,16 @@ def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkey
     assert ensemble.instruction_sets() == ("one by one", "two lanes")
     with pytest.raises(InputError, match="'avx2': allowed here: one by one, two lanes"):
         ensemble.run_ensemble(
-            [ensemble.Case(gaits[0].runner)], starts[:2], most_strides=1, instructions="avx2", threads=1
+            [ensemble.Case(gaits[0].runner)], starts[:2], max_strides=1, instructions="avx2", threads=1
         )
 
 
 @pytest.mark.parametrize("wrong", [[[1.0] * 5], [[1.0] * 7], [[float("nan")] * 6], [3.0]])
 def test_what_is_no_gait_is_said(gaits, starts, wrong):
     with pytest.raises(InputError, match="gaits"):
-        ensemble.run_ensemble([ensemble.Case(gaits[0].runner, wrong)], starts[:2], most_strides=1)
+        ensemble.run_ensemble([ensemble.Case(gaits[0].runner, wrong)], starts[:2], max_strides=1)
 
 
 def test_no_case_is_none(starts):
     with pytest.raises(InputError, match="cases"):
-        ensemble.run_ensemble([], starts[:2], most_strides=1)
+        ensemble.run_ensemble([], starts[:2], max_strides=1)

@@ -40,14 +40,14 @@ def test_all_can_be_swept_over(command, spans):
 
 def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit):
     tried, unmoved = 0, set()
-    home = find_gait({}, unit=unit).stride["speed"]
+    home = find_gait({}, fmu=unit).stride["speed"]
     for name, (_, value) in spans.items():
         status, out, err = command("gait", "--set", f"{name}={value!r}", "--json")
         assert status == 0, f"{name}: {err}"
         gait = json.loads(out)
         sizes = [1.0 + 1e-9, 1.0 - 1e-9]
         axes = [[size * gait["apex"][0] for size in sizes], [size * gait["apex"][1] for size in sizes]]
-        data = basin({name: value}, ("com_height", "com_speed"), axes, workers=1, unit=unit)
+        data = basin({name: value}, ("com_height", "com_speed"), axes, workers=1, fmu=unit)
         assert data.attrs["settled_share"] == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1

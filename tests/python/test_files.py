@@ -43,7 +43,7 @@ def writer(request):
 FULL_DISK = """
 import resource, sys, tdmf_slip
 from tdmf_slip.cli import main as command
-there = tdmf_slip.load().folder  # unpacked before the disk is full
+there = tdmf_slip.load_fmu().folder  # unpacked before the disk is full
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 sys.exit(command.main(sys.argv[1:]))
 """

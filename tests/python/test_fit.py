@@ -209,7 +209,7 @@ def test_a_fit_shows_its_strides(capsys):
     rows = ({"speed": Measured(1.1, 0.01)},)
     fit(Measurements(rows, "one"), ["hip.stance_torque"])
     assert capsys.readouterr().err == ""
-    fit(Measurements(rows, "one"), ["hip.stance_torque"], show_progress=True)
+    fit(Measurements(rows, "one"), ["hip.stance_torque"], progress=True)
     (strides,) = re.findall(r"fit: (\d+) strides", capsys.readouterr().err.split("\r")[-1])
     assert int(strides) > 5
 

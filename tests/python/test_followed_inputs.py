@@ -21,9 +21,7 @@ TABLES = {
 def test_both_interfaces_follow_it(table):
     """Up to the end of the second stance; without the table the run is another."""
     runs = [
-        simulate(
-            inputs=inputs, variables=RECORDED, stop_time=14.5, interface=interface, relative_tolerance=1e-11
-        )
+        simulate(inputs=inputs, variables=RECORDED, stop_time=14.5, interface=interface, tolerance=1e-11)
         for interface, inputs in (("me", table), ("cs", table), ("cs", {}))
     ]
     last, expected, without = (run.table[-1] for run in runs)

@@ -248,7 +248,7 @@ REFUSED = {
         lambda gait: tdmf_slip.continue_curves({}, {FRICTION: (0.3, 0.4, 0.5), DAMPING: (0.2, 0.3)}),
         r"over ground\.friction = \(0\.3, 0\.4, 0\.5\) .*ends",
     ),
-    "no path": (lambda gait: tdmf_slip.load("\0"), "no unit there"),
+    "no path": (lambda gait: tdmf_slip.load_fmu("\0"), "no unit there"),
     "no path to write to": (lambda gait: tdmf_slip.basin({}, AXES, ([1.3], [1.0]), path="\0.nc"), "null"),
     "no path to read": (lambda gait: tdmf_slip.read_parameters("\0.toml"), "null"),
     "other labels": (
@@ -287,7 +287,7 @@ def test_a_unit_without_its_library_is_told(tmp_path):
                 bare.writestr(name, whole.read(name))
     for interface in ("me", "cs"):
         with pytest.raises(RunError, match=r"bare\.fmu: its library for this platform .* cannot be used"):
-            tdmf_slip.simulate(GIVEN, strides=1, unit=tdmf_slip.load(path), interface=interface)
+            tdmf_slip.simulate(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path), interface=interface)
 
 
 def test_a_unit_whose_library_is_none_is_told(tmp_path):
@@ -296,7 +296,7 @@ def test_a_unit_whose_library_is_none_is_told(tmp_path):
         for name in whole.namelist():
             broken.writestr(name, b"no library" if name.startswith("binaries/") else whole.read(name))
     with pytest.raises(RunError, match=r"broken\.fmu: its library for this platform"):
-        tdmf_slip.simulate(GIVEN, strides=1, unit=tdmf_slip.load(path))
+        tdmf_slip.simulate(GIVEN, strides=1, fmu=tdmf_slip.load_fmu(path))
 
 
 @pytest.mark.parametrize("content", [None, b"no library"])

@@ -17,7 +17,7 @@ from tdmf_slip.__main__ import main
 status = main()
 print(status, *sys.modules)
 import tdmf_slip
-print("folder" in vars(tdmf_slip.load()))
+print("folder" in vars(tdmf_slip.load_fmu()))
 """
 
 

@@ -27,8 +27,8 @@ from tdmf_slip.analysis.tracing import trace, whole_branch
 from tdmf_slip.library import classic_slip
 
 
-def followed(family, first, low, high, largest_step=0.1, most_points=400):
-    limits = Limits(low, high, first.value, largest_step, most_points)
+def followed(family, first, low, high, max_step=0.1, max_points=400):
+    limits = Limits(low, high, first.value, max_step, max_points)
     return whole_branch(family, first, limits), limits
 
 
@@ -221,7 +221,7 @@ def test_each_reason_to_stop_has_its_own_words():
         ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.0),
         ended(tent(0.5, 1.5), -1.0, -2.0, 1.0, -1.0, 1.0),
         ended(ring, 0.0, 0.9, 1.0, -2.0, 2.0),
-        ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.5, most_points=5),
+        ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.5, max_points=5),
         ended(tent(0.5, 0.5), 1.0, 2.0, -1.0, -1.0, 1.0, lowest=0.5),
         ended(falling, 0.0, 0.0, 1.0, 0.0, 1.0),
         ended(torn, 0.0, 0.0, 1.0, 0.0, 1.0),

@@ -140,7 +140,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
     wild = AffineLaw([ANGLE], gait.apex, [usual], [[3, 0, 0, 0, 0, 0]], [0], [1])
     refused("law: under it the gait at friction 0.6 is unstable, with a largest eigenvalue of", wild)
     refused("law = 1 is not allowed; allowed: an AffineLaw", 1)
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
     with pytest.raises(
         InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
     ):

@@ -91,7 +91,7 @@ def test_the_five_published_gaits_are_found(page):
 def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
     draw = random.Random(15)
     varied = ("leg.stiffness", "leg.damping", "foot.mass", "hip.kp", "hip.touchdown_angle", "ground.friction")
-    values = {name: tdmf_slip.load().start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
+    values = {name: tdmf_slip.load_fmu().start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
     open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
     gait = tdmf_slip.find_gait(values)
     find_gait(driver)

@@ -171,7 +171,7 @@ def test_what_the_enclosures_do_not_know_of_is_refused():
     from tdmf_slip.library.members import VARIED
     from tdmf_slip.proof.given import KNOWN, check_laws
 
-    starts = {name: tdmf_slip.load().start_of(name) for name in VARIED}
+    starts = {name: tdmf_slip.load_fmu().start_of(name) for name in VARIED}
     assert set(KNOWN) <= set(starts)
     check_laws(starts | dict.fromkeys(KNOWN, 0.123))
     for name in set(VARIED) - KNOWN:

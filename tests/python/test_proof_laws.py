@@ -7,7 +7,7 @@ import pytest
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.members import STATES
 from tdmf_slip.library.runner import Runner
-from tdmf_slip.unit.unit import load
+from tdmf_slip.unit.unit import load_fmu
 
 pytest.importorskip("flint")
 
@@ -83,10 +83,10 @@ class Point:
             "control.stance_torque": draw(-0.1, 0.1),
             "control.thrust": draw(0, 0.1),
         }
-        unit = load()
+        fmu = load_fmu()
         self.runner = Runner.of(self.given)
         values = {name: self.runner.values[name] for name in exact_names(self.runner)}
-        self.balls = Parameters(exact_values(unit, values, {})).balls()
+        self.balls = Parameters(exact_values(fmu, values, {})).balls()
         self.contact = contact or rng.choice(["flight", "stick", "slip", "graze"])
         self.sign = sign or int(rng.choice([-1, 1]))
         off = self.contact in ("flight", "graze")

@@ -17,7 +17,7 @@ def gait():
 
 def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):
     starts = np.tile(gait.apex, (runners, 1))
-    return run_ensemble([Case(gait.runner, ground=ground)], starts, most_strides=strides, **how)[0]
+    return run_ensemble([Case(gait.runner, ground=ground)], starts, max_strides=strides, **how)[0]
 
 
 def given(gait, name, values, first_steps=0.0):
@@ -113,7 +113,7 @@ def test_friction_is_drawn_in_the_full_model_only():
         run_ensemble(
             [Case(reduced.runner, ground=RoughGround(friction_spread=0.1))],
             np.tile(reduced.apex, (2, 1)),
-            most_strides=2,
+            max_strides=2,
         )
 
 

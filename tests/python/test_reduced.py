@@ -96,7 +96,7 @@ def test_a_branch_is_followed_in_the_plane():
 def test_runners_by_the_map_end_where_strides_in_turn_lead():
     runner = reduced()
     start = np.add(GAITS[2]["apex"], [0.1, -0.1])
-    ends, _ = run_ensemble([runner], [start, [0.3, 1.0]], most_strides=5, tolerance=1e-12)
+    ends, _ = run_ensemble([runner], [start, [0.3, 1.0]], max_strides=5, tolerance=1e-12)
     apex = start
     for _ in range(5):
         apex, _, _ = stride_from(runner, apex, "ground.friction")
@@ -139,9 +139,9 @@ def test_what_makes_no_sense_is_refused(command):
     with pytest.raises(InputError, match="com_height, com_speed"):
         find_gait(guess=np.ones(6), model="reduced")
     with pytest.raises(InputError, match="all by one of them"):
-        run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], most_strides=1)
+        run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], max_strides=1)
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
-        run_ensemble([reduced()], np.ones((1, 6)), most_strides=1)
+        run_ensemble([reduced()], np.ones((1, 6)), max_strides=1)
     with pytest.raises(RunError, match="the foot is not above the ground at the apex"):
         find_gait(guess=[0.3, 1.0], model="reduced")
     status, said, problem = command("basin", "--model", "reduced", "--axes", "com_height", "leg_angle")

@@ -18,10 +18,10 @@ def branch(unit):
 
 def heights(runner, apex):
     """Of the apices of four strides after many."""
-    ends, _ = run_ensemble([runner], apex[None], most_strides=1000)
+    ends, _ = run_ensemble([runner], apex[None], max_strides=1000)
     found = []
     for _ in range(4):
-        ends, _ = run_ensemble([runner], ends["apex"], most_strides=1)
+        ends, _ = run_ensemble([runner], ends["apex"], max_strides=1)
         found.append(ends["apex"][0, 0])
     return np.array(found)
 

@@ -84,7 +84,7 @@ def test_a_hundred_runners_meet_the_steps_that_the_unit_meets(gait, tmp_path):
     folder, description = fmpy.extract(fmu, str(tmp_path)), fmpy.read_model_description(fmu)
     case = Case(Runner(gait.runner.values), ground=GROUND)
     starts = np.tile(gait.apex, (RUNNERS, 1))
-    ends = [run_ensemble([case], starts, most_strides=n + 1, tolerance=1e-11)[0] for n in range(STRIDES)]
+    ends = [run_ensemble([case], starts, max_strides=n + 1, tolerance=1e-11)[0] for n in range(STRIDES)]
     fallen = compared = 0
     for number in range(RUNNERS):
         apices = Slave(description, folder).apices(gait.start_values, GROUND.steps(number, STRIDES))
@@ -154,7 +154,7 @@ def test_the_slipping_runner_stays_up_longer():
 
 def test_the_command_tells_the_mean(command):
     status, out, _ = command(
-        "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--most-strides", "20", "--json"
+        "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20", "--json"
     )
     assert status == 0
     told = json.loads(out)
@@ -170,7 +170,7 @@ def test_the_command_tells_the_mean(command):
         (("--roughness", "nan"), "--roughness = nan is not allowed"),
         (("--roughness", "0.1", "--runners", "0"), "--runners = 0 is not allowed"),
         (("--roughness", "0.1", "--seed", "-1"), "--seed = -1 is not allowed"),
-        (("--roughness", "0.1", "--most-strides", "0"), "--most-strides = 0 is not allowed"),
+        (("--roughness", "0.1", "--max-strides", "0"), "--max-strides = 0 is not allowed"),
         ((), "--roughness"),
     ],
 )

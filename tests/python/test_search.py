@@ -25,14 +25,14 @@ FROM_ISSUE = {
 
 
 def test_a_stable_gait_that_the_start_does_not_settle_on_is_found(unit):
-    gait = find_gait(FROM_ISSUE, unit=unit)
+    gait = find_gait(FROM_ISSUE, fmu=unit)
     assert gait.word == "+0-0+" and gait.stable
-    known = find_gait(FROM_ISSUE, guess=[1.03881, 0.78713, 1.00017, 0.06397, 0.0, 0.0767], unit=unit)
+    known = find_gait(FROM_ISSUE, guess=[1.03881, 0.78713, 1.00017, 0.06397, 0.0, 0.0767], fmu=unit)
     assert gait.apex == pytest.approx(known.apex, abs=1e-9) and gait.lambda_max == pytest.approx(
         0.944, abs=1e-3
     )
-    assert find_gait(FROM_ISSUE, unit=unit).apex.tolist() == gait.apex.tolist()
-    along = periodic_gait(FROM_ISSUE, along="hip.kd", unit=unit)
+    assert find_gait(FROM_ISSUE, fmu=unit).apex.tolist() == gait.apex.tolist()
+    along = periodic_gait(FROM_ISSUE, along="hip.kd", fmu=unit)
     assert along.along == "hip.kd" and along.by_parameter.shape == (6,)
 
 
@@ -49,7 +49,7 @@ def test_gaits_of_random_runners_are_found_without_a_guess(unit):
         has_stable = any(known["lambda_max"] < 1.0 for known in stored["gaits"])
         stable, others = stable + has_stable, others + (not has_stable)
         try:
-            find_gait(runner, unit=unit)
+            find_gait(runner, fmu=unit)
         except RunError:
             missed.append(has_stable)
     assert (stable, others) == (5, 5)
@@ -61,14 +61,14 @@ def test_what_settles_at_once_is_found_as_ever(unit, monkeypatch):
     monkeypatch.setattr(search, "search_from_spread", lambda *_, **__: pytest.fail("searched"))
     for friction in (10.0, 1.2, 0.6, 0.43, 0.2):
         runner = Runner.of({"ground.friction": friction}, unit)
-        found, plain = find_gait(runner, unit=unit), settled_gait(runner)
+        found, plain = find_gait(runner, fmu=unit), settled_gait(runner)
         assert found.apex.tobytes() == plain.apex.tobytes() and found.stride == plain.stride
 
 
 def test_no_gait_says_what_was_tried(unit, command):
     hopeless = {"hip.stance_torque": 0.0, "ground.friction": 0.5}
     with pytest.raises(RunError, match=r"starts all over the section, [\d,]+ strides: a guess near") as told:
-        find_gait(hopeless, unit=unit)
+        find_gait(hopeless, fmu=unit)
     assert "along the friction from 0.6" in str(told.value)
     status, out, said = command("gait", "--friction", "0.5", "--set", "hip.stance_torque=0")
     assert (status, out) == (1, "") and "starts all over the section" in said
@@ -76,14 +76,14 @@ def test_no_gait_says_what_was_tried(unit, command):
 
 def test_a_search_ends_after_a_bounded_number_of_strides(unit):
     runner = Runner.of({"hip.stance_torque": 0.0}, unit)
-    few = spread.search_from_spread(runner, most_strides=5000)
+    few = spread.search_from_spread(runner, max_strides=5000)
     assert few.strides <= 5000 + spread.MOST_TRIED * spread.ITERATIONS * spread.SHORTENINGS
     assert spread.search_from_spread(Runner.of(FROM_ISSUE, unit)).strides < spread.MOST_STRIDES
 
 
 def test_the_reduced_map_is_searched_too(unit):
     runner = Runner.of({**FROM_ISSUE, "hip.retraction_rate": 0.0}, unit)
-    gait = find_gait(runner, model="reduced", unit=unit)
+    gait = find_gait(runner, model="reduced", fmu=unit)
     assert len(gait.apex) == 2 and gait.error < 1e-11
     found = spread.search_from_spread(gait.runner)
     assert any(np.allclose(other.apex, gait.apex, atol=1e-8) for other in found.gaits)

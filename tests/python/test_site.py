@@ -107,7 +107,9 @@ def test_every_public_name_has_its_place(pages):
     anchors = set().union(*(page.anchors for page in pages.values()))
     top = [getattr(tdmf_slip, name) for name in tdmf_slip.__all__ if not name.startswith("_")]
     python = {f"{thing.__module__}.{thing.__name__}" for thing in top}
-    variables = {re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") for name in tdmf_slip.load().variables}
+    variables = {
+        re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") for name in tdmf_slip.load_fmu().variables
+    }
     headers = "".join(path.read_text() for path in (ROOT / "c_core/include/tdmf_slip").glob("*.h"))
     functions = {f"c.{name}" for name in re.findall(r"^(?!typedef)\w[\w *]*\b(tdmf_\w+)\(", headers, re.M)}
     types = {f"c.{name}" for name in re.findall(r"^\} (tdmf_\w+);", headers, re.M)}

@@ -326,7 +326,7 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
 
 
 def test_the_reduced_map_has_laws_too(unit):
-    gait = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
+    gait = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
     starts = gait.apex + np.random.default_rng(6).uniform(-0.03, 0.03, (RUNNERS, 2))
     nominal = gait.runner.values[ANGLE]
     law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
@@ -382,7 +382,7 @@ def test_settings_that_do_not_act_are_told(gait, unit):
     message = "settings: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, settings={ANGLE: 0.6})
     assert stride_map(gait.apex, slack, settings={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", unit=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
     message = "settings: hip.kp does not act in the reduced map"
     refuses(message, reduced.apex, reduced.runner, settings={"hip.kp": 1.0})
 

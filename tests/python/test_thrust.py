@@ -18,7 +18,7 @@ def gait(unit):
 def test_without_hip_torque_the_leg_does_all_work(gait, unit):
     """Its spring longer by the thrust has done, once flight begins, stiffness x thrust x lengthening."""
     names = [*WORKS, *(f"energy.{name}" for name in LOSSES), "leg.length"]
-    run = simulate(gait.start_values, strides=1, relative_tolerance=1e-11, variables=names, unit=unit).table
+    run = simulate(gait.start_values, strides=1, tolerance=1e-11, variables=names, fmu=unit).table
     changed = np.flatnonzero(np.abs(np.diff(run["leg.work"])) > 1e-6)
     assert len(changed) == 2
     compressed, longest = run["leg.length"][changed]

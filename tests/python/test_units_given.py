@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, continue_branch, continue_curves, load, sweep
+from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS
 from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
 from tdmf_slip.unit.told import Told
@@ -32,7 +32,7 @@ OVER = f"{ANGLE}=40 deg:42 deg"
     ],
 )
 def test_units_are_read_as_people_write_them(name, text, value):
-    variable = load().variables[name]
+    variable = load_fmu().variables[name]
     assert variable.value_of(text, "here") == pytest.approx(value, rel=1e-14)
     assert variable.factor_of(text.split()[1]) == pytest.approx(float(text.split()[0]) / value, rel=1e-14)
 
@@ -41,7 +41,7 @@ def test_units_are_read_as_people_write_them(name, text, value):
     ("name", "text"), [(ANGLE, "1 cm"), ("leg.free_length", "1 deg"), (FRICTION, "1 mm")]
 )
 def test_units_of_something_else_are_refused_with_those_that_are_known(name, text):
-    variable = load().variables[name]
+    variable = load_fmu().variables[name]
     with pytest.raises(InputError, match="unknown unit") as caught:
         variable.value_of(text, "here")
     assert f"known: {', '.join(variable.known_units) or 'none'}" in str(caught.value)
@@ -68,7 +68,7 @@ def check_degrees(axis, label):
 
 
 def test_pictures_are_marked_in_the_unit_that_was_given():
-    told, ends = Told(load(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
+    told, ends = Told(load_fmu(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
     found = continue_branch({FRICTION: 0.6}, ANGLE, *ends, switch=False)
     figure = branch_diagram.figure_of(found, told=told)
     check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
@@ -76,7 +76,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
     swept = sweep({FRICTION: 0.6}, np.linspace(*ends, 3), over=ANGLE)
-    figure = branch.figure_of(*branch.drawn_of(swept), load(), told)
+    figure = branch.figure_of(*branch.drawn_of(swept), load_fmu(), told)
     check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
     figure = branch_diagram.figure_of(found)
     assert figure.axes[1].get_xlabel() == f"{ANGLE} (rad)"
@@ -85,8 +85,8 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
-    told = Told(load(), {ANGLE: "40 deg:42 deg"})
-    figure = curve_diagram.figure_of(continue_curves({}, spans, most_points=3), spans, told)
+    told = Told(load_fmu(), {ANGLE: "40 deg:42 deg"})
+    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, told)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())
     assert axes.get_ylabel() == FRICTION

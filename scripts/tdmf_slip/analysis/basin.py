@@ -24,8 +24,8 @@ from ..library.affine_law import AffineLaw
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE, fates
 from .held_gait import stable_gait as stable_gait
@@ -138,8 +138,8 @@ def basin(
     path: Path | str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """The fate of a runner from each point of a slice through the gait's apex.
 
@@ -163,9 +163,9 @@ def basin(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine, by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         For units.
 
     Returns
@@ -191,11 +191,11 @@ def basin(
     >>> print(fates["fate"].shape, fates.attrs["settled_share"])
     (3, 3) 1.0
     """
-    unit, runner = load(unit), Runner.of(runner)
+    fmu, runner = load_fmu(fmu), Runner.of(runner)
     path = None if path is None else check_place(path, (".nc",), "path")
-    axes, values = _checked_slice(axes, ranges, runner.coordinates, unit)
-    gait = stable_gait(runner, unit, law)
-    data = _blank(gait, axes, values, unit)
+    axes, values = _checked_slice(axes, ranges, runner.coordinates, fmu)
+    gait = stable_gait(runner, fmu, law)
+    data = _blank(gait, axes, values, fmu)
     if law is not None:
         data.attrs["law"] = json.dumps(law.as_json())
     if path is not None:
@@ -208,7 +208,7 @@ def basin(
         for block in rows
     ]
     with (
-        progress.bar("basin", len(values[0]), "rows", show_progress) as bar,
+        progress_bar("basin", len(values[0]), "rows", progress) as bar,
         run_blocks(fates_of_slice, parts, scheduler=scheduler, workers=workers) as results,
     ):
         bar.update(len(values[0]) - len(missing))
@@ -227,7 +227,7 @@ def basin(
 
 
 def _checked_slice(
-    axes: Any, ranges: Any, coordinates: Sequence[str], unit: Unit
+    axes: Any, ranges: Any, coordinates: Sequence[str], fmu: Fmu
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     for what, pair in (("axes", axes), ("ranges", ranges)):
         if not isinstance(pair, Sequence | np.ndarray) or isinstance(pair, str) or len(pair) != 2:
@@ -237,7 +237,7 @@ def _checked_slice(
     if first == second:
         raise InputError(f"axes {first}, {second}: allowed: two that differ")
     rows, columns = (
-        unit.variables[f"apex.{axis}"].values_of(values, f"range of {axis}")
+        fmu.variables[f"apex.{axis}"].values_of(values, f"range of {axis}")
         for axis, values in zip(axes, ranges, strict=True)
     )
     check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MOST_STARTS)
@@ -265,7 +265,7 @@ def _blank(
     gait: Gait,
     axes: tuple[str, str],
     ranges: tuple[NDArray[np.float64], NDArray[np.float64]],
-    unit: Unit,
+    fmu: Fmu,
 ) -> xarray.Dataset:
     shape = len(ranges[0]), len(ranges[1])
     data = xarray.Dataset(
@@ -283,7 +283,7 @@ def _blank(
     for axis, value in zip(gait.runner.coordinates, gait.apex, strict=True):
         data.attrs[f"gait_{axis}"] = float(value)
     for axis in axes:
-        variable = unit.variables[f"apex.{axis}"]
+        variable = fmu.variables[f"apex.{axis}"]
         data[axis].attrs = {"units": variable.unit or "1", "long_name": variable.description}
     data.attrs |= {"word": gait.word, **gait.runner.values, **model_of(gait.runner)}
     return data

@@ -14,7 +14,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.varied_stride import plain_stride
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .linkage import linked
 from .settled import evenly, settled_gaits
 from .target import Place, Target
@@ -29,7 +29,7 @@ NONE = 1e-6
 """Of what is prescribed: less counts as none of it."""
 
 
-def beginnings(target: Target, first: Gait, unit: Unit) -> Iterator[Place]:
+def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Place]:
     """Gaits from which a target may be reached, the nearest to it first.
 
     Parameters
@@ -38,7 +38,7 @@ def beginnings(target: Target, first: Gait, unit: Unit) -> Iterator[Place]:
         What is prescribed, and what is varied.
     first : Gait
         A gait with the varied parameters' own values.
-    unit : Unit
+    fmu : Fmu
         Whose ranges hold.
 
     Yields
@@ -49,7 +49,7 @@ def beginnings(target: Target, first: Gait, unit: Unit) -> Iterator[Place]:
     runner = first.runner
     shares = evenly(RUNNERS, len(target.vary))
     varied = {
-        name: around(runner, unit, name, np.ascontiguousarray(row))
+        name: around(runner, fmu, name, np.ascontiguousarray(row))
         for name, row in zip(target.vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
@@ -71,14 +71,14 @@ def beginnings(target: Target, first: Gait, unit: Unit) -> Iterator[Place]:
             continue
 
 
-def around(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+def around(runner: Runner, fmu: Fmu, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values of a parameter: by factors of its own or, where that is zero, about it.
 
     Parameters
     ----------
     runner : Runner
         Whose.
-    unit : Unit
+    fmu : Fmu
         Whose range of the parameter holds.
     name : str
         Of the parameter or input.
@@ -90,7 +90,7 @@ def around(runner: Runner, unit: Unit, name: str, shares: NDArray[np.float64]) -
     ndarray of float
         In the unit's unit.
     """
-    variable, value = unit.variables[name], runner.values[name]
+    variable, value = fmu.variables[name], runner.values[name]
     if value:
         values = value * FACTOR ** (2.0 * shares - 1.0)
     else:

@@ -10,7 +10,7 @@ import numpy as np
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.gait import Gait
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .bifurcations import Special
 from .borders import Border
 
@@ -67,12 +67,12 @@ class Branch(ByContents, Drawable):
             "branches": [branch.as_json() for branch in self.branches],
         }
 
-    def to_xarray(self, unit: Unit | None = None) -> xarray.Dataset:
+    def to_xarray(self, fmu: Fmu | None = None) -> xarray.Dataset:
         """The branch as a dataset with units, over `point` and, for what happens on it, over `special`.
 
         Parameters
         ----------
-        unit : Unit, optional
+        fmu : Fmu, optional
             For units and descriptions; by default that of `fmu_path`.
 
         Returns
@@ -85,15 +85,15 @@ class Branch(ByContents, Drawable):
         from .gait_columns import attributes_of
         from .grid import as_dataset  # xarray is slow to load
 
-        unit = load(unit)
-        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)}, unit)
+        fmu = load_fmu(fmu)
+        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)}, fmu)
         data[self.name] = ("point",), np.array(self.values)
-        data[self.name].attrs = attributes_of(unit, self.name)
+        data[self.name].attrs = attributes_of(fmu, self.name)
         data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
         data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
         data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
-        data["special_value"].attrs = attributes_of(unit, self.name)
+        data["special_value"].attrs = attributes_of(fmu, self.name)
         data.attrs = {"over": self.name, "strides": self.strides, "began": self.began, "ended": self.ended}
         return data

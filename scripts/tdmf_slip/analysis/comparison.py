@@ -16,9 +16,9 @@ from ..library.measures import MEASURE_UNITS
 from ..library.members import VARIED, check_varied
 from ..library.quantities import check_quantities, known_quantities, quantities_of
 from ..library.runner import Runner
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .search import periodic_gait, runner_by
 from .targeted import TargetNotMetError, find_gait
@@ -91,12 +91,12 @@ class Comparison(ByContents):
             ],
         }
 
-    def table(self, unit: Unit | None = None) -> str:
+    def table(self, fmu: Fmu | None = None) -> str:
         """Every quantity of every runner, before and after, and what could not be held.
 
         Parameters
         ----------
-        unit : Unit, optional
+        fmu : Fmu, optional
             For the units; by default that of `fmu_path`.
 
         Returns
@@ -104,7 +104,7 @@ class Comparison(ByContents):
         str
             Lines; a star marks what is held.
         """
-        variables = load(unit).variables
+        variables = load_fmu(fmu).variables
         columns = [
             (f"runner {number}{'' if step == 'after' else ' as given'}", getattr(matched, step))
             for number, matched in enumerate(self.runners)
@@ -146,8 +146,8 @@ def compare(
     hold: Sequence[str],
     vary: Sequence[str],
     model: str | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Comparison:
     """Runners made equal in what could confound a comparison.
 
@@ -168,9 +168,9 @@ def compare(
         shortest one, over their values.
     model : str, optional
         `full` or `reduced`, as in `find_gait`.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -204,14 +204,14 @@ def compare(
     varied = tuple(row_of(vary, "vary", "a list of names of parameters and inputs"))
     for name in varied:
         check_varied(name, "vary")
-    before = [_gait_of(runner, model, unit) for runner in given]
+    before = [_gait_of(runner, model, fmu) for runner in given]
     for gait in before:
         check_quantities(gait.runner, names)
     goal = quantities_of(before[0], names)
     matched, not_held = [before[0]], []
-    with progress.bar("compare", len(before) - 1, "runners", show_progress) as bar:
+    with progress_bar("compare", len(before) - 1, "runners", progress) as bar:
         for number, gait in enumerate(before[1:], start=1):
-            after, missing = _matched(gait, goal, varied, number, model, unit)
+            after, missing = _matched(gait, goal, varied, number, model, fmu)
             matched.append(after)
             not_held += missing
             bar.update()
@@ -242,10 +242,10 @@ def _checked_hold(hold: object) -> tuple[str, ...]:
     return names
 
 
-def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None, unit: Unit | None) -> Gait:
+def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None, fmu: Fmu | None) -> Gait:
     if isinstance(given, Gait):
         return given
-    return periodic_gait(runner_by(Runner.of(given, unit), model), unit=unit)
+    return periodic_gait(runner_by(Runner.of(given, fmu), model), fmu=fmu)
 
 
 def _matched(
@@ -254,13 +254,13 @@ def _matched(
     vary: Sequence[str],
     number: int,
     model: str | None,
-    unit: Unit | None,
+    fmu: Fmu | None,
 ) -> tuple[Gait, list[NotHeld]]:
     """The gait with what is held, or the nearest one with what it lacks."""
     if _lacking(gait, goal, number) == []:
         return gait, []
     try:
-        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model, unit=unit)
+        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model, fmu=fmu)
     except TargetNotMetError as problem:
         found = problem.nearest
     return found, _lacking(found, goal, number)

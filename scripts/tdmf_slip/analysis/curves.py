@@ -10,8 +10,8 @@ from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
@@ -34,9 +34,9 @@ def continue_curves(
     runner: Runner | Mapping[str, Given] | None,
     over: Mapping[str, tuple[float, float]],
     *,
-    most_points: int = 200,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    max_points: int = 200,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> tuple[Curve, ...]:
     """Curves of special points over two parameters, each followed both ways to the ranges' edges.
 
@@ -49,11 +49,11 @@ def continue_curves(
         Whose gaits.
     over : mapping of str to pair of float
         By name of two parameters or inputs: the ends of their ranges.
-    most_points : int, default 200
+    max_points : int, default 200
         Of a curve in each direction.
-    show_progress : bool, default False
+    progress : bool, default False
         A count of points on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -72,25 +72,25 @@ def continue_curves(
     --------
     >>> import tdmf_slip
     >>> over = {"ground.friction": (0.45, 0.55), "leg.damping": (0.19, 0.21)}
-    >>> curves = tdmf_slip.continue_curves({}, over, most_points=5)
+    >>> curves = tdmf_slip.continue_curves({}, over, max_points=5)
     >>> print({curve.kind for curve in curves})
     {'word border'}
     """
-    unit = load(unit)
-    runner = Runner.of(runner, unit)
-    checked_whole("most_points", most_points, 1, MOST_POINTS)
-    names, spans = _checked_ranges(over, unit)
+    fmu = load_fmu(fmu)
+    runner = Runner.of(runner, fmu)
+    checked_whole("max_points", max_points, 1, MOST_POINTS)
+    names, spans = _checked_ranges(over, fmu)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
         raise InputError(f"over {first} and {second}: allowed: ranges whose ends differ")
     home = runner.values[second]
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.but(second, float(spans[1, 0]))
-    branch = continue_branch(runner, first, *map(float, spans[0]), switch=False, unit=unit)
+    branch = continue_branch(runner, first, *map(float, spans[0]), switch=False, fmu=fmu)
     sizes = np.array([abs(runner.values[name]) or 1.0 for name in names])
     box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
     found: list[Curve] = []
-    with progress.bar("curves", None, "points", show_progress) as bar:
+    with progress_bar("curves", None, "points", progress) as bar:
 
         def tell() -> None:
             bar.update()
@@ -100,17 +100,17 @@ def continue_curves(
             if special.kind == NOT_JUDGED or _is_on(found, special, at, sizes, box):
                 continue
             if special.kind == WORD_BORDER:
-                curve = border_curve(runner, names, sizes, box, branch, special, most_points, tell)
+                curve = border_curve(runner, names, sizes, box, branch, special, max_points, tell)
             elif special.words is None:
                 place = np.append(special.gait.apex / runner.scales, at)
-                curve = curve_through(Plane(runner, names, special.kind), box, place, most_points, tell)
+                curve = curve_through(Plane(runner, names, special.kind), box, place, max_points, tell)
             else:
                 continue  # on a word border, whose curve has it
             found.append(curve)
     return tuple(found)
 
 
-def _checked_ranges(over: object, unit: Unit) -> tuple[tuple[str, str], NDArray[np.float64]]:
+def _checked_ranges(over: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
     given = mapping_of(over, "over", allowed)
@@ -122,7 +122,7 @@ def _checked_ranges(over: object, unit: Unit) -> tuple[tuple[str, str], NDArray[
         pair = row_of(ends, f"over {name}", allowed)
         if len(pair) != 2:
             raise InputError(f"over {name} = {shown(ends)} is not allowed; allowed: {allowed}")
-        spans.append([float(unit.find(name, "over").value_of(value, f"over {name}")) for value in pair])
+        spans.append([float(fmu.find(name, "over").value_of(value, f"over {name}")) for value in pair])
     first, second = given
     return (first, second), np.array(spans)
 
@@ -150,7 +150,7 @@ def curve_through(
     plane: Plane,
     box: Box,
     at: NDArray[np.float64],
-    most_points: int,
+    max_points: int,
     tell: Callable[[], None] = lambda: None,
 ) -> Curve:
     """The curve of bifurcations through one of them, both ways.
@@ -163,7 +163,7 @@ def curve_through(
         The ranges.
     at : ndarray of float, shape (n + 2,)
         Apex and both parameters there, over the plane's scales.
-    most_points : int
+    max_points : int
         In each direction.
     tell : callable, optional
         Called after each point.
@@ -174,11 +174,11 @@ def curve_through(
         In its order.
     """
     here = plane.place(at)
-    back, began = _followed(plane, box, [here], -here.tangent, most_points, tell)
+    back, began = _followed(plane, box, [here], -here.tangent, max_points, tell)
     forth: list[Place] = []
     ended = began
     if began != CLOSED:
-        forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, most_points, tell)
+        forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, max_points, tell)
     places = [*back[::-1], here, *forth]
     points = np.array([(place.at * plane.scales)[-2:] for place in places])
     return Curve(plane.kind, plane.names, points, began, ended)
@@ -189,14 +189,14 @@ def _followed(
     box: Box,
     known: Sequence[Place],
     direction: NDArray[np.float64],
-    most_points: int,
+    max_points: int,
     tell: Callable[[], None],
 ) -> tuple[list[Place], str]:
     """The curve from the last of the places on that are known, without it, and why it stops."""
     found: list[Place] = []
     places = list(known)
     last, step = known[-1], 1.0
-    while len(found) < most_points:
+    while len(found) < max_points:
         longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
         try:
             goal = last.at + step * longest * direction
@@ -224,7 +224,7 @@ def _followed(
         tangent = following.tangent
         last, direction = following, tangent if tangent @ direction > 0.0 else -tangent
         step = min(1.0, 1.5 * step)
-    return found, f"number of points: {most_points}"
+    return found, f"number of points: {max_points}"
 
 
 def _met(plane: Plane, places: Sequence[Place], last: Place, following: Place) -> Place | None:

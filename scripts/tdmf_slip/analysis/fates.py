@@ -71,7 +71,7 @@ def fates(
             ensemble.run_ensemble(
                 [case],
                 starts[first : first + STARTS_IN_A_CALL],
-                most_strides=MOST_STRIDES,
+                max_strides=MOST_STRIDES,
                 first_number=first_number + first,
                 tolerance=tolerance,
                 threads=1,

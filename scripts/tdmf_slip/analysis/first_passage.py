@@ -20,8 +20,8 @@ from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu
 from ..unit.variable import Given
 from .fates import TOLERANCE
 from .search import periodic_gait
@@ -131,7 +131,7 @@ class Share(ByContents):
     """Number of the first runner."""
     count: int
     """Runners."""
-    most_strides: int
+    max_strides: int
     """Of each."""
     law: AffineLaw | None = None
     """By which they are set."""
@@ -154,14 +154,14 @@ def count_falls(share: Share) -> NDArray[np.int64]:
     ends, _ = ensemble.run_ensemble(
         [case],
         np.tile(share.apex, (share.count, 1)),
-        most_strides=share.most_strides,
+        max_strides=share.max_strides,
         first_number=share.first,
         tolerance=TOLERANCE,
         threads=1,
     )
     falls = np.count_nonzero(ends["fate"] == FELL)
     strides = ends["strides"].sum(dtype=np.int64) + falls
-    stopped = np.count_nonzero((ends["fate"] == UNDECIDED) & (ends["strides"] < share.most_strides))
+    stopped = np.count_nonzero((ends["fate"] == UNDECIDED) & (ends["strides"] < share.max_strides))
     unsolved = np.count_nonzero(ends["fate"] == UNSOLVED)
     return np.array([falls, strides, stopped, unsolved])
 
@@ -171,14 +171,14 @@ def strides_to_fall(
     roughness: float | RoughGround,
     runners: int = 1000,
     seed: int = 0,
-    most_strides: int = 10_000,
+    max_strides: int = 10_000,
     *,
     gait: Gait | None = None,
     law: AffineLaw | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> FirstPassage:
     """The mean number of strides until a runner falls on rough ground.
 
@@ -198,7 +198,7 @@ def strides_to_fall(
         How many run, each on ground of its own.
     seed : int, default 0
         Of the ground.
-    most_strides : int, default 10000
+    max_strides : int, default 10000
         A runner that has made as many is still up: it is counted as censored, not dropped.
     gait : Gait, optional
         What they start from; by default the gait that `find_gait` finds.
@@ -209,9 +209,9 @@ def strides_to_fall(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine, by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -233,7 +233,7 @@ def strides_to_fall(
     >>> rough.falls + rough.censored
     100
     """
-    runner = Runner.of(runner, unit)
+    runner = Runner.of(runner, fmu)
     if runner.reduced:
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
@@ -241,19 +241,19 @@ def strides_to_fall(
     check_law(law, runner)
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
-    most_strides = checked_whole("most_strides", most_strides, 1, MOST_STRIDES)
+    max_strides = checked_whole("max_strides", max_strides, 1, MOST_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
-    start = periodic_gait(runner, unit=unit) if gait is None else gait
+    start = periodic_gait(runner, fmu=fmu) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
-    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // most_strides))
+    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
     shares = [
-        Share(runner, apex, ground, first, min(size, runners - first), most_strides, law)
+        Share(runner, apex, ground, first, min(size, runners - first), max_strides, law)
         for first in range(0, runners, size)
     ]
     counted = np.zeros(4, dtype=np.int64)
     with (
-        progress.bar("rough", runners, "runners", show_progress) as bar,
+        progress_bar("rough", runners, "runners", progress) as bar,
         run_blocks(count_falls, shares, scheduler=scheduler, workers=workers) as results,
     ):
         for number, found in results:

@@ -7,7 +7,7 @@ from ..blocks.running import run_blocks
 from ..contents import ByContents
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .first_passage import FirstPassage, strides_to_fall
 
 
@@ -23,7 +23,7 @@ class Place(ByContents):
     """How many run."""
     seed: int
     """Of the ground."""
-    most_strides: int
+    max_strides: int
     """A runner that has made as many is still up."""
     law: AffineLaw | None = None
     """By which the runners are set."""
@@ -47,20 +47,20 @@ def stay(place: Place) -> FirstPassage:
         place.roughness,
         place.runners,
         place.seed,
-        place.most_strides,
+        place.max_strides,
         law=place.law,
         workers=1,
     )
 
 
-def stay_all(places: Sequence[Place], *, show_progress: bool = False) -> list[FirstPassage]:
+def stay_all(places: Sequence[Place], *, progress: bool = False) -> list[FirstPassage]:
     """`stay` at many places, side by side.
 
     Parameters
     ----------
     places : sequence of Place
         Who runs on what.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -70,7 +70,7 @@ def stay_all(places: Sequence[Place], *, show_progress: bool = False) -> list[Fi
     """
     found: dict[int, FirstPassage] = {}
     with (
-        progress.bar("rough", len(places), "means", show_progress) as bar,
+        progress_bar("rough", len(places), "means", progress) as bar,
         run_blocks(stay, places) as results,
     ):
         for number, one in results:

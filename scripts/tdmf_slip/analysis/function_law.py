@@ -12,7 +12,7 @@ from ..library.crowd import numbers
 from ..library.noted_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
 from ..library.settings import check_acts, checked_values, setting_number
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 
 Law: TypeAlias = Callable[[NDArray[np.float64]], Mapping[str, ArrayLike]]
 """From apices, shape (runners, n), to settings by name, shape (runners,) or one for all."""
@@ -27,14 +27,14 @@ class FunctionLaw:
         The function.
     request : Request
         Which strides are made.
-    unit : Unit
+    unit : Fmu
         Whose ranges hold.
     stride_begins : callable
         Called before each stride.
     """
 
-    def __init__(self, law: Law, request: Request, unit: Unit, stride_begins: Callable[[], object]) -> None:
-        self.law, self.request, self.unit, self.stride_begins = law, request, unit, stride_begins
+    def __init__(self, law: Law, request: Request, fmu: Fmu, stride_begins: Callable[[], object]) -> None:
+        self.law, self.request, self.unit, self.stride_begins = law, request, fmu, stride_begins
         self.names: tuple[str, ...] | None = None
 
     def __call__(

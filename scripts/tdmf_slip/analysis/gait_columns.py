@@ -8,7 +8,7 @@ import numpy as np
 from ..library.gait import LEDGER, Gait
 from ..library.measures import MEASURE_UNITS, STRIDE_QUANTITIES
 from ..library.section import COORDINATES
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 
 
 @dataclass(frozen=True)
@@ -22,17 +22,17 @@ class Column:
     unit: str = ""
     """Where there is none."""
 
-    def attributes(self, unit: Unit) -> dict[str, str]:
-        """Unit and description, by the names that CF gives them."""
-        return {"units": self.unit} if self.variable is None else attributes_of(unit, self.variable)
+    def attributes(self, fmu: Fmu) -> dict[str, str]:
+        """Fmu and description, by the names that CF gives them."""
+        return {"units": self.unit} if self.variable is None else attributes_of(fmu, self.variable)
 
 
-def attributes_of(unit: Unit, name: str) -> dict[str, str]:
-    """Unit and description of one of the unit's variables, by the names that CF gives them.
+def attributes_of(fmu: Fmu, name: str) -> dict[str, str]:
+    """Fmu and description of one of the unit's variables, by the names that CF gives them.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Which unit.
     name : str
         Of the variable.
@@ -42,7 +42,7 @@ def attributes_of(unit: Unit, name: str) -> dict[str, str]:
     dict of str to str
         `units` and `long_name`.
     """
-    variable = unit.variables[name]
+    variable = fmu.variables[name]
     return {"units": variable.unit or "1", "long_name": variable.description}
 
 

@@ -18,8 +18,8 @@ from ..library.members import STATES, check_varied
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
-from ..terminal import progress
-from ..unit.unit import FRICTION, Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from ..unit.variable import MOST_VALUES, Given, Values
 from .gait_columns import COLUMNS, attributes_of
 from .search import model_of
@@ -30,7 +30,7 @@ GAITS_AGREE = 1e-6
 
 
 def as_dataset(
-    gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]], unit: Unit
+    gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]], fmu: Fmu
 ) -> xarray.Dataset:
     """Gaits on a grid, with units; NaN and an empty word where there is none.
 
@@ -40,7 +40,7 @@ def as_dataset(
         As many as the grid has points, the last coordinate fastest.
     coordinates : mapping of str to ndarray
         Values of one or two parameters, by name.
-    unit : Unit
+    fmu : Fmu
         For units and descriptions.
 
     Returns
@@ -55,12 +55,12 @@ def as_dataset(
     for name, column in COLUMNS.items():
         values = [np.nan if gait is None else column.value_of(gait) for gait in gaits]
         data[name] = names, np.array(values, dtype=float).reshape(shape)
-        data[name].attrs = column.attributes(unit)
+        data[name].attrs = column.attributes(fmu)
     words = ["" if gait is None else gait.word for gait in gaits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
-    data["word"].attrs = attributes_of(unit, "stride.word")
-    for name in set(names) & set(unit.variables):
-        data[name].attrs = attributes_of(unit, name)
+    data["word"].attrs = attributes_of(fmu, "stride.word")
+    for name in set(names) & set(fmu.variables):
+        data[name].attrs = attributes_of(fmu, name)
     return data
 
 
@@ -73,8 +73,8 @@ def grid(
     *,
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """Gaits over the friction and a second parameter, row by row, into a NetCDF file.
 
@@ -98,9 +98,9 @@ def grid(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine, by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         For units and descriptions.
 
     Returns
@@ -114,14 +114,14 @@ def grid(
     InputError
         A value is refused, or the file holds another sweep.
     """
-    unit, runner = load(unit), Runner.of(runner)
+    fmu, runner = load_fmu(fmu), Runner.of(runner)
     if name not in STATES:
         check_varied(name, "name")
     if name == FRICTION:
         raise InputError(f"a grid over {FRICTION} and {name}: allowed: another parameter or input")
     coordinates = {
-        name: unit.find(name, "values").values_of(values, "values"),
-        FRICTION: unit.find(FRICTION, "frictions").values_of(frictions, "frictions"),
+        name: fmu.find(name, "values").values_of(values, "values"),
+        FRICTION: fmu.find(FRICTION, "frictions").values_of(frictions, "frictions"),
     }
     down, across = coordinates.values()
     if len(across) * len(down) > MOST_VALUES:
@@ -132,11 +132,11 @@ def grid(
     for value in down:
         row = runner.but(name, value)
         _ = row.model, row.inputs
-    attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {unit.version}"} | {
+    attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {fmu.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
     attributes |= model_of(runner)
-    blank = as_dataset([None] * (len(down) * len(across)), coordinates, unit)
+    blank = as_dataset([None] * (len(down) * len(across)), coordinates, fmu)
     blank["branch"] = (name, FRICTION), np.full((len(down), len(across)), np.nan)
     blank["branch"].attrs = {"long_name": "number of the branch in its row"}
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
@@ -144,16 +144,16 @@ def grid(
     blank.attrs = attributes
     path = check_place(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
-    _check_rows(path, data, blank, runner, name, unit, show_progress)
+    _check_rows(path, data, blank, runner, name, fmu, progress)
     missing = np.flatnonzero(data["done"].values == 0)
     rows = [Row(runner.but(name, down[number]), tuple(across)) for number in missing]
     with (
-        progress.bar("sweep", len(down), "rows", show_progress) as bar,
+        progress_bar("sweep", len(down), "rows", progress) as bar,
         run_blocks(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
     ):
         bar.update(len(down) - len(missing))
         for number, (gaits, branches, problem) in results:
-            found = as_dataset(gaits, {FRICTION: coordinates[FRICTION]}, unit)
+            found = as_dataset(gaits, {FRICTION: coordinates[FRICTION]}, fmu)
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
             data["branch"][missing[number]] = branches
@@ -170,8 +170,8 @@ def _check_rows(
     blank: xarray.Dataset,
     runner: Runner,
     name: str,
-    unit: Unit,
-    show_progress: bool,
+    fmu: Fmu,
+    progress: bool,
 ) -> None:
     """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells.
 
@@ -181,12 +181,12 @@ def _check_rows(
         The first such row.
     """
     begun = int(np.count_nonzero(data["done"].values))
-    with progress.bar("what is done", begun, "rows", show_progress) as bar:
+    with progress_bar("what is done", begun, "rows", progress) as bar:
         for number, value in enumerate(data[name].values):
             row, nothing = data.isel({name: number}), blank.isel({name: number})
             if same_values(row, nothing):
                 continue
-            if not _may_be_row(row, runner.but(name, value), unit):
+            if not _may_be_row(row, runner.but(name, value), fmu):
                 raise InputError(
                     f"{path}: holds another sweep, with gaits at {name} = {value:g} that are none; "
                     "allowed: another file name"
@@ -194,7 +194,7 @@ def _check_rows(
             bar.update()
 
 
-def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
+def _may_be_row(row: xarray.Dataset, runner: Runner, fmu: Fmu) -> bool:
     """Whether a row is done, what is in it are gaits, and it says why where some are missing."""
     found = row["period"].notnull().values
     if row["done"] != 1 or not (found.all() or row["problem"].item()):
@@ -210,7 +210,7 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, unit: Unit) -> bool:
         return False
     if not np.array_equal(row["branch"].notnull().values, found):
         return False
-    wanted = as_dataset(gaits, {FRICTION: frictions}, unit)
+    wanted = as_dataset(gaits, {FRICTION: frictions}, fmu)
     rounding = {name: rounding_of(runner, wanted[name].attrs["units"]) for name in COLUMNS}
     return same_values(row, wanted, GAITS_AGREE, rounding)
 

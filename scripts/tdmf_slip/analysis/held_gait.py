@@ -11,7 +11,7 @@ from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from ..unit.variable import Given
 from .search import periodic_gait
 
@@ -89,7 +89,7 @@ def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
 
 
 def stable_gait(
-    runner: Runner | Mapping[str, Given], unit: Unit | None = None, law: AffineLaw | None = None
+    runner: Runner | Mapping[str, Given], fmu: Fmu | None = None, law: AffineLaw | None = None
 ) -> Gait:
     """The gait of a runner, or under a law the one near its apex, if it attracts anything.
 
@@ -97,7 +97,7 @@ def stable_gait(
     ----------
     runner : Runner or mapping of str to float
         Parameters and friction, or start values by name.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
     law : AffineLaw, optional
         By which the runner is set.
@@ -115,12 +115,12 @@ def stable_gait(
         There is none.
     """
     if law is None:
-        gait = periodic_gait(runner, unit=unit)
+        gait = periodic_gait(runner, fmu=fmu)
         if not gait.stable:
             raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
         return gait
-    runner = Runner.of(runner, unit)
+    runner = Runner.of(runner, fmu)
     check_law(law, runner)
-    gait = periodic_gait(runner, guess=law.apex, unit=unit)
+    gait = periodic_gait(runner, guess=law.apex, fmu=fmu)
     check_attracts(gait, law)
     return gait

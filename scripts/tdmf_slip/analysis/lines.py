@@ -132,7 +132,7 @@ def border_curve(
     box: Box,
     branch: Branch,
     special: Special,
-    most_points: int,
+    max_points: int,
     tell: Callable[[], None],
 ) -> Curve:
     """The curve of a word border, both ways.
@@ -151,7 +151,7 @@ def border_curve(
         Over the first of them, which meets the border.
     special : Special
         Where.
-    most_points : int
+    max_points : int
         In each direction.
     tell : callable
         Called after each point.
@@ -166,11 +166,11 @@ def border_curve(
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
     here = Place(np.array([special.value, runner.values[names[1]]]) / sizes, known)
     track = BorderTrack(runner, names, sizes, [here])
-    back, began = _border_followed(track, box, here, -1.0, most_points, tell)
+    back, began = _border_followed(track, box, here, -1.0, max_points, tell)
     forth: list[Place] = []
     ended = began
     if began != CLOSED:
-        forth, ended = _border_followed(track, box, here, 1.0, most_points, tell)
+        forth, ended = _border_followed(track, box, here, 1.0, max_points, tell)
     points = np.array([place.pair for place in (*back[::-1], here, *forth)]) * sizes
     return Curve(WORD_BORDER, names, points, began, ended, special.words)
 
@@ -253,14 +253,14 @@ def _border_followed(
     box: Box,
     last: Place,
     sign: float,
-    most_points: int,
+    max_points: int,
     tell: Callable[[], None],
 ) -> tuple[list[Place], str]:
     """The curve of a border from a place on, without it, and why it stops."""
     way = np.array([0.0, sign])
     found: list[Place] = []
     step = 0.1
-    while len(found) < most_points:
+    while len(found) < max_points:
         longest = LONGEST / np.max(np.abs(way) / box.size)
         try:
             following = track.stepped(last, step * longest * way)
@@ -281,4 +281,4 @@ def _border_followed(
         found.append(following)
         track.add(following)
         last, step = following, min(1.0, 2.0 * step)
-    return found, f"number of points: {most_points}"
+    return found, f"number of points: {max_points}"

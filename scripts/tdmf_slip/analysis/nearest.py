@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import VARIED
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .target import GOOD_ENOUGH, Place, Target
 
 ITERATIONS, LOOK_AHEAD = 30, 8
@@ -121,7 +121,7 @@ class Help:
 
 
 def parameters_that_help(
-    target: Target, nearest: Place, first: Gait, show_progress: bool = False
+    target: Target, nearest: Place, first: Gait, progress: bool = False
 ) -> tuple[Help, ...]:
     """Parameters and inputs that bring the target nearer, each varied beside the others or instead of one.
 
@@ -137,7 +137,7 @@ def parameters_that_help(
         The gait nearest to it.
     first : Gait
         The gait that the search began with.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -149,7 +149,7 @@ def parameters_that_help(
     most, near = HELPING * target.gap(nearest), target.gait(nearest)
     promising = _promising(target, (near, first))
     found: list[Help] = []
-    with progress.bar("what would help", len(promising), "parameters", show_progress) as bar:
+    with progress_bar("what would help", len(promising), "parameters", progress) as bar:
         for name in promising:
             more = _with_one_more(target, name, first, near, most)
             others = target.vary if name.startswith(SETTINGS) else ()

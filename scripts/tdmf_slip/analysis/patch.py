@@ -138,7 +138,7 @@ def _followed(
     """Those that are up after some strides, and their apices then."""
     if not places:
         return [], []
-    ends, _ = run_ensemble(cases, np.array(apices), range(len(cases)), most_strides=strides)
+    ends, _ = run_ensemble(cases, np.array(apices), range(len(cases)), max_strides=strides)
     kept = [k for k, fate in enumerate(ends["fate"]) if fate in UP]
     return [places[k] for k in kept], [ends["apex"][k][: len(apices[k])] for k in kept]
 

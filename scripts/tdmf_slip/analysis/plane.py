@@ -43,7 +43,7 @@ class Place(ByContents):
 
     @property
     def tangent(self) -> NDArray[np.float64]:
-        """Unit tangent of the curve."""
+        """Fmu tangent of the curve."""
         tangent: NDArray[np.float64] = np.linalg.svd(self.matrix)[2][-1]
         return tangent
 

@@ -23,8 +23,8 @@ from ..library.ensemble import END, FATES, ensemble_of, run
 from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import LARGEST, LAST_SEED, RoughGround
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu
 from ..unit.variable import Given
 from .fates import TOLERANCE
 from .logistic import logistic_weights
@@ -218,8 +218,8 @@ def rare_falls(
     gait: Gait | None = None,
     law: AffineLaw | None = None,
     threads: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> RareFalls:
     """The mean number of strides until a fall that hardly ever comes, by multilevel splitting.
 
@@ -244,9 +244,9 @@ def rare_falls(
         By which settings are made anew at each apex, as in `strides_to_fall`.
     threads : int, optional
         By default one for each processor. Results do not depend on it.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -269,7 +269,7 @@ def rare_falls(
     >>> low < rare.mean_strides < high
     True
     """
-    runner = Runner.of(runner, unit)
+    runner = Runner.of(runner, fmu)
     if runner.reduced:
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
@@ -281,9 +281,9 @@ def rare_falls(
     seed = checked_whole("seed", seed, 0, LAST_SEED)
     if gait is not None:
         check_is_gait(gait, "gait")
-    start = periodic_gait(runner, unit=unit) if gait is None else gait
+    start = periodic_gait(runner, fmu=fmu) if gait is None else gait
     chain = RoughRunner(start, roughness, law, threads)
-    with progress.bar("rare falls", REPLICAS + 1, "runs", show_progress) as bar:
+    with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)
         bar.update()
         levels = levels_of(scores, highest, LEVELS)

@@ -9,7 +9,7 @@ from ..library.gait import Gait, gait_near, settled_gait
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import MODELS, Apex
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from ..unit.variable import Given
 from .continuation import gaits_over
 from .spread import search_from_spread
@@ -62,7 +62,7 @@ def periodic_gait(
     *,
     along: Along | None = None,
     model: str | None = None,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Gait:
     """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted.
 
@@ -76,7 +76,7 @@ def periodic_gait(
         A parameter or input by which the next apex is differentiated, too; or a direction of several.
     model : str, optional
         One of `MODELS`; by default that of the runner.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -92,13 +92,13 @@ def periodic_gait(
     GaitNotFoundError
         No gait was found; the message says what happened on the way.
     """
-    runner = runner_by(Runner.of(runner, unit), model)
+    runner = runner_by(Runner.of(runner, fmu), model)
     if guess is not None:
         return gait_near(runner, guess, along=along)
     try:
         return settled_gait(runner, along=along)
     except RunError as problem:
-        found, tried = _beyond_settling(runner, along, load(unit))
+        found, tried = _beyond_settling(runner, along, load_fmu(fmu))
         if found is None:
             raise GaitNotFoundError(
                 f"{problem}; {tried}: a guess near its apex helps where there is one"
@@ -106,22 +106,22 @@ def periodic_gait(
         return found if along in (None, found.along) else gait_near(runner, found.apex, along=along)
 
 
-def _beyond_settling(runner: Runner, along: Along | None, unit: Unit) -> tuple[Gait | None, str]:
+def _beyond_settling(runner: Runner, along: Along | None, fmu: Fmu) -> tuple[Gait | None, str]:
     """A gait by the longer searches, or what was tried, in words."""
-    found = _along_friction(runner, unit)
+    found = _along_friction(runner, fmu)
     if found is not None:
         return found, ""
     spread = search_from_spread(runner, along=along)
     if spread.gaits:
         return spread.gaits[0], ""
-    home = unit.start_of(FRICTION)
+    home = fmu.start_of(FRICTION)
     way = f"along the friction from {home:g}, nor " if runner.values[FRICTION] != home else ""
     return None, f"none was found {way}from {spread}"
 
 
-def _along_friction(runner: Runner, unit: Unit) -> Gait | None:
+def _along_friction(runner: Runner, fmu: Fmu) -> Gait | None:
     """The gait that is reached from the one at the unit's own friction; None where there is none."""
-    home = unit.start_of(FRICTION)
+    home = fmu.start_of(FRICTION)
     if runner.values[FRICTION] == home:
         return None
     try:

@@ -99,7 +99,7 @@ def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float6
 
 
 def search_from_spread(
-    runner: Runner, *, along: Along | None = None, most_gaits: int = 1, most_strides: int = MOST_STRIDES
+    runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MOST_STRIDES
 ) -> Spread:
     """Gaits of a runner from starts all over the section, but for those that lead backwards.
 
@@ -109,9 +109,9 @@ def search_from_spread(
         Whose gaits.
     along : str or mapping of str to float, optional
         A parameter or input by which the next apex is differentiated, too; or a direction of several.
-    most_gaits : int, default 1
+    max_gaits : int, default 1
         Stop after so many stable ones.
-    most_strides : int, optional
+    max_strides : int, optional
         Of all runners together.
 
     Returns
@@ -120,14 +120,14 @@ def search_from_spread(
         With those that were found.
     """
     found = _Found(runner, along)
-    runs = _Runs(runner, starts_of(runner, STARTS), most_strides)
+    runs = _Runs(runner, starts_of(runner, STARTS), max_strides)
     nearest: list[tuple[float, NDArray[np.float64]]] = []
     for places, returns in runs.looks():
         order = np.argsort(returns)[:PROMISING]
         nearest += [(float(returns[k]), places[k]) for k in order]
         for k in order[returns[order] < SETTLED]:
             found.try_from(places[k])
-        if found.stable >= most_gaits:
+        if found.stable >= max_gaits:
             break
     else:
         for _, place in sorted(nearest, key=lambda pair: pair[0]):
@@ -139,8 +139,8 @@ def search_from_spread(
 class _Runs:
     """Runners side by side."""
 
-    def __init__(self, runner: Runner, starts: NDArray[np.float64], most_strides: int) -> None:
-        self.runner, self.apexes, self.left, self.made = runner, starts, most_strides, 0
+    def __init__(self, runner: Runner, starts: NDArray[np.float64], max_strides: int) -> None:
+        self.runner, self.apexes, self.left, self.made = runner, starts, max_strides, 0
 
     def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
         """Places, and how near to them a stride from there comes back, over the scales: again and again."""
@@ -159,7 +159,7 @@ class _Runs:
         apexes = self.apexes[: self.left // strides]
         if not len(apexes):
             return apexes, apexes
-        ends, work = run_ensemble([Case(self.runner)], apexes, most_strides=strides, tolerance=TOLERANCE)
+        ends, work = run_ensemble([Case(self.runner)], apexes, max_strides=strides, tolerance=TOLERANCE)
         self.left, self.made = self.left - work.strides, self.made + work.strides
         closed = ends["strides"] == strides
         return apexes[closed], ends["apex"][closed, : apexes.shape[1]]

@@ -13,8 +13,8 @@ from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import check_varied
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import Bar, progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given, Values
 from .search import periodic_gait
 from .sweep import MOST_GAITS
@@ -50,8 +50,8 @@ def stability(
     runner: Runner | Mapping[str, Given],
     over: Mapping[str, Values],
     *,
-    unit: Unit | None = None,
-    show_progress: bool = False,
+    fmu: Fmu | None = None,
+    progress: bool = False,
 ) -> StabilityMap:
     """The gait at each point of a plane, each from a neighbour's, from where the runner's own is nearest.
 
@@ -64,9 +64,9 @@ def stability(
         The other parameters, and the map: the reduced one takes some tenths of a millisecond for a gait.
     over : mapping of str to sequence of float
         Two parameters or inputs and their values in order, in their units.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -81,19 +81,19 @@ def stability(
     RunError
         There is no gait where the search begins.
     """
-    unit, runner = load(unit), Runner.of(runner)
-    names, values = _checked(over, unit)
+    fmu, runner = load_fmu(fmu), Runner.of(runner)
+    names, values = _checked(over, fmu)
     shape = len(values[0]), len(values[1])
     lambda_max = np.full(shape, np.nan)
     word = np.full(shape, "", dtype=object)
-    with progress.bar("stability", lambda_max.size, "points", show_progress) as bar:
+    with progress_bar("stability", lambda_max.size, "points", progress) as bar:
         for place, gait in _spread(runner, names, values, bar):
             lambda_max[place], word[place] = gait.lambda_max, gait.word
     return StabilityMap(names, *values, lambda_max, word)
 
 
 def _checked(
-    over: Mapping[str, Values], unit: Unit
+    over: Mapping[str, Values], fmu: Fmu
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     given = mapping_of(over, "over", "two parameters or inputs with their values")
     if len(given) != 2:
@@ -101,7 +101,7 @@ def _checked(
     for name in given:
         check_varied(name, "over")
     first, second = given
-    rows, columns = (unit.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items())
+    rows, columns = (fmu.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items())
     if len(rows) * len(columns) > MOST_GAITS:
         raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MOST_GAITS:,} at the most")
     return (first, second), (rows, columns)
@@ -111,7 +111,7 @@ def _spread(
     runner: Runner,
     names: tuple[str, str],
     values: tuple[NDArray[np.float64], NDArray[np.float64]],
-    bar: progress.Bar,
+    bar: Bar,
 ) -> Iterator[tuple[tuple[int, int], Gait]]:
     """Gaits with their places, from the first on to neighbours, and from these on to theirs."""
 

@@ -23,9 +23,9 @@ class Limits:
     """Values of the parameter between which the branch is followed."""
     begins_at: float
     """The end that is told as the beginning of the range."""
-    largest_step: float
+    max_step: float
     """Along the branch."""
-    most_points: int
+    max_points: int
     """Then it stops."""
 
 
@@ -62,9 +62,9 @@ def follow(
     ended : str
         Why it stops, in words that differ for each reason.
     """
-    points, step = [first], limits.largest_step / 10.0
+    points, step = [first], limits.max_step / 10.0
     track = Track(family, [*known, first])
-    while len(points) < limits.most_points:
+    while len(points) < limits.max_points:
         last = points[-1]
         try:
             following, step = next_point(family, last, step, _longest(family, last, limits))
@@ -82,7 +82,7 @@ def follow(
                 step_finished()
             if ended:
                 return points, ended
-    return points, f"number of points: {limits.most_points}"
+    return points, f"number of points: {limits.max_points}"
 
 
 def _end_between(
@@ -110,7 +110,7 @@ def _longest(family: Family, last: Point, limits: Limits) -> float:
     """The longest step from a point."""
     rate = abs(last.direction[-1]) * family.scales[-1] * SMALLEST_PART
     span = limits.high - limits.low
-    return float(min(limits.largest_step, span / rate)) if rate > 0.0 else limits.largest_step
+    return float(min(limits.max_step, span / rate)) if rate > 0.0 else limits.max_step
 
 
 def _at_value(family: Family, before: Point, after: Point, value: float) -> Point:

@@ -23,8 +23,8 @@ from ..library.noted_strides import STRIDE_FATES, Columns, Request, noted_stride
 from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .function_law import FunctionLaw, Law, check_set
 from .search import model_of
@@ -52,8 +52,8 @@ def stride_map(
     instructions: str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """Strides of many runners in a row, each kept with its apices and quantities.
 
@@ -99,9 +99,9 @@ def stride_map(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine. By default this one does it all, with a thread for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -136,8 +136,8 @@ def stride_map(
     >>> run["hip.touchdown_angle"].shape
     (1, 3)
     """
-    unit = load(unit)
-    crowd = Crowd.of(parameters, unit)  # type: ignore[arg-type] # which refuses what is none of it
+    fmu = load_fmu(fmu)
+    crowd = Crowd.of(parameters, fmu)  # type: ignore[arg-type] # which refuses what is none of it
     strides = checked_whole("strides", strides, 1, MOST_STRIDES)
     starts, given = _broadcast(apices, crowd, settings, strides)
     ground = RoughGround(roughness, seed)
@@ -155,16 +155,16 @@ def stride_map(
         instructions,
     )
     if law is None or affine is not None:
-        columns = _in_blocks(request, scheduler, workers, show_progress)
+        columns = _in_blocks(request, scheduler, workers, progress)
     elif scheduler is not None or workers is not None:
         raise InputError(
             "law: a function is called here, for all runners at once; allowed: no scheduler or workers"
         )
     else:
         assert callable(law)
-        with progress.bar("strides", strides, "strides", show_progress) as bar:
-            columns = noted_strides(request, FunctionLaw(law, request, unit, bar.update))
-    return _dataset(request, columns, unit)
+        with progress_bar("strides", strides, "strides", progress) as bar:
+            columns = noted_strides(request, FunctionLaw(law, request, fmu, bar.update))
+    return _dataset(request, columns, fmu)
 
 
 def _broadcast(
@@ -221,7 +221,7 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
     check_set(tuple(given), (), ground, "settings")
 
 
-def _in_blocks(request: Request, scheduler: str | None, workers: int | None, show_progress: bool) -> Columns:
+def _in_blocks(request: Request, scheduler: str | None, workers: int | None, progress: bool) -> Columns:
     """Block by block, here by a thread for each processor, or elsewhere by one."""
     runners = len(request.apices)
     size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
@@ -230,7 +230,7 @@ def _in_blocks(request: Request, scheduler: str | None, workers: int | None, sho
     blocks = [whole.part(first, min(size, runners - first)) for first in range(0, runners, size)]
     parts: dict[int, Columns] = {}
     with (
-        progress.bar("strides", runners, "runners", show_progress) as bar,
+        progress_bar("strides", runners, "runners", progress) as bar,
         run_blocks(noted_strides, blocks, scheduler=scheduler, workers=1 if here else workers) as results,
     ):
         for number, columns in results:
@@ -239,7 +239,7 @@ def _in_blocks(request: Request, scheduler: str | None, workers: int | None, sho
     return {name: np.concatenate([parts[n][name] for n in range(len(blocks))]) for name in parts[0]}
 
 
-def _dataset(request: Request, columns: Columns, unit: Unit) -> xarray.Dataset:
+def _dataset(request: Request, columns: Columns, fmu: Fmu) -> xarray.Dataset:
     runner = request.crowd.runner
     over = ("runner", "stride", "coordinate")
     data = xarray.Dataset(
@@ -252,7 +252,7 @@ def _dataset(request: Request, columns: Columns, unit: Unit) -> xarray.Dataset:
         },
     )
     for name in data.data_vars:
-        told = unit.variables.get(f"stride.{name}") or unit.variables.get(str(name))
+        told = fmu.variables.get(f"stride.{name}") or fmu.variables.get(str(name))
         if told is not None and data[name].dtype.kind == "f":
             data[name].attrs = {"units": told.unit or "1", "long_name": told.description}
     for name in LEDGER:

@@ -13,8 +13,8 @@ from ..errors import InputError, RunError
 from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import FRICTION, Unit, load
+from ..terminal.progress import Bar, progress_bar
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from ..unit.variable import Given, Values
 from .borders import Border, crossings
 from .family import Family
@@ -51,12 +51,12 @@ class Sweep(ByContents, Drawable):
         ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
         return f"<Sweep {len(self.gaits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
 
-    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
+    def to_xarray(self, fmu: Fmu | None = None) -> "xarray.Dataset":
         """Quantities of the gaits over the parameter, with units.
 
         Parameters
         ----------
-        unit : Unit, optional
+        fmu : Fmu, optional
             For units and descriptions; by default that of `fmu_path`.
 
         Returns
@@ -66,7 +66,7 @@ class Sweep(ByContents, Drawable):
         """
         from .grid import as_dataset  # xarray is slow to load
 
-        data = as_dataset(self.by_value, {self.name: np.array(self.values)}, load(unit))
+        data = as_dataset(self.by_value, {self.name: np.array(self.values)}, load_fmu(fmu))
         data["branch"] = (self.name,), self.branches
         return data
 
@@ -117,7 +117,7 @@ def sweep(
     values: Values,
     *,
     over: str = FRICTION,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> Sweep:
     """The gait at each value of a parameter, each from the one before, and every change of the gait word.
 
@@ -134,7 +134,7 @@ def sweep(
         In order; of the friction, above 0.
     over : str, default "ground.friction"
         The parameter or input that is varied.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -158,14 +158,14 @@ def sweep(
     """
     runner = Runner.of(runner)
     check_varied(over, "over")
-    row = load().find(over, "values").values_of(values, "values")
+    row = load_fmu().find(over, "values").values_of(values, "values")
     if len(row) > MOST_GAITS:
         raise InputError(f"{len(row):,} values: allowed: {MOST_GAITS:,}, or a grid, which is on file")
     check_values(runner, over, row)
-    return sweep_row(runner, over, row, show_progress)
+    return sweep_row(runner, over, row, progress)
 
 
-def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = False) -> Sweep:
+def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Sweep:
     """`sweep` over values that are checked already.
 
     Parameters
@@ -176,7 +176,7 @@ def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = F
         Of the parameter that is varied.
     values : sequence of float
         In order.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -189,7 +189,7 @@ def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = F
     problems: list[str] = []
     stretches: list[Stretch] = []
     end = 0
-    with progress.bar("sweep", len(values), "gaits", show_progress) as bar:
+    with progress_bar("sweep", len(values), "gaits", progress) as bar:
 
         def tell() -> None:
             bar.update()
@@ -223,7 +223,7 @@ def sweep_row(runner: Runner, name: str, values: Values, show_progress: bool = F
 
 
 def _begin(
-    runner: Runner, name: str, values: Values, start: int, bar: progress.Bar
+    runner: Runner, name: str, values: Values, start: int, bar: Bar
 ) -> tuple[int, Gait | None, list[str]]:
     """Number of a value with a gait, the first from `start` on; that gait; why the one at `start` is none.
 

@@ -13,7 +13,7 @@ from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
@@ -58,8 +58,8 @@ def find_gait(
     vary: Sequence[str] = (),
     guess: Apex | None = None,
     model: str | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Gait:
     """The periodic gait of a runner, stable or not, or the one that has what a target prescribes.
 
@@ -91,9 +91,9 @@ def find_gait(
     model : str, optional
         One of `MODELS`: `full`, or `reduced` for the map of an apex's height and speed, with the leg placed
         in flight as if by itself. By default that of the runner.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr while parameters are tried that would help.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -125,22 +125,22 @@ def find_gait(
     1.0
     """
     if target is None and not len(row_of(vary, "vary", NAMES)):
-        return periodic_gait(runner, guess, model=model, unit=unit)
+        return periodic_gait(runner, guess, model=model, fmu=fmu)
     wanted = _checked_target(target)
     names = _checked_vary(vary, wanted)
-    starting = runner_by(Runner.of(runner, unit), model)
+    starting = runner_by(Runner.of(runner, fmu), model)
     check_quantities(starting, list(wanted))
-    first = periodic_gait(starting, guess, unit=unit)
+    first = periodic_gait(starting, guess, fmu=fmu)
     system = Target(first.runner, wanted, names)
     begin = system.place_of(first)
     _check_action(system, begin)
     place, share = system.solved_from(begin)
     if share < 1.0:
-        others = beginnings(system, first, load(unit))
+        others = beginnings(system, first, load_fmu(fmu))
         place, share, nearest = _met_from_elsewhere(system, (begin, place), others)
         if share < 1.0:
-            helps = parameters_that_help(system, nearest, first, show_progress)
-            raise _not_met(system, nearest, helps, load(unit))
+            helps = parameters_that_help(system, nearest, first, progress)
+            raise _not_met(system, nearest, helps, load_fmu(fmu))
     return _met(system, place)
 
 
@@ -229,14 +229,14 @@ def _check_action(target: Target, place: Place) -> None:
         )
 
 
-def _not_met(target: Target, nearest: Place, helps: Sequence[Help], unit: Unit) -> TargetNotMetError:
+def _not_met(target: Target, nearest: Place, helps: Sequence[Help], fmu: Fmu) -> TargetNotMetError:
     """With the nearest gait, and what would help."""
     gait = target.gait(nearest)
     has = quantities_of(gait, target.names)
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
     at = ", ".join(
-        f"{name} = {gait.runner.values[name]:.6g} {unit.variables[name].unit}".removesuffix(" 1").strip()
+        f"{name} = {gait.runner.values[name]:.6g} {fmu.variables[name].unit}".removesuffix(" 1").strip()
         for name in target.vary
     )
     tip = (

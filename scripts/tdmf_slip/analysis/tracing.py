@@ -8,8 +8,8 @@ from ..checks import checked, checked_whole, is_number
 from ..errors import InputError, RunError
 from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .branch import Branch
 from .continuation import gaits_over
@@ -33,11 +33,11 @@ def continue_branch(
     begin: float,
     end: float,
     *,
-    largest_step: float = 0.2,
-    most_points: int = 1000,
+    max_step: float = 0.2,
+    max_points: int = 1000,
     switch: bool = True,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Branch:
     """The branch of gaits over a range of a parameter, through folds, with every special point judged.
 
@@ -52,15 +52,15 @@ def continue_branch(
         Parameter or input that is varied.
     begin, end : float
         The range, in the parameter's unit.
-    largest_step : float, default 0.2
+    max_step : float, default 0.2
         Along the branch, over the coordinates' scales and the parameter's value.
-    most_points : int, default 1000
+    max_points : int, default 1000
         Stop after so many gaits, in each direction.
     switch : bool, default True
         Follow the gaits of two strides from each period doubling, and those of four from theirs, too.
-    show_progress : bool, default False
+    progress : bool, default False
         A count of gaits on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
 
     Returns
@@ -82,36 +82,36 @@ def continue_branch(
     >>> branch.ended, [special.kind for special in branch.specials]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
-    unit = load(unit)
-    runner = Runner.of(runner, unit)
+    fmu = load_fmu(fmu)
+    runner = Runner.of(runner, fmu)
     family = Family(runner, name)
-    variable = unit.find(name, "name")
+    variable = fmu.find(name, "name")
     begin, end = (float(variable.value_of(v, w)) for v, w in ((begin, "begin"), (end, "end")))
     if begin == end:
         raise InputError(f"end = {end:g} of {name}: allowed: a number other than begin")
-    with progress.bar("branch", None, "gaits", show_progress) as bar:
+    with progress_bar("branch", None, "gaits", progress) as bar:
 
         def tell() -> None:
             bar.update()
 
-        first = first_gait(family.runner, name, begin, end, unit)
+        first = first_gait(family.runner, name, begin, end, fmu)
         branch = trace(
             runner,
             name,
             first,
             end,
             begin=begin,
-            largest_step=largest_step,
-            most_points=most_points,
+            max_step=max_step,
+            max_points=max_points,
             step_finished=tell,
         )
         if not switch:
             return branch
-        limits = _limits(begin, end, largest_step, most_points)
+        limits = _limits(begin, end, max_step, max_points)
         return with_doubled_branches(branch, lambda n: Family(first.runner, name, n), limits, tell)
 
 
-def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) -> Gait:
+def first_gait(runner: Runner, name: str, begin: float, end: float, fmu: Fmu) -> Gait:
     """A gait in a range of a parameter: at its first end, or as near to it as one is found.
 
     Parameters
@@ -122,7 +122,7 @@ def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) 
         Of the parameter.
     begin, end : float
         The range.
-    unit : Unit
+    fmu : Fmu
         For the search along the friction.
 
     Returns
@@ -141,7 +141,7 @@ def first_gait(runner: Runner, name: str, begin: float, end: float, unit: Unit) 
     for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
         at = runner.but(name, float(value))
         try:
-            found = periodic_gait(at, unit=unit) if number <= len(inside) else settled_gait(at)
+            found = periodic_gait(at, fmu=fmu) if number <= len(inside) else settled_gait(at)
         except RunError as problem:
             why = why or problem
             continue
@@ -158,8 +158,8 @@ def _nearer(found: Gait, name: str, begin: float) -> Gait:
         return found
 
 
-def _limits(begin: float, end: float, largest_step: float, most_points: int) -> Limits:
-    return Limits(min(begin, end), max(begin, end), begin, largest_step, most_points)
+def _limits(begin: float, end: float, max_step: float, max_points: int) -> Limits:
+    return Limits(min(begin, end), max(begin, end), begin, max_step, max_points)
 
 
 def trace(
@@ -169,8 +169,8 @@ def trace(
     end: float,
     *,
     begin: float | None = None,
-    largest_step: float = 0.2,
-    most_points: int = 1000,
+    max_step: float = 0.2,
+    max_points: int = 1000,
     step_finished: Callable[[], None] = lambda: None,
 ) -> Branch:
     """Follow the branch of a gait, through folds, until the parameter leaves the range.
@@ -191,9 +191,9 @@ def trace(
     begin : float, optional
         The other end of the range: by default the value at the first gait; else the branch is followed in
         both directions.
-    largest_step : float, default 0.2
+    max_step : float, default 0.2
         Along the branch.
-    most_points : int, default 1000
+    max_points : int, default 1000
         Stop after so many gaits, in each direction.
     step_finished : callable, optional
         Called after each gait.
@@ -212,8 +212,8 @@ def trace(
     """
     runner = Family(runner, name).runner
     check_is_gait(first, "first")
-    checked("largest_step", largest_step, SHORTEST_STEP, LARGEST_STEP)
-    checked_whole("most_points", most_points, 1, MOST_POINTS)
+    checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
+    checked_whole("max_points", max_points, 1, MOST_POINTS)
     start = first.runner.values[name]
     begin = start if begin is None else begin
     for what, value in (("begin", begin), ("end", end)):
@@ -227,7 +227,7 @@ def trace(
     family = Family(runner.but(name, start), name, first.strides)
     towards_end = np.append(np.zeros(len(first.apex)), end - begin)
     point = family.point(family.gait(start, first.apex), towards_end)
-    return whole_branch(family, point, _limits(begin, end, largest_step, most_points), step_finished)
+    return whole_branch(family, point, _limits(begin, end, max_step, max_points), step_finished)
 
 
 def whole_branch(

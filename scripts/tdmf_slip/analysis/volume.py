@@ -15,7 +15,7 @@ from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .fates import STARTS_AT_ONCE, fates
 from .held_gait import check_attracts
 
@@ -139,7 +139,7 @@ def volume(
     law: AffineLaw | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> Volume:
     """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map.
 
@@ -157,7 +157,7 @@ def volume(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine, by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -178,7 +178,7 @@ def volume(
     drawings = [Drawing(runner, tuple(gait.apex), seed, n, count, law) for n, count in enumerate(counts)]
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
-        progress.bar("volume", samples, "starts", show_progress) as bar,
+        progress_bar("volume", samples, "starts", progress) as bar,
         run_blocks(count_fates, drawings, scheduler=scheduler, workers=workers) as results,
     ):
         for number, found in results:

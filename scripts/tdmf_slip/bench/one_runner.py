@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..library.section import COORDINATES, Apex
 from ..terminal import interrupts
 from ..unit.instance import opened
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .accuracy import REPEATS, TOLERANCES, fastest, loosest
 from .results import ALONE, ONE, Measurement
 from .runners import Runners
@@ -20,9 +20,9 @@ STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
 """Timed in each repeat."""
 
 
-def starts(unit: Unit, many: Runners, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
+def starts(fmu: Fmu, many: Runners, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
     """Start values of a run from an apex by a solver of the unit."""
-    methods = unit.variables["solver.method"].items
+    methods = fmu.variables["solver.method"].items
     return {
         **many.case.runner.start_values(apex),
         "solver.method": {name: number for number, name in methods.items()}[solver],
@@ -30,27 +30,27 @@ def starts(unit: Unit, many: Runners, solver: str, tolerance: float, apex: Apex)
     }
 
 
-def stride_error(unit: Unit, many: Runners, solver: str, tolerance: float) -> float:
+def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> float:
     """Error of the apex after one stride by a solver of the unit, from the worst start."""
     names = [f"apex.{name}" for name in COORDINATES]
     apices = []
     for apex, exact in zip(many.judged, many.exact, strict=True):
-        with opened(unit, "cs") as runner:
-            runner.start(starts(unit, many, solver, tolerance, apex))
+        with opened(fmu, "cs") as runner:
+            runner.start(starts(fmu, many, solver, tolerance, apex))
             runner.advance(0.0, 1.001 * exact["time"])
             apices.append([runner.real(name) for name in names])
     return many.error(np.array(apices))
 
 
-def measure_unit(unit: Unit, many: Runners, solver: str, effort: float) -> Iterator[Measurement]:
+def measure_unit(fmu: Fmu, many: Runners, solver: str, effort: float) -> Iterator[Measurement]:
     """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
     strides = max(1, round(effort * STRIDES[solver]))
     duration = strides * many.gait.period
-    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(unit, many, solver, t)):
+    for accuracy, tolerance, error in loosest(solver, lambda t: stride_error(fmu, many, solver, t)):
         times, evaluations = [], 0
         for _ in range(REPEATS):
-            with opened(unit, "cs") as runner:
-                runner.start(starts(unit, many, solver, tolerance, many.gait.apex))
+            with opened(fmu, "cs") as runner:
+                runner.start(starts(fmu, many, solver, tolerance, many.gait.apex))
                 start = time.perf_counter()
                 runner.advance(0.0, duration)
                 times.append(time.perf_counter() - start)

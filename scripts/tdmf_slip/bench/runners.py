@@ -10,7 +10,7 @@ from ..contents import ByContents
 from ..library import ensemble
 from ..library.gait import Gait, settled_gait
 from ..library.runner import Runner
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .accuracy import fastest
 
 FRICTION = 0.6
@@ -49,7 +49,7 @@ class Runners(ByContents):
         return ensemble.run_ensemble(
             [self.case],
             self.judged,
-            most_strides=1,
+            max_strides=1,
             tolerance=tolerance,
             threads=1,
             instructions=instructions,
@@ -73,7 +73,7 @@ class Runners(ByContents):
             _, done = ensemble.run_ensemble(
                 [self.case],
                 runners,
-                most_strides=STRIDES_EACH,
+                max_strides=STRIDES_EACH,
                 tolerance=tolerance,
                 threads=threads,
                 instructions=instructions,
@@ -83,10 +83,10 @@ class Runners(ByContents):
         return fastest(once), work[0]
 
 
-def runners_about_the_gait(unit: Unit, *, reduced: bool = False) -> Runners:
+def runners_about_the_gait(fmu: Fmu, *, reduced: bool = False) -> Runners:
     """Starts drawn about the gait's apex, of the full model or of the reduced map."""
     source = np.random.default_rng(0)
-    runner = replace(Runner.of({"ground.friction": FRICTION}, unit), reduced=reduced)
+    runner = replace(Runner.of({"ground.friction": FRICTION}, fmu), reduced=reduced)
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_gait(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

@@ -11,8 +11,8 @@ from importlib.metadata import version
 from ..checks import checked
 from ..library import ensemble
 from ..library.binding import c, ffi
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from .ensembles import measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, measure_peer, measure_unit
 from .results import MANY, ONE, REDUCED, Bench, Measurement
@@ -30,16 +30,16 @@ def _peers(many: Runners, effort: float) -> Iterator[tuple[str, Callable[[], Ite
         yield name, functools.partial(of, name)
 
 
-def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None = None) -> Bench:
+def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None) -> Bench:
     """Measure everything on this machine; all but the scaling over threads in one thread.
 
     Parameters
     ----------
     effort : float, default 1.0
         Scales how long is measured.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         The unit to measure; by default that of `fmu_path`.
 
     Raises
@@ -50,12 +50,12 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
         A solver does not reach the wanted error.
     """
     checked("effort", effort, 1e-3, 1e3)
-    unit = load(unit)
-    many, reduced = runners_about_the_gait(unit), runners_about_the_gait(unit, reduced=True)
+    fmu = load_fmu(fmu)
+    many, reduced = runners_about_the_gait(fmu), runners_about_the_gait(fmu, reduced=True)
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
-            (solver, functools.partial(measure_unit, unit, many, solver, effort))
+            (solver, functools.partial(measure_unit, fmu, many, solver, effort))
             for solver in ("native", "cvode")
         ),
         *_peers(many, effort),
@@ -68,7 +68,7 @@ def bench(*, effort: float = 1.0, show_progress: bool = False, unit: Unit | None
     ]
     measurements: list[Measurement] = []
     missing: dict[str, None] = {}
-    with progress.bar("bench", len(jobs) + 1, "solvers", show_progress) as bar:
+    with progress_bar("bench", len(jobs) + 1, "solvers", progress) as bar:
         for name, measure in jobs:
             try:
                 measurements += measure()

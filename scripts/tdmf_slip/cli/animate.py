@@ -9,8 +9,8 @@ from ..analysis.search import periodic_gait
 from ..errors import InputError
 from ..files.whole import check_place
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import load
+from ..terminal.progress import progress_bar
+from ..unit.unit import load_fmu
 from .gait_file import read_gait
 from .options import (
     FRICTION_OPTION,
@@ -64,14 +64,14 @@ def animate_command(
     from ..pictures.stride import Stride
 
     check_place(output, animation.FORMATS, "--output")
-    unit = load()
+    fmu = load_fmu()
     given = values_given(friction, settings)
     if from_gait is None:
-        gait = periodic_gait(runner_of(unit, parameters, given), unit=unit)
+        gait = periodic_gait(runner_of(fmu, parameters, given), fmu=fmu)
     else:
         if given or parameters is not None:
             raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
-        runner = Runner.of(read_gait(from_gait), unit)
-        gait = periodic_gait(runner, guess=runner.start_apex(), unit=unit)
-    with progress.bar("animate", frames, "frames", True) as bar:
-        animation.draw(output, Stride(gait, unit), frames=frames, step_finished=partial(bar.update, 1))
+        runner = Runner.of(read_gait(from_gait), fmu)
+        gait = periodic_gait(runner, guess=runner.start_apex(), fmu=fmu)
+    with progress_bar("animate", frames, "frames", True) as bar:
+        animation.draw(output, Stride(gait, fmu), frames=frames, step_finished=partial(bar.update, 1))

@@ -14,7 +14,7 @@ from ..files.whole import check_place
 from ..library.ensemble import FATES
 from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -107,11 +107,11 @@ def basin_command(
         from ..pictures import basin_map, overview  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
-    unit = load()
-    runner = runner_of(unit, parameters, values_given(friction, settings), model)
-    variables = [unit.variables[f"apex.{axis}"] for axis in axes]
+    fmu = load_fmu()
+    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
+    variables = [fmu.variables[f"apex.{axis}"] for axis in axes]
     ends = [ends_of(*pair, "--range") for pair in zip(spans, variables, strict=True)] if spans else None
-    gait = stable_gait(runner, unit)
+    gait = stable_gait(runner, fmu)
     ends = ends or [range_around(gait, axis) for axis in axes]
     rows, across = (np.linspace(*pair, count) for pair in ends)
     data = basin(
@@ -121,8 +121,8 @@ def basin_command(
         path=output,
         scheduler=scheduler,
         workers=workers,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
     if plot is not None:
         basin_map.draw(plot, data)
@@ -137,13 +137,13 @@ def basin_command(
         "robustness": robustness(gait).as_json(),
     }
     if samples:
-        found = volume(gait, samples, scheduler=scheduler, workers=workers, show_progress=True)
+        found = volume(gait, samples, scheduler=scheduler, workers=workers, progress=True)
         result["volume"] = found.as_json()
-    print(json_text(result) if as_json_object else _basin_text(result, axes, unit))
+    print(json_text(result) if as_json_object else _basin_text(result, axes, fmu))
 
 
-def _basin_text(result: Mapping[str, Any], axes: tuple[str, str], unit: Unit) -> str:
-    units = {axis: unit.variables[f"apex.{axis}"].unit for axis in COORDINATES}
+def _basin_text(result: Mapping[str, Any], axes: tuple[str, str], fmu: Fmu) -> str:
+    units = {axis: fmu.variables[f"apex.{axis}"].unit for axis in COORDINATES}
     rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
     rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():

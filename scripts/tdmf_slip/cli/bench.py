@@ -18,5 +18,5 @@ from .output import json_text
 @JSON_OPTION
 def bench_command(effort: float, as_json_object: bool) -> None:
     """Solvers and the ensemble engine against their peers, on the same strides at equal accuracy."""
-    measured = bench(effort=effort, show_progress=True)
+    measured = bench(effort=effort, progress=True)
     print(json_text(measured.as_json()) if as_json_object else measured.as_text())

@@ -6,7 +6,7 @@ from ..analysis.comparison import compare
 from ..errors import InputError
 from ..library.quantities import QUANTITIES
 from ..library.runner import Runner
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from .options import JSON_OPTION, MODEL_OPTION, SET_OPTION, Command, values_given
 from .output import json_text
 from .runner import runner_of
@@ -56,16 +56,16 @@ def compare_command(
 
     The first runner is the reference. What could not be made equal is told, and is no error.
     """
-    unit = load()
+    fmu = load_fmu()
     found = compare(
-        _runners(unit, frictions, files, settings, model),
+        _runners(fmu, frictions, files, settings, model),
         hold=_names(hold),
         vary=_names(vary),
         model=model,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
-    print(json_text(found.as_json()) if as_json_object else found.table(unit))
+    print(json_text(found.as_json()) if as_json_object else found.table(fmu))
 
 
 def _names(text: str) -> list[str]:
@@ -73,7 +73,7 @@ def _names(text: str) -> list[str]:
 
 
 def _runners(
-    unit: Unit, frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
+    fmu: Fmu, frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
 ) -> list[Runner]:
     """Those of the options, in the order in which they were given.
 
@@ -95,4 +95,4 @@ def _runners(
         )
         for number in range(count)
     ]
-    return [runner_of(unit, file, values_given(friction, settings), model) for friction, file in of_each]
+    return [runner_of(fmu, file, values_given(friction, settings), model) for friction, file in of_each]

@@ -16,7 +16,7 @@ from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import headed, table
 from ..unit.told import Told
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -100,9 +100,9 @@ def continue_command(
     both ways. Over two parameters, the special points that the branch over the first one has are followed as
     curves.
     """
-    unit = load()
+    fmu = load_fmu()
     given = values_given(friction, settings)
-    spans = dict(span_of(unit, text) for text in ranges)
+    spans = dict(span_of(fmu, text) for text in ranges)
     for name in spans:
         refuse_given(given, name, "--over")
     if len(spans) != len(ranges) or len(spans) > 2:
@@ -115,12 +115,12 @@ def continue_command(
         from ..pictures import overview  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
-    runner = runner_of(unit, parameters, given, model)
-    told = Told(unit, ranges_given(ranges))
+    runner = runner_of(fmu, parameters, given, model)
+    told = Told(fmu, ranges_given(ranges))
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --over")
-        _curves(runner, spans, points, plot, as_json_object, unit, told)
+        _curves(runner, spans, points, plot, as_json_object, fmu, told)
         return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
@@ -128,14 +128,14 @@ def continue_command(
         name,
         begin,
         end,
-        largest_step=step,
-        most_points=points,
+        max_step=step,
+        max_points=points,
         switch=not no_switch,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
     if output is not None:
-        write_dataset(output, branch.to_xarray(unit))
+        write_dataset(output, branch.to_xarray(fmu))
     if plot is not None:
         from ..pictures import branch_diagram
 
@@ -149,10 +149,10 @@ def _curves(
     points: int,
     plot: Path | None,
     as_json_object: bool,
-    unit: Unit,
+    fmu: Fmu,
     told: Told,
 ) -> None:
-    found = continue_curves(runner, spans, most_points=points, show_progress=True, unit=unit)
+    found = continue_curves(runner, spans, max_points=points, progress=True, fmu=fmu)
     if plot is not None:
         from ..pictures import curve_diagram
 
@@ -168,7 +168,7 @@ def _curves(
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
-def span_of(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
+def span_of(fmu: Fmu, over: str) -> tuple[str, tuple[float, float]]:
     """The parameter or input, and the range of it, that NAME=A:B stands for.
 
     Raises
@@ -180,7 +180,7 @@ def span_of(unit: Unit, over: str) -> tuple[str, tuple[float, float]]:
     if not equals:
         raise InputError(f"--over {over}: allowed: NAME=A:B")
     check_varied(name, "--over")
-    return name, ends_of(span, unit.variables[name], f"--over {name} =")
+    return name, ends_of(span, fmu.variables[name], f"--over {name} =")
 
 
 def _branch_text(branch: Branch, told: Told) -> str:

@@ -6,7 +6,7 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_folder
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .options import Command, Number
 
 CENTIMETRES_PER_INCH = 2.54
@@ -83,7 +83,7 @@ def figures_command(
         style=style_name,
     )
     written = catalogue.draw(
-        folder, load(), only=only, measure=measure, formats=names, appearance=appearance, show_progress=True
+        folder, load_fmu(), only=only, measure=measure, formats=names, appearance=appearance, progress=True
     )
     for path in written:
         print(path)

@@ -11,7 +11,7 @@ from ..fitting.fitted import MOST_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
 from ..terminal.text import table
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -108,7 +108,7 @@ def fit_command(
     as "speed_error [m/s]"; lines that begin with # are skipped. A stride is from one stance of the leg to the
     next. The status is 1 where the search does not end.
     """
-    unit = load()
+    fmu = load_fmu()
     names, each = _names(free), _names(free_each)
     if not names and not each:
         raise InputError("--free is missing; allowed: --free or --free-each, or both")
@@ -120,7 +120,7 @@ def fit_command(
         from ..pictures import fit_page
 
         check_place(report, fit_page.FORMATS, "--report")
-    runner = runner_of(unit, parameters, values_given(friction, settings), model)
+    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     found = fit(
         file,
         names,
@@ -131,8 +131,8 @@ def fit_command(
         scale_errors=scale_errors,
         profile=not linear,
         starts=starts,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
     left_out = found.without_each() if without_each else ()
     if plot is not None:

@@ -12,7 +12,7 @@ from ..library.measures import MEASURE_UNITS
 from ..library.quantities import QUANTITIES, quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.told import Told
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -50,17 +50,17 @@ def gait_command(
     --free.
     Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
     """
-    unit = load()
+    fmu = load_fmu()
     order = {name: value for name, value in ordered.items() if value is not None}
     names = _names(free, order)
     given = values_given(friction, settings)
-    runner = runner_of(unit, parameters, given, model)
+    runner = runner_of(fmu, parameters, given, model)
     if not order:
-        gait = periodic_gait(runner, unit=unit)
-        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, unit))
+        gait = periodic_gait(runner, fmu=fmu)
+        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu))
         return
     try:
-        gait = find_gait(runner, target=order, vary=names, show_progress=True, unit=unit)
+        gait = find_gait(runner, target=order, vary=names, progress=True, fmu=fmu)
     except TargetNotMetError as problem:
         if as_json_object:
             nearest = _ordered_json(problem.nearest, order, names)
@@ -69,7 +69,7 @@ def gait_command(
     if as_json_object:
         print(json_text(_ordered_json(gait, order, names)))
     else:
-        print(_gait_text(gait, unit, list(order), names, Told(unit, texts_of(given))))
+        print(_gait_text(gait, fmu, list(order), names, Told(fmu, texts_of(given))))
 
 
 def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
@@ -98,9 +98,9 @@ def _ordered_json(gait: Gait, order: Mapping[str, float], free: list[str]) -> di
 
 
 def _gait_text(
-    gait: Gait, unit: Unit, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
+    gait: Gait, fmu: Fmu, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
 ) -> str:
-    units = told_in or Told(unit)
+    units = told_in or Told(fmu)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)

@@ -14,7 +14,7 @@ from ..optimization.optimum import Optimum, told
 from ..optimization.pareto import MOST_POINTS, POINTS, Front, pareto_front
 from ..terminal.text import headed, table
 from ..unit.told import Told
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .continuation import span_of
 from .options import (
     FRICTION_OPTION,
@@ -99,17 +99,17 @@ def optimize_command(
     prescribed, JSON has the nearest one, and the status is 1. Of two quantities, the Pareto front: runners of
     which none is better in one without being worse in the other.
     """
-    unit = load()
+    fmu = load_fmu()
     given = values_given(friction, settings)
-    over = dict(span_of(unit, text) for text in ranges)
+    over = dict(span_of(fmu, text) for text in ranges)
     for name in over:
         refuse_given(given, name, "--over")
     if len(over) != len(ranges):
         raise InputError("--over: a parameter is given twice; allowed: once")
-    runner = runner_of(unit, parameters, given, model)
-    told_in = Told(unit, ranges_given(ranges))
+    runner = runner_of(fmu, parameters, given, model)
+    told_in = Told(fmu, ranges_given(ranges))
     common: dict[str, Any] = {"at": _values(prescribed), "stable": stable, "starts": starts}
-    common |= {"show_progress": True, "unit": unit}
+    common |= {"progress": True, "unit": fmu}
     if len(minimize) + len(maximize) > 2:
         raise InputError("--minimize, --maximize: more than two quantities; allowed: one or two")
     try:
@@ -123,7 +123,7 @@ def optimize_command(
         if as_json_object:
             print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
         raise
-    print(json_text(best.as_json()) if as_json_object else _text(best, unit, told_in))
+    print(json_text(best.as_json()) if as_json_object else _text(best, fmu, told_in))
 
 
 def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
@@ -146,7 +146,7 @@ def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
     return values
 
 
-def _text(best: Optimum, unit: Unit, told_in: Told) -> str:
+def _text(best: Optimum, fmu: Fmu, told_in: Told) -> str:
     """A table before and after, and what the optimum is."""
     header = ("", "unit", "before", "after", "bound")
     rows = [
@@ -161,7 +161,7 @@ def _text(best: Optimum, unit: Unit, told_in: Told) -> str:
     ]
     before, after = told(best.before), told(best.gait)
     for name, value in after.items():
-        variable = None if name in UNITS else unit.variables.get(f"stride.{name}")
+        variable = None if name in UNITS else fmu.variables.get(f"stride.{name}")
         of = UNITS.get(name, "1") if variable is None else variable.unit
         rows.append((name, of, f"{before[name]:.9g}", f"{value:.9g}", ""))
     rows.append(("word", "", best.before.word, best.word, ""))

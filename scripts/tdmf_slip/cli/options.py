@@ -9,7 +9,7 @@ from ..checks import checked, checked_whole
 from ..errors import InputError
 from ..library.section import MODELS
 from ..unit.parameters import preset_names, read_parameters
-from ..unit.unit import FRICTION, Unit
+from ..unit.unit import FRICTION, Fmu
 from ..unit.variable import Given, Value
 
 
@@ -166,13 +166,13 @@ def texts_of(given: Mapping[str, tuple[str, Given]]) -> dict[str, Given]:
 
 
 def start_values(
-    unit: Unit, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
+    fmu: Fmu, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
 ) -> dict[str, Value]:
     """Start values: those of a file, and over them what single options give.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Checks names and values.
     base : mapping of str to float or bool
         Of a file, see `file_values`.
@@ -186,11 +186,11 @@ def start_values(
     """
     values = dict(base)
     for name, (option, value) in given.items():
-        values |= unit.start_values({name: value}, option)
+        values |= fmu.start_values({name: value}, option)
     return values
 
 
-def file_values(unit: Unit, parameters: str | None) -> dict[str, Value]:
+def file_values(fmu: Fmu, parameters: str | None) -> dict[str, Value]:
     """Start values of --parameters.
 
     Raises
@@ -200,7 +200,7 @@ def file_values(unit: Unit, parameters: str | None) -> dict[str, Value]:
     """
     if parameters is None:
         return {}
-    return unit.start_values(read_parameters(parameters), f"--parameters {parameters}")
+    return fmu.start_values(read_parameters(parameters), f"--parameters {parameters}")
 
 
 def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:

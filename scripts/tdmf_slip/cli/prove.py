@@ -11,7 +11,7 @@ from ..errors import InputError, RunError
 from ..library.runner import Runner
 from ..terminal.text import columns, table
 from ..unit.parameters import read_parameters
-from ..unit.unit import FRICTION, load
+from ..unit.unit import FRICTION, load_fmu
 from .options import (
     JSON_OPTION,
     PARAMETERS_OPTION,
@@ -95,7 +95,7 @@ def prove_command(
         refuse_given(given, FRICTION, "--border")
         if box is not None:
             raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
-    runner = runner_of(load(), parameters, given)
+    runner = runner_of(load_fmu(), parameters, given)
     told = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
     told |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
@@ -139,7 +139,7 @@ def _prove_borders(
     from ..analysis.sweep import sweep
     from ..proof.prove_border import prove_border
 
-    ends = ends_of(border, load().variables[FRICTION], "--border")
+    ends = ends_of(border, load_fmu().variables[FRICTION], "--border")
     borders = sweep(runner, list(ends)).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
@@ -160,7 +160,7 @@ def _prove_range(
     begin, colon, end = (part.strip() for part in span.partition(":"))
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(told, vary={name: (begin, end)}, output=output, workers=workers, show_progress=True)
+    proof = prove(told, vary={name: (begin, end)}, output=output, workers=workers, progress=True)
     digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
     if as_json_object:
         print(json_text({**proof.as_json(), "sha256": digest}))

@@ -16,7 +16,7 @@ from ..library.rough_ground import (
     correlated_weights,
 )
 from ..terminal.text import columns, quantity
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -58,7 +58,7 @@ from .runner import runner_of
     help="Of the ground: a whole number.",
 )
 @click.option(
-    "--most-strides",
+    "--max-strides",
     type=Number(1, MOST_STRIDES, whole=True),
     default=10_000,
     show_default=True,
@@ -85,7 +85,7 @@ from .runner import runner_of
 @click.option(
     "--rare",
     is_flag=True,
-    help="By multilevel splitting, for falls that hardly ever come; without --runners and --most-strides.",
+    help="By multilevel splitting, for falls that hardly ever come; without --runners and --max-strides.",
 )
 @SCHEDULER_OPTION
 @WORKERS_OPTION
@@ -97,7 +97,7 @@ def rough_command(
     roughness: float,
     runners: int,
     seed: int,
-    most_strides: int,
+    max_strides: int,
     correlation: float,
     trips: bool,
     friction_spread: float,
@@ -112,14 +112,14 @@ def rough_command(
 
     Runners start from the gait on level ground. Those still up at the end are censored: their strides count.
     """
-    unit = load()
-    runner = runner_of(unit, parameters, values_given(friction, settings))
+    fmu = load_fmu()
+    runner = runner_of(fmu, parameters, values_given(friction, settings))
     if rare:
         _check_alone(
-            "runners", "most_strides", "scheduler", "workers", "correlation", "trips", "friction_spread"
+            "runners", "max_strides", "scheduler", "workers", "correlation", "trips", "friction_spread"
         )
-        split = rare_falls(runner, roughness, seed=seed, show_progress=True, unit=unit)
-        print(json_text(split.as_json()) if as_json_object else _rare_text(split, unit))
+        split = rare_falls(runner, roughness, seed=seed, progress=True, fmu=fmu)
+        print(json_text(split.as_json()) if as_json_object else _rare_text(split, fmu))
         return
     found = strides_to_fall(
         runner,
@@ -132,13 +132,13 @@ def rough_command(
         ),
         runners,
         seed,
-        most_strides,
+        max_strides,
         scheduler=scheduler,
         workers=workers,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
-    print(json_text(found.as_json()) if as_json_object else _text(found, unit))
+    print(json_text(found.as_json()) if as_json_object else _text(found, fmu))
 
 
 def _check_alone(*names: str) -> None:
@@ -155,12 +155,12 @@ def _check_alone(*names: str) -> None:
             raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
 
 
-def _rare_text(found: RareFalls, unit: Unit) -> str:
+def _rare_text(found: RareFalls, fmu: Fmu) -> str:
     low, high = found.interval
     ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
     rows = {
         "word": found.word,
-        "roughness": quantity(found.roughness, unit.variables["ground.height"].unit, 12),
+        "roughness": quantity(found.roughness, fmu.variables["ground.height"].unit, 12),
         "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
         "falls": f"{found.falls}, of walkers with weights",
         "strides": str(found.strides),
@@ -168,12 +168,12 @@ def _rare_text(found: RareFalls, unit: Unit) -> str:
     return columns(rows)
 
 
-def _text(found: FirstPassage, unit: Unit) -> str:
+def _text(found: FirstPassage, fmu: Fmu) -> str:
     low, high = found.interval
     ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
     rows = {
         "word": found.word,
-        "roughness": quantity(found.roughness, unit.variables["ground.height"].unit, 12),
+        "roughness": quantity(found.roughness, fmu.variables["ground.height"].unit, 12),
         "runners": str(found.runners),
         "strides": str(found.strides),
         "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",

@@ -6,13 +6,13 @@ from ..analysis.search import runner_by
 from ..errors import InputError
 from ..library.members import STATES, VARIED
 from ..library.runner import Runner
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from ..unit.variable import Given
 from .options import file_values, start_values
 
 
 def runner_of(
-    unit: Unit, parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
+    fmu: Fmu, parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
 ) -> Runner:
     """The runner of the options.
 
@@ -21,11 +21,11 @@ def runner_of(
     InputError
         A value is refused, or has no part in a gait.
     """
-    starts = start_values(unit, file_values(unit, parameters), given)
+    starts = start_values(fmu, file_values(fmu, parameters), given)
     for name, (option, _) in given.items():
         if name not in (*VARIED, *STATES):
             raise InputError(
                 f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                 f"allowed: parameters and inputs of the model, and its state"
             )
-    return runner_by(Runner.of(starts, unit), model)
+    return runner_by(Runner.of(starts, fmu), model)

@@ -22,7 +22,7 @@ from ..unit.simulation import (
     simulate,
 )
 from ..unit.tables import WRITERS, write_table
-from ..unit.unit import INTERFACES, Unit, load
+from ..unit.unit import INTERFACES, Fmu, load_fmu
 from ..unit.variable import Value
 from .gait_file import read_gait
 from .options import (
@@ -122,35 +122,35 @@ def simulate_command(
         from ..pictures import overview  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
-    unit = load()
+    fmu = load_fmu()
     if parameters is not None and from_gait is not None:
         raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
     given = values_given(friction, settings)
-    base = file_values(unit, parameters)
+    base = file_values(fmu, parameters)
     if from_gait is not None:
-        base = unit.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
-    starts = start_values(unit, base, given)
+        base = fmu.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
+    starts = start_values(fmu, base, given)
     _refuse_other_interface(interface, given)
     if interface == "cs" and tolerance is not None:
-        _refuse_loose(unit, starts, tolerance)
-    tables = read_tables(inputs, unit) if inputs is not None else {}
+        _refuse_loose(fmu, starts, tolerance)
+    tables = read_tables(inputs, fmu) if inputs is not None else {}
     for name in tables:
         refuse_given(given, name, "--inputs")
     run = simulate(
         starts,
         stop_time=stop_time,
         strides=strides,
-        relative_tolerance=DEFAULT_TOLERANCE if tolerance is None else tolerance,
+        tolerance=DEFAULT_TOLERANCE if tolerance is None else tolerance,
         output_interval=output_interval,
         inputs=tables,
         interface=interface,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
     if output is not None:
-        write_table(output, run, unit)
+        write_table(output, run, fmu)
     if plot is not None:
-        overview.draw(plot, run, unit)
+        overview.draw(plot, run, fmu)
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
@@ -163,8 +163,8 @@ def _refuse_other_interface(interface: str, given: Mapping[str, object]) -> None
             )
 
 
-def _refuse_loose(unit: Unit, starts: Mapping[str, Value], tolerance: float) -> None:
-    tightest = starts.get(SOLVER_TOLERANCE, unit.start_of(SOLVER_TOLERANCE))
+def _refuse_loose(fmu: Fmu, starts: Mapping[str, Value], tolerance: float) -> None:
+    tightest = starts.get(SOLVER_TOLERANCE, fmu.start_of(SOLVER_TOLERANCE))
     if tolerance > tightest:
         raise InputError(
             f"--tolerance = {tolerance:g}: in Co-Simulation the tighter of it and {SOLVER_TOLERANCE} = "

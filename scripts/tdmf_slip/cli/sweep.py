@@ -13,7 +13,7 @@ from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.told import Told
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from .options import (
     JSON_OPTION,
     MODEL_OPTION,
@@ -98,7 +98,7 @@ def sweep_command(
         from ..pictures import overview  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
-    unit = load()
+    fmu = load_fmu()
     given = values_given(None, settings)
     if over is None and friction is None:
         raise InputError("neither --friction nor --over: allowed: one of the two, or both")
@@ -108,7 +108,7 @@ def sweep_command(
             given, friction = {**given, FRICTION: ("--friction", friction)}, None
     if over is not None:
         refuse_given(given, over.partition("=")[0], "--over")
-    runner = runner_of(unit, parameters, given, model)
+    runner = runner_of(fmu, parameters, given, model)
     if friction is None or over is None:
         if scheduler is not None or workers is not None:
             raise InputError(
@@ -118,27 +118,27 @@ def sweep_command(
         span = over if friction is None else f"{FRICTION}={friction}"
         _row(
             runner,
-            *_span(unit, str(span), spacing, "--over" if over else "--friction"),
+            *_span(fmu, str(span), spacing, "--over" if over else "--friction"),
             output,
             plot,
             as_json_object,
-            Told(unit, ranges_given([str(span)])),
+            Told(fmu, ranges_given([str(span)])),
         )
         return
     if plot is not None:
         raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
-    frictions = _span(unit, f"{FRICTION}={friction}", spacing, "--friction")[1]
+    frictions = _span(fmu, f"{FRICTION}={friction}", spacing, "--friction")[1]
     _grid(runner, frictions, over, spacing, output, scheduler, workers, as_json_object)
 
 
-def _span(unit: Unit, over: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
+def _span(fmu: Fmu, over: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
     """The parameter of a range NAME=A:B:N, and its values."""
     name, equals, span = (part.strip() for part in over.partition("="))
     if not equals:
         raise InputError(f"--over {over}: allowed: NAME=A:B:N")
     check_varied(name, "--over")
     where = option if option == "--friction" else f"--over {name} ="
-    return name, values_of(span, spacing, unit.variables[name], where)
+    return name, values_of(span, spacing, fmu.variables[name], where)
 
 
 def _row(
@@ -150,29 +150,29 @@ def _row(
     as_json_object: bool,
     told: Told,
 ) -> None:
-    unit = load()
+    fmu = load_fmu()
     if output is not None and output.suffix.lower() == NETCDF:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
-    found = sweep(runner, values, over=name, show_progress=True)
+    found = sweep(runner, values, over=name, progress=True)
     if output is not None:
-        _write(output, found, unit)
+        _write(output, found, fmu)
     if plot is not None:
         from ..pictures import branch
 
-        branch.draw(plot, found, unit, told)
-    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, unit, told))
+        branch.draw(plot, found, fmu, told)
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, fmu, told))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
 
 
-def _write(path: Path, found: Sweep, unit: Unit) -> None:
+def _write(path: Path, found: Sweep, fmu: Fmu) -> None:
     """Into a file whose suffix is one of `FORMATS`."""
     if path.suffix.lower() == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        write_dataset(path, found.to_xarray(unit))
+        write_dataset(path, found.to_xarray(fmu))
         return
     with whole(path) as beside:
         beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
@@ -192,8 +192,8 @@ def _grid(
 
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    unit = load()
-    name, rows = _span(unit, over, spacing, "--over")
+    fmu = load_fmu()
+    name, rows = _span(fmu, over, spacing, "--over")
     data = grid(
         runner,
         frictions,
@@ -202,8 +202,8 @@ def _grid(
         output,
         scheduler=scheduler,
         workers=workers,
-        show_progress=True,
-        unit=unit,
+        progress=True,
+        fmu=fmu,
     )
     gaits = int(data["period"].notnull().sum())
     words = sorted({word for word in data["word"].values.ravel() if word})
@@ -219,7 +219,7 @@ def _headed(name: str, measure: str) -> str:
     return short(name) if measure in ("", "1") else f"{name} ({measure})"
 
 
-def _sweep_text(found: Sweep, unit: Unit, told: Told) -> str:
+def _sweep_text(found: Sweep, fmu: Fmu, told: Told) -> str:
     rows = [
         (
             f"{told.value(found.name, value):.6g}",
@@ -233,7 +233,7 @@ def _sweep_text(found: Sweep, unit: Unit, told: Told) -> str:
         for value, gait in zip(found.values, found.by_value, strict=True)
         if gait is not None
     ]
-    with_units = [f"{name} ({unit.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
+    with_units = [f"{name} ({fmu.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
     header = (
         _headed(found.name, told.unit(found.name)),
         "word",

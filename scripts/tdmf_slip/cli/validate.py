@@ -9,7 +9,7 @@ from ..library.rough_ground import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
 from ..unit.simulation import TOLERANCES
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .options import JSON_OPTION, Command, Number
 from .output import json_text
 
@@ -50,9 +50,9 @@ def validate_command(
         from ..paper.figures import gallery  # matplotlib is slow to load
 
         check_folder(pictures, "--pictures")
-    validation = validate(relative_tolerance=tolerance, own=own, seed=seed, show_progress=True)
+    validation = validate(tolerance=tolerance, own=own, seed=seed, progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text())
     if pictures is not None:
-        gallery.draw(pictures, load(), show_progress=True)
+        gallery.draw(pictures, load_fmu(), progress=True)
     if not validation.passed:
         raise SystemExit(1)

@@ -5,7 +5,7 @@ import math
 import click
 
 from ..terminal.text import table
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from ..unit.variable import Variable
 from .options import JSON_OPTION, Command
 from .output import json_text
@@ -15,7 +15,7 @@ from .output import json_text
 @JSON_OPTION
 def variables_command(as_json_object: bool) -> None:
     """Every variable of the unit with its unit, range, default and meaning."""
-    variables = load().variables.values()
+    variables = load_fmu().variables.values()
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))
     else:

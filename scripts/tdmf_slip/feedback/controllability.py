@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..library.gait import Gait
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .linearization import linearize
 from .modes import FORGOTTEN, Modes, lasting_modes
 
@@ -80,7 +80,7 @@ class Controllability(ByContents):
 
 
 def controllability(
-    gait: Gait, settings: Sequence[str], *, forgotten: float = FORGOTTEN, unit: Unit | None = None
+    gait: Gait, settings: Sequence[str], *, forgotten: float = FORGOTTEN, fmu: Fmu | None = None
 ) -> Controllability:
     """What settings that are chosen at each apex can do about a gait's modes.
 
@@ -92,7 +92,7 @@ def controllability(
         Which settings, of `linearization.CHOSEN`.
     forgotten : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -115,7 +115,7 @@ def controllability(
     >>> told.rank, told.forgotten, told.strides
     (3, 3, 2)
     """
-    model = linearize(gait, settings, unit=unit)
+    model = linearize(gait, settings, fmu=fmu)
     return controllability_of(lasting_modes(model, forgotten), model.settings)
 
 

@@ -11,7 +11,7 @@ from ..checks import is_number, is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import mapping_of, row_of
 from ..library.affine_law import AffineLaw
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from .linearization import Linearization
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]
@@ -60,7 +60,7 @@ def feedback_of(
     limits: Limits | None = None,
     *,
     strides: int | None = None,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback that a gain makes.
 
@@ -74,7 +74,7 @@ def feedback_of(
         By setting: the least and the largest value, in its unit; by default its range.
     strides : int, optional
         Of a dead-beat law.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -87,7 +87,7 @@ def feedback_of(
     InputError
         Limits of another setting, that are no range, or that the gait's own settings are beyond.
     """
-    low, high = _checked_limits(model, limits, load(unit))
+    low, high = _checked_limits(model, limits, load_fmu(fmu))
     found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
     return Feedback(
         settings=model.settings,
@@ -103,7 +103,7 @@ def feedback_of(
 
 
 def _checked_limits(
-    model: Linearization, limits: Limits | None, unit: Unit
+    model: Linearization, limits: Limits | None, fmu: Fmu
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     given = mapping_of(limits, "limits", "pairs of numbers by setting")
     unknown = next((name for name in given if not is_one_of(name, model.settings)), None)
@@ -114,7 +114,7 @@ def _checked_limits(
         )
     found = []
     for name, nominal in zip(model.settings, model.nominal, strict=True):
-        variable = unit.variables[name]
+        variable = fmu.variables[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
         pair = row_of(asked, f"limits: {name}", allowed)

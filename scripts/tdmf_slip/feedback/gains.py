@@ -14,7 +14,7 @@ from ..checks import is_number
 from ..errors import InputError
 from ..given import check_row
 from ..library.gait import Gait
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .controllability import Controllability, controllability_of
 from .dead_beat_gain import dead_beat_gain
 from .feedback import Feedback, Limits, feedback_of
@@ -28,7 +28,7 @@ def dead_beat(
     *,
     limits: Limits | None = None,
     forgotten: float = FORGOTTEN,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback that brings a runner back to its gait in the fewest strides, to first order.
 
@@ -47,7 +47,7 @@ def dead_beat(
     forgotten : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone: 0.05 leaves a mode that a stride shrinks to a
         twentieth, and spares the settings what it would take to move it.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -70,14 +70,14 @@ def dead_beat(
     >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
     (2, True)
     """
-    model = linearize(gait, settings, unit=unit)
+    model = linearize(gait, settings, fmu=fmu)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     try:
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
         raise _not_movable(model, told.eigenvalues) from None
-    return feedback_of(model, modes.gain_of(model, gain), limits, strides=told.strides, unit=unit)
+    return feedback_of(model, modes.gain_of(model, gain), limits, strides=told.strides, fmu=fmu)
 
 
 def place_poles(
@@ -87,7 +87,7 @@ def place_poles(
     *,
     limits: Limits | None = None,
     forgotten: float = FORGOTTEN,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback whose closed loop has eigenvalues that are chosen, by `scipy.signal.place_poles`.
 
@@ -104,7 +104,7 @@ def place_poles(
         By setting: the least and the largest value, in its unit; by default its range.
     forgotten : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -129,7 +129,7 @@ def place_poles(
     """
     from scipy.signal import place_poles as place  # slow to load
 
-    model = linearize(gait, settings, unit=unit)
+    model = linearize(gait, settings, fmu=fmu)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     wanted = _checked_eigenvalues(eigenvalues, told)
@@ -137,7 +137,7 @@ def place_poles(
         placed = place(modes.state_matrix, modes.input_matrix, wanted)
     except ValueError as problem:
         raise InputError(f"eigenvalues = {_listed(wanted)} are not allowed: {problem}") from None
-    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits, unit=unit)
+    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits, fmu=fmu)
 
 
 def lqr(
@@ -147,7 +147,7 @@ def lqr(
     setting_weight: ArrayLike = 1.0,
     *,
     limits: Limits | None = None,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Feedback:
     """The linear quadratic regulator: the feedback of least cost, by `scipy.linalg.solve_discrete_are`.
 
@@ -167,7 +167,7 @@ def lqr(
         R: likewise for the k settings; with positive eigenvalues only.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -191,11 +191,11 @@ def lqr(
     >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
     [0.857 0.372] [0.467 0.113]
     """
-    model = linearize(gait, settings, unit=unit)
+    model = linearize(gait, settings, fmu=fmu)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
     setting = _weight("setting_weight", setting_weight, len(model.settings), np.finfo(float).tiny)
     gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
-    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits, unit=unit)
+    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits, fmu=fmu)
 
 
 def riccati_gain(

@@ -15,7 +15,7 @@ from ..contents import ByContents
 from ..given import row_of
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait, check_is_gait
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 
 SAMPLES = 4000
 """Starts drawn for the region of attraction."""
@@ -83,14 +83,14 @@ def judge(
     return _judged(Trial(gait, law, tuple(steps), seed))
 
 
-def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[Judgement]:
+def judge_all(trials: Sequence[Trial], *, progress: bool = False) -> list[Judgement]:
     """`judge` for many gaits and feedbacks, side by side.
 
     Parameters
     ----------
     trials : sequence of Trial
         Which.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -108,7 +108,7 @@ def judge_all(trials: Sequence[Trial], *, show_progress: bool = False) -> list[J
         check_kind(trial, Trial, "trials", "Trials in a list")
     found: dict[int, Judgement] = {}
     with (
-        progress.bar("feedback", len(trials), "laws", show_progress) as bar,
+        progress_bar("feedback", len(trials), "laws", progress) as bar,
         run_blocks(_judged, trials) as results,
     ):
         for number, one in results:

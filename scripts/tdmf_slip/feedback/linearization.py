@@ -23,7 +23,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.settings import SETTINGS
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """What a controller may choose anew at each apex: settings that are not the ground's."""
@@ -88,7 +88,7 @@ class Linearization(ByContents):
         return scaled
 
 
-def linearize(gait: Gait, settings: Sequence[str], *, unit: Unit | None = None) -> Linearization:
+def linearize(gait: Gait, settings: Sequence[str], *, fmu: Fmu | None = None) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings.
 
     Parameters
@@ -97,7 +97,7 @@ def linearize(gait: Gait, settings: Sequence[str], *, unit: Unit | None = None) 
         The gait, of one stride.
     settings : sequence of str
         Which settings are chosen at each apex, of `CHOSEN`.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -115,10 +115,10 @@ def linearize(gait: Gait, settings: Sequence[str], *, unit: Unit | None = None) 
         The stride has no derivatives.
     """
     _check_gait(gait)
-    runner, unit = gait.runner, load(unit)
+    runner, fmu = gait.runner, load_fmu(fmu)
     names = _checked_names(settings)
     for name in names:
-        _check_inside(runner, name, unit)
+        _check_inside(runner, name, fmu)
     by_setting = []
     jacobian = gait.jacobian
     for name in names:
@@ -130,7 +130,7 @@ def linearize(gait: Gait, settings: Sequence[str], *, unit: Unit | None = None) 
         nominal=np.array([runner.values[name] for name in names]),
         state_matrix=jacobian,
         input_matrix=np.array(by_setting).T,
-        setting_scales=np.array([_scale(runner, unit.variables[name].unit) for name in names]),
+        setting_scales=np.array([_scale(runner, fmu.variables[name].unit) for name in names]),
     )
     moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
     for name, most in zip(names, moved, strict=True):
@@ -167,9 +167,9 @@ def _checked_names(given: object) -> tuple[str, ...]:
     return names
 
 
-def _check_inside(runner: Runner, name: str, unit: Unit) -> None:
+def _check_inside(runner: Runner, name: str, fmu: Fmu) -> None:
     """Refuse a setting that has a derivative to one side only."""
-    value, variable = runner.values[name], unit.variables[name]
+    value, variable = runner.values[name], fmu.variables[name]
     if name in THRUSTS:
         total = sum(runner.values[thrust] for thrust in THRUSTS)
         if total <= 0.0:

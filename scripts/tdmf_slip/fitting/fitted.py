@@ -14,8 +14,8 @@ from ..errors import InputError, RunError
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .across import cross
 from .concluded import Conclusion, is_met
@@ -48,8 +48,8 @@ def fit(
     scale_errors: bool = False,
     profile: bool | Sequence[str] = True,
     starts: int = STARTS,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Fit:
     """The runner whose gaits are nearest to measured ones, with the confidence of its parameters.
 
@@ -91,9 +91,9 @@ def fit(
         ones, which are those of the normal distribution.
     starts : int, default 1
         How many fits are made at the most, from gaits all over what is free, of which the best counts.
-    show_progress : bool, default False
+    progress : bool, default False
         A count of strides on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -120,9 +120,9 @@ def fit(
     """
     measurements = measurements_of(data)
     shared, each = checked_names(free, "free"), checked_names(free_each, "free_each")
-    loaded = load(unit)
+    loaded = load_fmu(fmu)
     known = checked_priors(priors, each, loaded)
-    begun = runner_by(Runner.of(runner, unit), model)
+    begun = runner_by(Runner.of(runner, fmu), model)
     for prior in known:
         if prior.name not in shared:
             begun, shared = begun.but(prior.name, prior.value), (*shared, prior.name)
@@ -147,13 +147,13 @@ def fit(
             "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "
             "factor; allowed: more data, or errors that are known"
         )
-    first = _first(begun, guess, unit)
-    with progress.bar("fit", None, "strides", show_progress) as bar:
+    first = _first(begun, guess, fmu)
+    with progress_bar("fit", None, "strides", progress) as bar:
         others = starts_of(first, measurements, (*shared, *each), loaded) if request.starts > 1 else iter(())
         return fitted_from(request, first, islice(others, request.starts - 1), bar.update)
 
 
-def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Gait:
+def _first(runner: Runner, guess: Apex | None, fmu: Fmu | None) -> Gait:
     """The gait that all rows begin with; where nothing settles on it, the one near the start values.
 
     Raises
@@ -162,7 +162,7 @@ def _first(runner: Runner, guess: Apex | None, unit: Unit | None) -> Gait:
         There is neither.
     """
     try:
-        return periodic_gait(runner, guess=guess, unit=unit)
+        return periodic_gait(runner, guess=guess, fmu=fmu)
     except RunError as problem:
         if guess is not None:
             raise

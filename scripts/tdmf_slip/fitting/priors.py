@@ -7,7 +7,7 @@ from ..checks import is_number, shown
 from ..errors import InputError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from ..unit.variable import Given
 from .unknowns import Prior
 
@@ -15,7 +15,7 @@ PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
 """A value, also a text with its unit, and its standard error in the unit's unit."""
 
 
-def checked_priors(given: object, each: Sequence[str], unit: Unit) -> tuple[Prior, ...]:
+def checked_priors(given: object, each: Sequence[str], fmu: Fmu) -> tuple[Prior, ...]:
     """The priors of a fit.
 
     Parameters
@@ -24,7 +24,7 @@ def checked_priors(given: object, each: Sequence[str], unit: Unit) -> tuple[Prio
         What was given as a mapping of names to values and errors, or None.
     each : sequence of str
         Parameters of which each row has its own.
-    unit : Unit
+    fmu : Fmu
         Whose ranges hold.
 
     Returns
@@ -48,7 +48,7 @@ def checked_priors(given: object, each: Sequence[str], unit: Unit) -> tuple[Prio
             raise InputError(
                 f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
             )
-        value = float(unit.variables[name].value_of(told[0], where))
+        value = float(fmu.variables[name].value_of(told[0], where))
         error = _error(told[1])
         if error is None:
             raise InputError(

@@ -15,7 +15,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..terminal.text import quantity, table
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .identifiability import Combination
 from .measurements import UNITS, Measurements
 from .request import Request
@@ -211,7 +211,7 @@ class Fit(ByContents, Drawable):
 
     def parameter_rows(self) -> list[tuple[str, ...]]:
         """Cells of a table under `PARAMETER_HEADER`."""
-        units = load().variables
+        units = load_fmu().variables
         return [
             (e.label, quantity(e.value, units[e.name].unit, 6), f"{e.low:.6g}", f"{e.high:.6g}")
             for e in self.estimates

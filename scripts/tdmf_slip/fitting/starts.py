@@ -12,7 +12,7 @@ from ..errors import InputError, RunError
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .measurements import Measurements
 from .search import loss_of
 
@@ -20,7 +20,7 @@ RUNNERS = 1024
 """Spread over what is free."""
 
 
-def starts(first: Gait, measurements: Measurements, free: Sequence[str], unit: Unit) -> Iterator[Gait]:
+def starts(first: Gait, measurements: Measurements, free: Sequence[str], fmu: Fmu) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one.
 
     Parameters
@@ -31,7 +31,7 @@ def starts(first: Gait, measurements: Measurements, free: Sequence[str], unit: U
         What is to be fitted.
     free : sequence of str
         Parameters and inputs to be found.
-    unit : Unit
+    fmu : Fmu
         Whose ranges hold.
 
     Yields
@@ -41,7 +41,7 @@ def starts(first: Gait, measurements: Measurements, free: Sequence[str], unit: U
     """
     runner, shares = first.runner, evenly(RUNNERS, len(free))
     varied = {
-        name: around(runner, unit, name, np.ascontiguousarray(row))
+        name: around(runner, fmu, name, np.ascontiguousarray(row))
         for name, row in zip(free, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)

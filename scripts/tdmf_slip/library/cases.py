@@ -65,14 +65,14 @@ def check_alike(cases: Sequence[Case]) -> None:
         raise InputError("cases: on rough ground by the reduced map; allowed: by the full model")
 
 
-def c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Struct, list[object]]:
+def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struct, list[object]]:
     """The cases as the library takes them, and what has to live as long.
 
     Parameters
     ----------
     cases : sequence of Case
         One or more.
-    most_strides : int
+    max_strides : int
         Of each runner.
     near : float
         Distance from a gait at which a runner counts as settled.
@@ -100,7 +100,7 @@ def c_cases(cases: Sequence[Case], most_strides: int, near: float) -> tuple[Stru
         c_gaits = ffi.new("double[][6]", apices.tolist())
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
-        its.rules.distance, its.rules.most_strides = near, most_strides
+        its.rules.distance, its.rules.most_strides = near, max_strides
         kept += [c_gaits, case.runner, *case.ground.write(its.rules)]
         if case.law is not None:
             c_law, arrays = case.law.c_law()

@@ -11,7 +11,7 @@ from ..checks import check_size
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import mapping_of
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .affine_law import AffineLaw
 from .binding import c, ffi
@@ -31,16 +31,14 @@ class Crowd(ByContents):
     """By name: of each runner, shape (runners,)."""
 
     @classmethod
-    def of(
-        cls, given: Runner | Mapping[str, Given | NDArray[np.float64]], unit: Unit | None = None
-    ) -> "Crowd":
+    def of(cls, given: Runner | Mapping[str, Given | NDArray[np.float64]], fmu: Fmu | None = None) -> "Crowd":
         """A runner, or start values by name of which some are one for each runner.
 
         Parameters
         ----------
         given : Runner or mapping of str to float or array_like of float
             By the unit's names and in its units; arrays of shape (runners,).
-        unit : Unit, optional
+        fmu : Fmu, optional
             Whose start values and ranges hold.
 
         Returns
@@ -59,10 +57,10 @@ class Crowd(ByContents):
         rows = {
             name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
         }
-        runner = Runner.of({name: value for name, value in by_name.items() if name not in rows}, unit)
+        runner = Runner.of({name: value for name, value in by_name.items() if name not in rows}, fmu)
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
-            load(unit).find(name, "parameters")
+            load_fmu(fmu).find(name, "parameters")
             if name not in VARIED:
                 raise InputError(
                     f"parameters: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "

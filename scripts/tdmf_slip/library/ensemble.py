@@ -2,7 +2,7 @@
 
 ::
 
-    ends, work = run_ensemble([Case(runner)], starts, most_strides=100)
+    ends, work = run_ensemble([Case(runner)], starts, max_strides=100)
     ends["fate"] == FATES.index("settled")
 """
 
@@ -75,7 +75,7 @@ def run_ensemble(
     starts: ArrayLike,
     case_of: ArrayLike | None = None,
     *,
-    most_strides: int,
+    max_strides: int,
     first_number: int = 0,
     near: float = NEAR,
     tolerance: float = TOLERANCE,
@@ -93,7 +93,7 @@ def run_ensemble(
         runners by the reduced map the first two.
     case_of : array_like of int, shape (runners,), optional
         The number of each runner's case; by default all have the first.
-    most_strides : int
+    max_strides : int
         A runner that has closed as many is undecided, as is one whose stride takes longer than 1e4 sqrt(m/k).
     first_number : int, default 0
         Of the first runner; by their numbers rough ground is drawn.
@@ -140,8 +140,8 @@ def run_ensemble(
     check_size("starts", len(starts) if isinstance(starts, Sized) else 1, "runners", MOST_RUNNERS)
     sections = sections_of("starts", starts, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
-    most_strides, near = _whole("most_strides", most_strides), _within("near", near, 0.0, np.inf)
-    made, kept = c_cases(all_cases, most_strides, near)
+    max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
+    made, kept = c_cases(all_cases, max_strides, near)
     ensemble.cases = made
     ensemble.case_count = len(all_cases)
     if case_of is not None:

@@ -12,7 +12,7 @@ from ..checks import is_number, is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import mapping_of
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
@@ -33,7 +33,7 @@ class Runner(ByContents):
 
     values: Mapping[str, float]
     """In the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`."""
-    relative_tolerance: float = TOLERANCE
+    tolerance: float = TOLERANCE
     """Of the native solver, for each step; above 0 and below 1."""
     reduced: bool = False
     """Goes from apex to apex by the reduced map, whose apices are height and speed alone."""
@@ -46,7 +46,7 @@ class Runner(ByContents):
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 
     @classmethod
-    def of(cls, given: "Runner | Mapping[str, Given] | None" = None, unit: Unit | None = None) -> "Runner":
+    def of(cls, given: "Runner | Mapping[str, Given] | None" = None, fmu: Fmu | None = None) -> "Runner":
         """The unit's own start values, and over them those given; a runner is given back as it is.
 
         What concerns runs of the unit only, as `solver.method` does, is left out.
@@ -55,7 +55,7 @@ class Runner(ByContents):
         ----------
         given : Runner or mapping of str to float, optional
             Start values by the unit's names and in its units.
-        unit : Unit, optional
+        fmu : Fmu, optional
             Whose start values and ranges hold; by default that of `fmu_path`.
 
         Returns
@@ -71,10 +71,10 @@ class Runner(ByContents):
         if isinstance(given, cls):
             return given
         by_name = mapping_of(given, "runner", "a Runner, or start values by name")
-        unit = load(unit)
-        checked = unit.start_values(by_name, "start values")
-        names = [n for n, v in unit.variables.items() if v.settable and v.type == "Real"]
-        return cls({name: float(checked.get(name, unit.start_of(name))) for name in names})
+        fmu = load_fmu(fmu)
+        checked = fmu.start_values(by_name, "start values")
+        names = [n for n, v in fmu.variables.items() if v.settable and v.type == "Real"]
+        return cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
 
     def but(self, name: str, value: float) -> "Runner":
         """The same runner with another value.
@@ -106,7 +106,7 @@ class Runner(ByContents):
 
     def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float, bool]]:
         """Without what the C library has made of it, which is of use in this process only."""
-        return type(self), (dict(self.values), self.relative_tolerance, self.reduced)
+        return type(self), (dict(self.values), self.tolerance, self.reduced)
 
     @cached_property
     def model(self) -> Model:
@@ -170,11 +170,9 @@ class Runner(ByContents):
             The runner's tolerance is out of range.
         """
         solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
-        if not is_number(self.relative_tolerance) or not 0 < self.relative_tolerance < 1:
-            raise InputError(
-                f"relative_tolerance = {self.relative_tolerance!r} is not allowed; allowed: above 0, below 1"
-            )
-        solver.relative_tolerance = self.relative_tolerance
+        if not is_number(self.tolerance) or not 0 < self.tolerance < 1:
+            raise InputError(f"tolerance = {self.tolerance!r} is not allowed; allowed: above 0, below 1")
+        solver.relative_tolerance = self.tolerance
         solver.log = ffi.NULL if log is None else log
         return solver
 

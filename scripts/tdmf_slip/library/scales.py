@@ -58,4 +58,4 @@ def rounding_of(runner: Runner, unit: str) -> float:
     float
         In that unit.
     """
-    return ROUNDING * runner.relative_tolerance * scale_of(runner, unit)
+    return ROUNDING * runner.tolerance * scale_of(runner, unit)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from .binding import c
 from .members import VARIED
 from .runner import Runner
@@ -85,7 +85,7 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
 
 
 def checked_values(
-    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int], unit: Unit | None = None
+    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int], fmu: Fmu | None = None
 ) -> NDArray[np.float64]:
     """Values of a setting, all within its range.
 
@@ -99,7 +99,7 @@ def checked_values(
         The argument, for the message.
     first : mapping of str to int
         By axis of the values: what it is called, and the number of its first place.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose ranges hold.
 
     Returns
@@ -112,7 +112,7 @@ def checked_values(
     InputError
         One is out of range or not a number; the message says which.
     """
-    variable = load(unit).variables[name]
+    variable = load_fmu(fmu).variables[name]
     within = (values >= variable.minimum) & (values <= variable.maximum)
     if not within.all():
         place = tuple(int(index) for index in np.argwhere(~within)[0])

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from ..analysis.search import periodic_gait, runner_by
 from ..checks import checked_whole
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .optimizer import Optimizer
 from .optimum import Optimum
@@ -26,8 +26,8 @@ def optimize(
     stable: bool | float = False,
     starts: int = STARTS,
     model: str | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Optimum:
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
 
@@ -65,9 +65,9 @@ def optimize(
         with.
     model : str, optional
         `full` or `reduced`, as in `find_gait`.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
@@ -93,15 +93,15 @@ def optimize(
     >>> best.active_bounds
     {'hip.touchdown_angle': 'upper'}
     """
-    unit = load(unit)
+    fmu = load_fmu(fmu)
     objective, sign = checked_objective(minimize, maximize)
-    space = checked_space(over, unit)
+    space = checked_space(over, fmu)
     prescribed = checked_values(at, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MOST_STARTS)
-    before = periodic_gait(runner_by(Runner.of(runner, unit), model), unit=unit)
+    before = periodic_gait(runner_by(Runner.of(runner, fmu), model), fmu=fmu)
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)
-    with progress.bar("optimize", count, "starts", show_progress) as bar:
+    with progress_bar("optimize", count, "starts", progress) as bar:
         found = optimizer.best(goal, bar)
     return optimizer.optimum(goal, found)

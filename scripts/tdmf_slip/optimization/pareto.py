@@ -11,8 +11,8 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..errors import InputError
 from ..library.runner import Runner
-from ..terminal import progress
-from ..unit.unit import Unit, load
+from ..terminal.progress import Bar, progress_bar
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .optimize import MOST_STARTS, STARTS
 from .optimizer import Optimizer
@@ -49,8 +49,8 @@ def pareto_front(
     points: int = POINTS,
     starts: int = STARTS,
     model: str | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Front:
     """The best compromises between two quantities, from the best in one to the best in the other.
 
@@ -75,9 +75,9 @@ def pareto_front(
         How many searches are made at the most for the ends; the others begin at their neighbours.
     model : str, optional
         As in `optimize`.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         As in `optimize`.
 
     Returns
@@ -104,18 +104,18 @@ def pareto_front(
     >>> [best.parameters["hip.stance_torque"] for best in front.optima]
     [0.15, 0.25]
     """
-    unit = load(unit)
+    fmu = load_fmu(fmu)
     signs = _checked_objectives(minimize, maximize)
-    (first, second), space = tuple(signs), checked_space(over, unit)
+    (first, second), space = tuple(signs), checked_space(over, fmu)
     prescribed = checked_values(at, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MOST_POINTS)
-    before = periodic_gait(runner_by(Runner.of(runner, unit), model), unit=unit)
+    before = periodic_gait(runner_by(Runner.of(runner, fmu), model), fmu=fmu)
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)
-    with progress.bar("Pareto front", total, "searches", show_progress) as bar:
+    with progress_bar("Pareto front", total, "searches", progress) as bar:
         ends = [optimizer.best(goal, bar) for goal in goals]
         inside = _between(optimizer, goals, ends[0].start, ends[1].start, count, bar)
         found = [optimizer.optimum(goals[0], ends[0]), *inside, optimizer.optimum(goals[1], ends[1])]
@@ -123,7 +123,7 @@ def pareto_front(
 
 
 def _between(
-    optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: progress.Bar
+    optimizer: Optimizer, goals: Sequence[Goal], begin: Start, end: Start, count: int, bar: Bar
 ) -> Iterator[Optimum]:
     """With limits on the second quantity, each from the one before and from the last."""
     first, second = goals

@@ -8,7 +8,7 @@ from ..errors import InputError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .gaits import Candidate
 from .space import Space
 
@@ -73,14 +73,14 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
     return checked_quantity(maximize, "maximize"), -1.0
 
 
-def checked_space(over: object, unit: Unit) -> Space:
+def checked_space(over: object, fmu: Fmu) -> Space:
     """The parameters that are varied, between bounds that the unit allows.
 
     Parameters
     ----------
     over : object
         What was given as a mapping of names to bounds.
-    unit : Unit
+    fmu : Fmu
         Whose ranges hold.
 
     Returns
@@ -105,7 +105,7 @@ def checked_space(over: object, unit: Unit) -> Space:
         bounds_given = row_of(pair, where, "two bounds, A below B")
         if len(bounds_given) != 2:
             raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
-        low, high = (float(unit.variables[name].value_of(value, where)) for value in bounds_given)
+        low, high = (float(fmu.variables[name].value_of(value, where)) for value in bounds_given)
         if not low < high:
             raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
         bounds[name] = low, high

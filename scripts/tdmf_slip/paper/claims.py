@@ -67,14 +67,14 @@ class Evidence(ByContents):
     """Where the gaits of the classic SLIP meet."""
 
 
-def gather(runner: Runner, show_progress: bool = False) -> Evidence:
+def gather(runner: Runner, progress: bool = False) -> Evidence:
     """Compute everything that the claims are judged by.
 
     Parameters
     ----------
     runner : Runner
         With the paper's parameters.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -87,7 +87,7 @@ def gather(runner: Runner, show_progress: bool = False) -> Evidence:
     RunError
         A gait was not found.
     """
-    found = sweep(runner, SWEPT, show_progress=show_progress)
+    found = sweep(runner, SWEPT, progress=progress)
     stable = classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0]
     return Evidence(found, stable, classic_slip.fold())
 

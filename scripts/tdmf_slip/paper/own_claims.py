@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..contents import ByContents
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from ..terminal.text import table
 from .own_statements import CLAIMS
 
@@ -75,7 +75,7 @@ class OwnClaims(ByContents):
         return "\n".join([told, "", *commands])
 
 
-def own_claims(*, recompute: bool = False, seed: int = 1, show_progress: bool = False) -> OwnClaims:
+def own_claims(*, recompute: bool = False, seed: int = 1, progress: bool = False) -> OwnClaims:
     """The claims of this project, on request recomputed.
 
     Parameters
@@ -84,7 +84,7 @@ def own_claims(*, recompute: bool = False, seed: int = 1, show_progress: bool = 
         Some minutes; without it the claims and their commands are told.
     seed : int, default 1
         Of what is drawn.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -98,7 +98,7 @@ def own_claims(*, recompute: bool = False, seed: int = 1, show_progress: bool = 
         A gait is not found.
     """
     found = []
-    with progress.bar("claims", len(CLAIMS), "claims", show_progress and recompute) as bar:
+    with progress_bar("claims", len(CLAIMS), "claims", progress and recompute) as bar:
         for claim in CLAIMS:
             computed = claim.compute(seed) if recompute else None
             command = claim.command.replace("{seed}", str(seed))

@@ -66,7 +66,7 @@ def _matched(reference: float, other: float) -> Gait:
 
 def _strides(gait: Gait, seed: int, correlation: float = 0.0) -> float:
     ground = RoughGround(ROUGHNESS, seed, correlated_weights(correlation))
-    found = strides_to_fall(gait.runner, ground, RUNNERS, most_strides=MOST_STRIDES, gait=gait, workers=1)
+    found = strides_to_fall(gait.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=gait, workers=1)
     return found.mean_strides
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from ..library.gait import TOLD
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
@@ -74,7 +74,7 @@ def gaits() -> tuple[ReferenceGait, ...]:
     return tuple(ReferenceGait(**gait) for gait in json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
 
 
-def drifts(run: SettledRun, reference: ReferenceGait, unit: Unit) -> list[Drift]:
+def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
     """All recorded values of a gait beside their references.
 
     Parameters
@@ -83,7 +83,7 @@ def drifts(run: SettledRun, reference: ReferenceGait, unit: Unit) -> list[Drift]
         Of the unit, on the gait.
     reference : ReferenceGait
         Of the same friction.
-    unit : Unit
+    fmu : Fmu
         Whose start values hold where the run has none.
 
     Returns
@@ -91,7 +91,7 @@ def drifts(run: SettledRun, reference: ReferenceGait, unit: Unit) -> list[Drift]
     list of Drift
         The word, the stride's quantities, and the coordinates of the apex.
     """
-    mu, scales = run.friction, Runner.of(run.start_values, unit).scales
+    mu, scales = run.friction, Runner.of(run.start_values, fmu).scales
     found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0)]
     for name in TOLD:
         computed, wanted = getattr(run, name), getattr(reference, name)

@@ -13,11 +13,11 @@ from ..given import mapping_of
 from ..library.gait import TOLD
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from ..unit.instance import Experiment, Instance, Recorder, opened
 from ..unit.simulation import MOST_STRIDES as MOST_OF_ALL
 from ..unit.simulation import TOLERANCES, longest_time, time_unit
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from ..unit.variable import Given, Value
 
 DEFAULT_TOLERANCE = 1e-10
@@ -65,15 +65,15 @@ class SettledRun(ByContents):
 def settle_unit(
     given: Mapping[str, Given] | None = None,
     *,
-    relative_tolerance: float = DEFAULT_TOLERANCE,
-    most_strides: int = MOST_STRIDES,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    tolerance: float = DEFAULT_TOLERANCE,
+    max_strides: int = MOST_STRIDES,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> SettledRun:
     """Run the unit until its strides repeat: on a stable periodic gait, or never.
 
     Settled means: over the last twenty strides the word is one and the same, and the mean apex agrees with
-    that of the twenty before within 1000 `relative_tolerance`, each coordinate over its scale, and no stride
+    that of the twenty before within 1000 `tolerance`, each coordinate over its scale, and no stride
     is farther from the mean than 20 times that, as in a gait that repeats after two strides only.
 
     The gaits of the library, by `find_gait`, are found faster and to rounding, unstable ones too: this is
@@ -83,13 +83,13 @@ def settle_unit(
     ----------
     given : mapping of str to float, optional
         Start values by name: parameters, and where to begin.
-    relative_tolerance : float, default 1e-10
+    tolerance : float, default 1e-10
         Of CVODE.
-    most_strides : int, default 2000
+    max_strides : int, default 2000
         Give up after so many.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 
     Returns
@@ -104,26 +104,26 @@ def settle_unit(
     RunError
         The runner fell, or did not settle.
     """
-    unit = load(unit)
-    starts = unit.start_values(mapping_of(given, "given", "start values by name"), "start values")
-    runner = Runner.of(starts, unit)
-    most_strides = checked_whole("most_strides", most_strides, 2 * WINDOW, MOST_OF_ALL)
-    relative_tolerance = checked("relative_tolerance", relative_tolerance, *TOLERANCES)
-    strides = _Strides(runner.scales, 1000.0 * relative_tolerance)
+    fmu = load_fmu(fmu)
+    starts = fmu.start_values(mapping_of(given, "given", "start values by name"), "start values")
+    runner = Runner.of(starts, fmu)
+    max_strides = checked_whole("max_strides", max_strides, 2 * WINDOW, MOST_OF_ALL)
+    tolerance = checked("tolerance", tolerance, *TOLERANCES)
+    strides = _Strides(runner.scales, 1000.0 * tolerance)
     experiment = Experiment(
-        stop_time=longest_time(unit, starts, most_strides),
-        relative_tolerance=relative_tolerance,
-        output_interval=time_unit(unit, starts),
+        stop_time=longest_time(fmu, starts, max_strides),
+        tolerance=tolerance,
+        output_interval=time_unit(fmu, starts),
         start_values=starts,
     )
     with (
-        opened(unit) as instance,
-        progress.bar(f"gait at mu = {runner.values[FRICTION]:g}", None, "strides", show_progress) as bar,
+        opened(fmu) as instance,
+        progress_bar(f"gait at mu = {runner.values[FRICTION]:g}", None, "strides", progress) as bar,
     ):
 
         def step_finished(_time: float, _recorder: Recorder) -> bool:
             bar.update(instance.integer("stride.count") - bar.n)
-            return strides.goes_on(instance) and len(strides.apexes) < most_strides
+            return strides.goes_on(instance) and len(strides.apexes) < max_strides
 
         instance.simulate(experiment, step_finished)
         return _settled_run(starts, runner, strides, instance)

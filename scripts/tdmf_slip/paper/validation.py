@@ -8,7 +8,7 @@ from ..contents import ByContents
 from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.parameters import read_parameters
-from ..unit.unit import FRICTION, Unit, load
+from ..unit.unit import FRICTION, Fmu, load_fmu
 from . import guinea_fowl
 from . import reference_gaits as reference
 from .claims import WORDS, Claim, claims, gather, recorded
@@ -126,25 +126,25 @@ class Validation(ByContents):
 
 def validate(
     *,
-    relative_tolerance: float = DEFAULT_TOLERANCE,
+    tolerance: float = DEFAULT_TOLERANCE,
     own: bool = False,
     seed: int = 1,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Validation:
     """Run the five published gaits through FMPy's CVODE, and compare them.
 
     Parameters
     ----------
-    relative_tolerance : float, default 1e-10
+    tolerance : float, default 1e-10
         Of CVODE. At 1e-9 the gait at friction 0.2 misses the reference, by 1.4e-6.
     own : bool, default False
         Also recompute what this project says of its own, some minutes.
     seed : int, default 1
         Of what is drawn for that.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr for each gait.
-    unit : Unit, optional
+    fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 
     Returns
@@ -164,24 +164,24 @@ def validate(
     >>> print(validation.passed)
     True
     """
-    unit = load(unit)
+    fmu = load_fmu(fmu)
     parameters = read_parameters("paper")
     gaits = [
         settle_unit(
             {**parameters, FRICTION: friction},
-            relative_tolerance=relative_tolerance,
-            show_progress=show_progress,
-            unit=unit,
+            tolerance=tolerance,
+            progress=progress,
+            fmu=fmu,
         )
         for friction in WORDS
     ]
     references = {known.friction: known for known in reference.gaits()}
-    drifts = [d for gait in gaits for d in reference.drifts(gait, references[gait.friction], unit)]
-    evidence = gather(Runner.of(parameters, unit), show_progress)
+    drifts = [d for gait in gaits for d in reference.drifts(gait, references[gait.friction], fmu)]
+    evidence = gather(Runner.of(parameters, fmu), progress)
     drifts += [
         Drift(float("nan"), what, now, then, abs(now - then), allowed)
         for what, now, then, allowed in recorded(evidence)
     ]
     said = [*claims(evidence), *guinea_fowl.claims(guinea_fowl.fall_map())]
-    of_our_own = own_claims(recompute=own, seed=seed, show_progress=show_progress)
+    of_our_own = own_claims(recompute=own, seed=seed, progress=progress)
     return Validation(gaits=gaits, claims=said, drifts=drifts, own=of_our_own)

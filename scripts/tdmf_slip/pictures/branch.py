@@ -14,7 +14,7 @@ from ..analysis.borders import Border
 from ..analysis.sweep import Sweep
 from ..library.gait import Gait
 from ..unit.told import Told
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from . import style
 
 PANELS: Mapping[str, str] = {"speed": "average speed", "cost_of_transport": "cost of transport"}
@@ -30,7 +30,7 @@ def figure_of(
     values: Sequence[float],
     gaits: Sequence[Gait],
     borders: Sequence[Border],
-    unit: Unit,
+    fmu: Fmu,
     told: Told | None = None,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed.
@@ -45,7 +45,7 @@ def figure_of(
         The gaits.
     borders : sequence of Border
         Where the word changes.
-    unit : Unit
+    fmu : Fmu
         For units.
     told : Told, optional
         In which unit the parameter is told; by default in its own.
@@ -62,11 +62,11 @@ def figure_of(
         _eigenvalues(panels[0], values, gaits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
             _draw(axes, values, [gait.stride[quantity] for gait in gaits], gaits)
-            axes.set_ylabel(style.with_unit(label, unit.variables[f"stride.{quantity}"].unit))
+            axes.set_ylabel(style.with_unit(label, fmu.variables[f"stride.{quantity}"].unit))
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
-        told = told or Told(unit)
+        told = told or Told(fmu)
         label = style.tell_in(panels[-1].xaxis, name, told)
         if told.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
             panels[-1].set_xscale("log")
@@ -79,7 +79,7 @@ def figure_of(
     return figure
 
 
-def draw(path: Path, found: Sweep, unit: Unit, told: Told | None = None) -> None:
+def draw(path: Path, found: Sweep, fmu: Fmu, told: Told | None = None) -> None:
     """Draw a sweep into a file.
 
     Parameters
@@ -88,12 +88,12 @@ def draw(path: Path, found: Sweep, unit: Unit, told: Told | None = None) -> None
         Of the picture.
     found : Sweep
         What is drawn.
-    unit : Unit
+    fmu : Fmu
         For units.
     told : Told, optional
         See `figure_of`.
     """
-    style.save(figure_of(*drawn_of(found), unit, told), path)
+    style.save(figure_of(*drawn_of(found), fmu, told), path)
 
 
 def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Gait, ...], tuple[Border, ...]]:

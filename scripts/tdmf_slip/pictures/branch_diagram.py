@@ -22,7 +22,7 @@ from ..errors import InputError
 from ..library.gait import Gait
 from ..library.section import COORDINATES
 from ..unit.told import Told
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from . import style
 
 DRAWN = "com_speed"
@@ -101,14 +101,14 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
         There is no such quantity.
     """
     values_of(branch.gaits[0], quantity)
-    unit = load()
-    told = told or Told(unit)
+    fmu = load_fmu()
+    told = told or Told(fmu)
     with style.styled():
         figure, panels = plt.subplots(
             2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
         )
         kind = "apex" if quantity in COORDINATES else "stride"
-        variable = unit.variables.get(f"{kind}.{quantity}")
+        variable = fmu.variables.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, variable.unit if variable else ""))
         panels[1].set_ylabel("largest eigenvalue, size")

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
 from ..unit.told import Told
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from . import style
 from .branch_diagram import ASLANT, BESIDE, MARKS
 
@@ -35,7 +35,7 @@ def figure_of(
     Figure
         Of matplotlib.
     """
-    told = told or Told(load())
+    told = told or Told(load_fmu())
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
         labels = [

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from ..errors import InputError
 from ..unit.events import MODE
 from ..unit.run import Run
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from . import style
 
 FORMATS = (".png", ".svg", ".pdf")
@@ -25,7 +25,7 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
 """Label of each panel, and variables with their names."""
 
 
-def draw(path: Path, run: Run, unit: Unit) -> None:
+def draw(path: Path, run: Run, fmu: Fmu) -> None:
     """Draw a run as .png, .svg or .pdf, in the units of its table.
 
     Raises
@@ -33,10 +33,10 @@ def draw(path: Path, run: Run, unit: Unit) -> None:
     InputError
         The run did not record what is drawn, or nothing can be written there.
     """
-    style.save(figure_of(run, unit), path)
+    style.save(figure_of(run, fmu), path)
 
 
-def figure_of(run: Run, unit: Unit) -> Figure:
+def figure_of(run: Run, fmu: Fmu) -> Figure:
     """A run's panels, in the units of its table.
 
     Raises
@@ -51,9 +51,9 @@ def figure_of(run: Run, unit: Unit) -> Figure:
         figure, all_axes = plt.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6), layout="constrained")
         for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
             _panel(axes, run, label, curves)
-            _shade(axes, run, unit)
+            _shade(axes, run, fmu)
         all_axes[-1].set_xlabel(f"time in {run.units['time']}")
-        figure.legend(handles=_key(run, unit), loc="outside lower center", ncols=len(style.LOADED) + 1)
+        figure.legend(handles=_key(run, fmu), loc="outside lower center", ncols=len(style.LOADED) + 1)
     return figure
 
 
@@ -66,18 +66,18 @@ def _panel(axes: Axes, run: Run, label: str, curves: Sequence[tuple[str, str]]) 
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=len(curves))
 
 
-def _shade(axes: Axes, run: Run, unit: Unit) -> None:
+def _shade(axes: Axes, run: Run, fmu: Fmu) -> None:
     """The background in the colours of the contact modes, flight left white."""
     time, modes = run.table["time"], run.table[MODE]
     starts = np.flatnonzero(np.concatenate([[True], np.diff(modes) != 0]))
     for start, end in zip(starts, [*starts[1:], len(time) - 1], strict=True):
-        mode = unit.variables[MODE].items[int(modes[start])]
+        mode = fmu.variables[MODE].items[int(modes[start])]
         if mode != "flight":
             axes.axvspan(time[start], time[end], color=style.MODE_COLOURS[mode], alpha=0.3, linewidth=0)
 
 
-def _key(run: Run, unit: Unit) -> list[Patch]:
-    seen = [unit.variables[MODE].items[int(mode)] for mode in np.unique(run.table[MODE])]
+def _key(run: Run, fmu: Fmu) -> list[Patch]:
+    seen = [fmu.variables[MODE].items[int(mode)] for mode in np.unique(run.table[MODE])]
     return [
         Patch(color=style.MODE_COLOURS[mode], alpha=0.3, label=style.MODE_NAMES[mode])
         for mode in seen

@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..fitting.result import Fit
 from ..library.gait import Gait
 from ..unit.run import Run
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio
 from .stride import Stride
 
@@ -46,17 +46,17 @@ def _figure_of(result: object) -> Figure:
 
 @_figure_of.register
 def _run(result: Run) -> Figure:
-    return overview.figure_of(result, load())
+    return overview.figure_of(result, load_fmu())
 
 
 @_figure_of.register
 def _gait(result: Gait) -> Figure:
-    return velocity_and_ratio.figure_of(Stride(result, load()))
+    return velocity_and_ratio.figure_of(Stride(result, load_fmu()))
 
 
 @_figure_of.register
 def _sweep(result: Sweep) -> Figure:
-    return branch.figure_of(*branch.drawn_of(result), load())
+    return branch.figure_of(*branch.drawn_of(result), load_fmu())
 
 
 @_figure_of.register

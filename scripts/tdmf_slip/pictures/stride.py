@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..library.gait import Gait
 from ..unit.events import MODE
 from ..unit.simulation import simulate
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""
@@ -41,11 +41,11 @@ class Piece:
 class Stride:
     """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
 
-    def __init__(self, gait: Gait, unit: Unit) -> None:
+    def __init__(self, gait: Gait, fmu: Fmu) -> None:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
-        self.unit = unit
-        run = simulate(gait.start_values, strides=1, output_interval=gait.period / POINTS, unit=unit)
+        self.fmu = fmu
+        run = simulate(gait.start_values, strides=1, output_interval=gait.period / POINTS, fmu=fmu)
         self.events = run.events
         self._table = run.table
         values = gait.runner.values
@@ -55,7 +55,7 @@ class Stride:
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
-        length, time, mass = DIMENSIONS.get(self.unit.variables[name].unit, (0, 0, 0))
+        length, time, mass = DIMENSIONS.get(self.fmu.variables[name].unit, (0, 0, 0))
         rows: NDArray[np.float64] = self._table[name]
         return rows / (self._length**length * self._time**time * self._mass**mass)
 
@@ -67,7 +67,7 @@ class Stride:
     @cached_property
     def modes(self) -> list[str]:
         """Contact mode of each row."""
-        items = self.unit.variables[MODE].items
+        items = self.fmu.variables[MODE].items
         return [items[int(mode)] for mode in self._table[MODE]]
 
     @cached_property

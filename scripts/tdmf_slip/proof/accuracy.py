@@ -102,7 +102,7 @@ def _unit(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
         run = simulate(
             {**runner.start_values(apex), **(settings or {})},
             stop_time=PAST * period,
-            relative_tolerance=FINEST,
+            tolerance=FINEST,
             output_interval=period / 100,
             variables=(),
             interface=interface,

@@ -10,7 +10,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from ..errors import InputError
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 from ..unit.variable import Variable
 
 DEGREES = 180
@@ -111,12 +111,12 @@ def default_value(variable: Variable) -> Exact:
     return Exact(Fraction(repr(start)))
 
 
-def exact_values(unit: Unit, values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
+def exact_values(fmu: Fmu, values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
     """All values of a runner as they are meant.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Whose variables they are.
     values : mapping of str to float
         Of the runner.
@@ -130,7 +130,7 @@ def exact_values(unit: Unit, values: Mapping[str, float], given: Mapping[str, ob
     """
     found = {}
     for name, value in values.items():
-        variable = unit.variables[name]
+        variable = fmu.variables[name]
         if name in given:
             found[name] = exact_value(variable, given[name], "start values")
         elif variable.start is not None and value == float(variable.start):

@@ -10,7 +10,7 @@ from ..errors import InputError
 from ..library.gait import Gait
 from ..library.members import VARIED
 from ..library.runner import Runner
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .exact import Exact, exact_values
 
 MOST_DIGITS = 200
@@ -51,20 +51,20 @@ def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
     InputError
         It is something else, or has no proofs.
     """
-    unit = load()
+    fmu = load_fmu()
     given: dict[str, object] = {}
     if isinstance(gait, Gait):
         found = gait
     elif gait is None or isinstance(gait, Runner):
-        found = periodic_gait(gait, unit=unit)
+        found = periodic_gait(gait, fmu=fmu)
     else:
         check_kind(gait, Mapping, "gait", "a Gait, a Runner, or start values by name")
         given = dict(gait)
-        exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
+        exact = exact_values(fmu, {name: 0.0 for name in given if name in fmu.variables}, given)
         floats = {
             name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
         }
-        found = periodic_gait(floats, unit=unit)  # type: ignore[arg-type] # what is no variable is refused there
+        found = periodic_gait(floats, fmu=fmu)  # type: ignore[arg-type] # what is no variable is refused there
     if found.runner.reduced:
         raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
     if found.following:
@@ -73,7 +73,7 @@ def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
         )
     own = {name: found.runner.values[name] for name in VARIED}
     check_laws(own)
-    return found, exact_values(unit, own, {name: value for name, value in given.items() if name in own})
+    return found, exact_values(fmu, own, {name: value for name, value in given.items() if name in own})
 
 
 def check_laws(values: Mapping[str, float]) -> None:
@@ -89,9 +89,9 @@ def check_laws(values: Mapping[str, float]) -> None:
     InputError
         What the prover does not know of is not at its start value.
     """
-    unit = load()
+    fmu = load_fmu()
     for name, value in values.items():
-        start = unit.start_of(name)
+        start = fmu.start_of(name)
         if name not in KNOWN and value != start:
             raise InputError(
                 f"{name} = {value:g}: gaits with it are not proved; allowed for proofs: {start:g}"
@@ -116,8 +116,8 @@ def floats_of(given: Mapping[str, object]) -> dict[str, Any]:
     InputError
         A value is none.
     """
-    unit = load()
-    exact = exact_values(unit, {name: 0.0 for name in given if name in unit.variables}, given)
+    fmu = load_fmu()
+    exact = exact_values(fmu, {name: 0.0 for name in given if name in fmu.variables}, given)
     return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
 
 

@@ -9,7 +9,7 @@ from typing import Protocol
 import flint
 from flint import acb, arb
 
-from ..unit.unit import FRICTION, load
+from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
 from .starts import Starts
@@ -220,7 +220,7 @@ def short(value: Fraction) -> str:
 
 def told(values: Mapping[str, Exact], varied: str | None = None) -> str:
     """The runner as a sentence has it: what differs from Table 1, and what is varied."""
-    table = {name: default_value(load().variables[name]) for name in values}
+    table = {name: default_value(load_fmu().variables[name]) for name in values}
     others = [f"{name} = {v}" for name, v in values.items() if name != varied and v != table[name]]
     if varied is not None:
         others.append(f"any {varied}")

@@ -14,7 +14,7 @@ from ..checks import check_kind, checked_whole
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.members import check_varied
-from ..unit.unit import load
+from ..unit.unit import load_fmu
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
 from .given import MOST_DIGITS, Given, Radius, gait_of, radius_of
@@ -47,7 +47,7 @@ def prove(
     vary: None = ...,
     output: None = ...,
     workers: None = ...,
-    show_progress: bool = ...,
+    progress: bool = ...,
 ) -> Proof: ...
 
 
@@ -58,7 +58,7 @@ def prove(
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None = ...,
     workers: int | None = ...,
-    show_progress: bool = ...,
+    progress: bool = ...,
 ) -> RangeProof: ...
 
 
@@ -70,7 +70,7 @@ def prove(
     vary: Mapping[str, tuple[Radius, Radius]] | None = None,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> Proof | RangeProof:
     """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
 
@@ -96,7 +96,7 @@ def prove(
         proof goes on from.
     workers : int, optional
         With `vary`: processes; by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         With `vary`: a bar on stderr.
 
     Returns
@@ -121,7 +121,7 @@ def prove(
     if vary is not None:
         if box is not None:
             raise InputError(f"box = {box!r}: with vary it is chosen by itself; allowed: without vary")
-        return _over(gait, vary, output, workers, show_progress)
+        return _over(gait, vary, output, workers, progress)
     if output is not None or workers is not None:
         raise InputError("output, workers: are of use for a range only; allowed: with vary")
     found, values = gait_of(gait)
@@ -166,7 +166,7 @@ def _over(
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None,
     workers: int | None,
-    show_progress: bool,
+    progress: bool,
 ) -> RangeProof:
     check_kind(vary, Mapping, "vary", "a parameter with the ends of its range")
     if len(vary) != 1:
@@ -175,7 +175,7 @@ def _over(
     check_varied(name, "vary")
     if not isinstance(span, Sequence) or isinstance(span, str) or len(span) != 2:
         raise InputError(f"vary: {name} = {span!r}; allowed: the two ends of a range")
-    ends = [exact_value(load().variables[name], end, "vary") for end in span]
+    ends = [exact_value(load_fmu().variables[name], end, "vary") for end in span]
     if any(end.turns for end in ends):
         raise InputError(f"vary: {name} from {ends[0]} to {ends[1]}; allowed: rational ends")
     begin, end = (end.rational for end in ends)
@@ -187,9 +187,7 @@ def _over(
         gait = {**(gait or {}), name: begin}
     found, values = gait_of(gait)
     path = None if output is None else Path(output)
-    return prove_range(
-        found, values, name, (begin, end), output=path, workers=workers, show_progress=show_progress
-    )
+    return prove_range(found, values, name, (begin, end), output=path, workers=workers, progress=progress)
 
 
 def bits_for(places: int) -> int:

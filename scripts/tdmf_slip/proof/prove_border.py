@@ -13,7 +13,7 @@ from ..checks import check_kind, checked_whole
 from ..library.gait import Gait
 from ..library.members import VARIED, check_varied
 from ..library.runner import Runner
-from ..unit.unit import FRICTION, load
+from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, exact_values
 from .forced import Forced
 from .given import MOST_DIGITS, check_laws, floats_of
@@ -164,7 +164,7 @@ class _BorderProver:
         own = {of: self.runner.values[of] for of in VARIED}
         check_laws(own)
         told_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
-        self.values = exact_values(load(), own, told_exactly)
+        self.values = exact_values(load_fmu(), own, told_exactly)
         self.parameters = Parameters(self.values, name)
         self.narrow = digits + BEYOND
         self.fine = Fineness(bits_for(self.narrow))

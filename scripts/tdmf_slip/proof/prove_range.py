@@ -11,7 +11,7 @@ from typing import Any
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .exact import Exact
 from .range_proof import Piece, RangeProof
 from .range_prover import RangeProver
@@ -44,7 +44,7 @@ def prove_range(
     *,
     output: Path | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> RangeProof:
     """Gaits over a range of a parameter, by subdivision.
 
@@ -63,7 +63,7 @@ def prove_range(
         the same range is not proved again.
     workers : int, optional
         Processes; by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -82,7 +82,7 @@ def prove_range(
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
     workers = workers or os.cpu_count() or 1
-    with progress.bar("prove", len(parts), "parts", show_progress) as bar:
+    with progress_bar("prove", len(parts), "parts", progress) as bar:
         for _ in range(len(parts) - len(open_ones)):
             bar.update()
         tasks = [(gait.runner, values, name, part) for part in open_ones]

@@ -14,7 +14,7 @@ LOCK = threading.RLock()
 would leave behind; each bar is drawn by one process."""
 
 
-def bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
+def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
     """A progress bar on stderr; rare lines where stderr is not a terminal.
 
     Parameters

@@ -11,9 +11,9 @@ from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
 from ..files.datasets import xarray
 from ..given import mapping_of, row_of, rows_of
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
-from .unit import Unit, load
+from .unit import Fmu, load_fmu
 from .variable import Given, Value
 
 
@@ -25,7 +25,7 @@ class Job(ByContents):
     """Start values by name."""
     strides: int
     """How many."""
-    relative_tolerance: float
+    tolerance: float
     """Of the solver."""
     interface: str
     """`me` or `cs`."""
@@ -52,7 +52,7 @@ def run_one(job: Job) -> Result:
         run = simulate(
             job.values,
             strides=job.strides,
-            relative_tolerance=job.relative_tolerance,
+            tolerance=job.tolerance,
             interface=job.interface,
         )
     except TdmfSlipError as problem:  # the unit may refuse how several values go together
@@ -64,12 +64,12 @@ def run_batch(
     table: Sequence[Mapping[str, Given]],
     *,
     strides: int,
-    relative_tolerance: float = DEFAULT_TOLERANCE,
+    tolerance: float = DEFAULT_TOLERANCE,
     interface: str = "cs",
     scheduler: str | None = None,
     workers: int | None = None,
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """Run the unit once for each row of a table.
 
@@ -79,7 +79,7 @@ def run_batch(
         Start values by the unit's names, one mapping for each run; all with the same names.
     strides : int
         How many each run makes.
-    relative_tolerance : float, default 1e-9
+    tolerance : float, default 1e-9
         As in `simulate`.
     interface : str, default 'cs'
         `me` or `cs`.
@@ -87,9 +87,9 @@ def run_batch(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     workers : int, optional
         Processes on this machine, by default one for each processor.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Checks the table before anything is run.
 
     Returns
@@ -110,32 +110,32 @@ def run_batch(
     >>> print(runs["speed"].values.round(3), runs["fallen"].values)
     [1.062 1.051] [False False]
     """
-    unit = load(unit)
-    unit.require_interface(interface)
+    fmu = load_fmu(fmu)
+    fmu.require_interface(interface)
     checked_whole("strides", strides, 1, MOST_STRIDES)
-    checked("relative_tolerance", relative_tolerance, *TOLERANCES)
+    checked("tolerance", tolerance, *TOLERANCES)
     allowed = "one or more rows, all with the same names in the same order"
     rows = [mapping_of(row, "table", allowed) for row in row_of(rows_of(table), "table", allowed)]
     names = list(rows[0]) if rows else []
     if not names or any(list(row) != names for row in rows):
         raise InputError(f"table: allowed: {allowed}")
     jobs = [
-        Job(unit.start_values(row, f"row {number}"), strides, relative_tolerance, interface)
+        Job(fmu.start_values(row, f"row {number}"), strides, tolerance, interface)
         for number, row in enumerate(rows)
     ]
     results = [NOT_RUN] * len(jobs)
     with (
-        progress.bar("batch", len(jobs), "runs", show_progress) as bar,
+        progress_bar("batch", len(jobs), "runs", progress) as bar,
         run_blocks(run_one, jobs, scheduler=scheduler, workers=workers) as finished,
     ):
         for number, result in finished:
             results[number] = result
             bar.update()
-    return _dataset(jobs, results, names, unit)
+    return _dataset(jobs, results, names, fmu)
 
 
 def _dataset(
-    jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], unit: Unit
+    jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu
 ) -> xarray.Dataset:
     data = xarray.Dataset(
         {
@@ -144,7 +144,7 @@ def _dataset(
         },
         coords={name: ("run", [job.values[name] for job in jobs]) for name in names},
     )
-    for variable in unit.group("stride"):
+    for variable in fmu.group("stride"):
         name, is_text = variable.member, variable.type == "String"
         values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
         data[name] = "run", np.array(values, dtype=object if is_text else float)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .unit import Unit
+from .unit import Fmu
 
 MODE, PHASE = "contact.mode", "hip.phase"
 OFF_GROUND = {"flight", "graze"}
@@ -23,7 +23,7 @@ class Event:
     """touchdown, slip_onset, slip_velocity_zero, liftoff, liftoff_into_graze, graze_end, midstance, apex."""
 
 
-def events_of(table: NDArray[np.void], unit: Unit) -> list[Event]:
+def events_of(table: NDArray[np.void], fmu: Fmu) -> list[Event]:
     """Events in order, from rows recorded before and after each.
 
     What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:
@@ -33,7 +33,7 @@ def events_of(table: NDArray[np.void], unit: Unit) -> list[Event]:
     ----------
     table : structured ndarray, shape (rows,)
         With the contact mode and the hip phase.
-    unit : Unit
+    fmu : Fmu
         For the names of modes and phases.
 
     Returns
@@ -41,7 +41,7 @@ def events_of(table: NDArray[np.void], unit: Unit) -> list[Event]:
     list of Event
         By time.
     """
-    modes, phases = unit.variables[MODE].items, unit.variables[PHASE].items
+    modes, phases = fmu.variables[MODE].items, fmu.variables[PHASE].items
     changed = np.flatnonzero((np.diff(table[MODE]) != 0) | (np.diff(table[PHASE]) != 0))
     events = []
     for row in changed:

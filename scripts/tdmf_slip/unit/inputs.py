@@ -11,7 +11,7 @@ from ..checks import shown
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_series, is_table, mapping_of
-from .unit import Unit
+from .unit import Fmu
 from .variable import Value, Variable
 
 TIME = "time"
@@ -24,13 +24,13 @@ an index `time`, and a column for each input, will do, too, and a Series over su
 
 
 def signals(
-    unit: Unit, tables: InputTables | None, start_values: Mapping[str, Value]
+    fmu: Fmu, tables: InputTables | None, start_values: Mapping[str, Value]
 ) -> NDArray[np.void] | None:
     """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Whose inputs.
     tables : InputTables
         By name of an input or a tunable parameter.
@@ -47,18 +47,18 @@ def signals(
     InputError
         A name that is neither, times that go back, a value out of range.
     """
-    checked = {name: _checked(unit, name, table, "inputs") for name, table in _tables(tables).items()}
+    checked = {name: _checked(fmu, name, table, "inputs") for name, table in _tables(tables).items()}
     if not checked:
         return None
     grid = _grid([times for times, _ in checked.values()])
-    inputs = list(dict.fromkeys([*unit.names("input"), *checked]))
+    inputs = list(dict.fromkeys([*fmu.names("input"), *checked]))
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
     array["time"] = grid
     for name in inputs:
         if name in checked:
             array[name] = _on_grid(grid, *checked[name])
         else:  # FMPy warns on stdout of an input without a column
-            array[name] = start_values.get(name, unit.start_of(name))
+            array[name] = start_values.get(name, fmu.start_of(name))
     return array
 
 
@@ -87,7 +87,7 @@ def _is_over_time(given: object) -> TypeGuard[Any]:
     return is_series(given) and getattr(getattr(given, "index", None), "name", "") == TIME
 
 
-def read_tables(path: Path | str, unit: Unit) -> InputTables:
+def read_tables(path: Path | str, fmu: Fmu) -> InputTables:
     """Input tables from a CSV file: a header `time,<input>,...`, then a row per time; no matter empty lines.
 
     Columns may be of tunable parameters, too. A value is a number in its column's unit, or has a unit after a
@@ -97,7 +97,7 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
     ----------
     path : Path or str
         Of the file.
-    unit : Unit
+    fmu : Fmu
         Whose inputs.
 
     Returns
@@ -123,10 +123,10 @@ def read_tables(path: Path | str, unit: Unit) -> InputTables:
             f"{path}: the header has to be time,<input>,..., each once, with rows below; "
             f"found {','.join(header) or 'nothing'}"
         )
-    inputs = [unit.find(name, str(path)) for name in header[1:]]
+    inputs = [fmu.find(name, str(path)) for name in header[1:]]
     columns = np.array([_numbers(path, line, row, inputs) for line, row in lines[1:]]).T
     tables = {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
-    return {name: _checked(unit, name, table, str(path)) for name, table in tables.items()}
+    return {name: _checked(fmu, name, table, str(path)) for name, table in tables.items()}
 
 
 def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) -> list[float]:
@@ -148,12 +148,12 @@ def _number(cell: str, variable: Variable, where: str) -> float:
 
 
 def _checked(
-    unit: Unit, name: str, table: tuple[ArrayLike, ArrayLike], where: str
+    fmu: Fmu, name: str, table: tuple[ArrayLike, ArrayLike], where: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    variable = unit.find(name, where)
+    variable = fmu.find(name, where)
     if variable.causality != "input" and variable.variability != "tunable":
         raise InputError(
-            f"{where}: {name} is neither an input nor tunable; inputs: {', '.join(unit.names('input'))}"
+            f"{where}: {name} is neither an input nor tunable; inputs: {', '.join(fmu.names('input'))}"
         )
     try:
         times, values = (np.asarray(column, dtype=float) for column in table)

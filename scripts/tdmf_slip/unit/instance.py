@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError
 from ..terminal import interrupts
-from .unit import Unit
+from .unit import Fmu
 from .variable import Value
 
 # FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.
@@ -32,7 +32,7 @@ class Experiment(ByContents):
 
     stop_time: float
     """The run begins at 0."""
-    relative_tolerance: float
+    tolerance: float
     """Of the importer."""
     output_interval: float
     """Between recorded rows."""
@@ -55,20 +55,20 @@ class Recorder(Protocol):
 class Instance:
     """An instance of the unit; use `opened`."""
 
-    def __init__(self, unit: Unit, interface: str) -> None:
+    def __init__(self, fmu: Fmu, interface: str) -> None:
         """Instantiate; whatever the unit says from here on is kept in `messages`."""
-        self.unit = unit
-        self.interface = unit.require_interface(interface)
+        self.fmu = fmu
+        self.interface = fmu.require_interface(interface)
         self.messages: list[str] = []
         try:
             self._fmu = fmpy.simulation.instantiate_fmu(
-                unit.folder, unit.description, self.interface, logger=self._log
+                fmu.folder, fmu.description, self.interface, logger=self._log
             )
         except Exception as problem:  # FMPy raises bare Exceptions, and ctypes OSError, for a bad library
             raise RunError(
-                f"{unit.path}: its library for this platform ({fmpy.platform}) cannot be used: {problem}"
+                f"{fmu.path}: its library for this platform ({fmpy.platform}) cannot be used: {problem}"
             ) from problem
-        troubles = [c.name for c in unit.description.logCategories or [] if c.name.startswith("logStatus")]
+        troubles = [c.name for c in fmu.description.logCategories or [] if c.name.startswith("logStatus")]
         self._fmu.setDebugLogging(True, troubles)
 
     def _log(
@@ -82,19 +82,19 @@ class Instance:
 
     def real(self, name: str) -> float:
         """Present value of a Real variable."""
-        return float(self._fmu.getReal([self.unit.variables[name].reference])[0])
+        return float(self._fmu.getReal([self.fmu.variables[name].reference])[0])
 
     def integer(self, name: str) -> int:
         """Present value of an Integer or Enumeration variable."""
-        return int(self._fmu.getInteger([self.unit.variables[name].reference])[0])
+        return int(self._fmu.getInteger([self.fmu.variables[name].reference])[0])
 
     def boolean(self, name: str) -> bool:
         """Present value of a Boolean variable."""
-        return bool(self._fmu.getBoolean([self.unit.variables[name].reference])[0])
+        return bool(self._fmu.getBoolean([self.fmu.variables[name].reference])[0])
 
     def text(self, name: str) -> str:
         """Present value of a String variable."""
-        value: bytes = self._fmu.getString([self.unit.variables[name].reference])[0]
+        value: bytes = self._fmu.getString([self.fmu.variables[name].reference])[0]
         return value.decode("utf-8")
 
     def value(self, name: str) -> float | int | bool | str:
@@ -106,7 +106,7 @@ class Instance:
             "Boolean": self.boolean,
             "String": self.text,
         }
-        return getters[self.unit.variables[name].type](name)
+        return getters[self.fmu.variables[name].type](name)
 
     def simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
@@ -153,12 +153,12 @@ class Instance:
             follow_inputs()
         try:
             rows: NDArray[np.void] = fmpy.simulate_fmu(
-                self.unit.folder,
-                model_description=self.unit.description,
+                self.fmu.folder,
+                model_description=self.fmu.description,
                 fmu_instance=self._fmu,
                 fmi_type=self.interface,
                 stop_time=experiment.stop_time,
-                relative_tolerance=experiment.relative_tolerance,
+                relative_tolerance=experiment.tolerance,
                 output_interval=experiment.output_interval,
                 start_values=dict(experiment.start_values),
                 input=experiment.inputs,
@@ -213,7 +213,7 @@ class Instance:
     def _set(self, values: Mapping[str, float | int | bool]) -> None:
         setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
         for name, value in values.items():
-            variable = self.unit.variables[name]
+            variable = self.fmu.variables[name]
             setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
 
     def advance(self, time: float, duration: float) -> None:
@@ -254,12 +254,12 @@ class Instance:
 
 
 @contextmanager
-def opened(unit: Unit, interface: str = "me") -> Iterator[Instance]:
+def opened(fmu: Fmu, interface: str = "me") -> Iterator[Instance]:
     """An instance that is freed at the end, whatever happens.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Which unit.
     interface : str, default 'me'
         `me` (Model Exchange) or `cs` (Co-Simulation).
@@ -274,7 +274,7 @@ def opened(unit: Unit, interface: str = "me") -> Iterator[Instance]:
     InputError
         The unit does not offer the interface.
     """
-    instance = Instance(unit, interface)
+    instance = Instance(fmu, interface)
     try:
         yield instance
     finally:

@@ -16,7 +16,7 @@ from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError
 from .instance import Instance, opened
 from .simulation import MOST_ROWS, TIMES, longest_time, time_unit
-from .unit import Unit, load
+from .unit import Fmu, load_fmu
 from .variable import Given
 
 STEPS_PER_TIME_UNIT = 20
@@ -193,7 +193,7 @@ def simulate_over(
     stop_time: float | None = None,
     communication_step: float | None = None,
     variables: Iterable[str] = RECORDED,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> NDArray[np.void]:
     """Run the unit over a profile, in Co-Simulation; a fall ends the run and is a result.
 
@@ -211,7 +211,7 @@ def simulate_over(
         s between two looks at what is below the foot; by default a twentieth of sqrt(m/k).
     variables : iterable of str, optional
         Names to record.
-    unit : Unit, optional
+    fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 
     Returns
@@ -235,27 +235,25 @@ def simulate_over(
     >>> print(rows["stride.count"][-1], rows["status.fallen"][-1])
     2 False
     """
-    unit = load(unit)
-    starts = unit.start_values(start_values, "start values")
+    fmu = load_fmu(fmu)
+    starts = fmu.start_values(start_values, "start values")
     check_kind(profile, Profile, "profile", "a Profile")
     if strides is None and stop_time is None:
         raise InputError("strides, stop_time: neither is given; allowed: one of them, or both")
     most = math.inf if strides is None else checked_whole("strides", strides, 1, 10**9)
     end = (
-        longest_time(unit, starts, int(most))
-        if stop_time is None
-        else checked("stop_time", stop_time, *TIMES)
+        longest_time(fmu, starts, int(most)) if stop_time is None else checked("stop_time", stop_time, *TIMES)
     )
     step = communication_step
     step = (
-        time_unit(unit, starts) / STEPS_PER_TIME_UNIT
+        time_unit(fmu, starts) / STEPS_PER_TIME_UNIT
         if step is None
         else checked("communication_step", step, *TIMES)
     )
-    names = list(dict.fromkeys([*(unit.find(name, "variables").name for name in variables), *ALWAYS]))
-    unit.variables[SLOPE].value_of(profile.steepest, "profile, its steepest line")
-    place = float(starts.get("foot.x", unit.start_of("foot.x")))
-    with opened(unit, "cs") as instance:
+    names = list(dict.fromkeys([*(fmu.find(name, "variables").name for name in variables), *ALWAYS]))
+    fmu.variables[SLOPE].value_of(profile.steepest, "profile, its steepest line")
+    place = float(starts.get("foot.x", fmu.start_of("foot.x")))
+    with opened(fmu, "cs") as instance:
         instance.start({**starts, **_inputs(profile, place)})
         rows = _rows(instance, profile, names, step, end, most)
     kinds = [("time", float), *((name, type(value)) for name, value in zip(names, rows[0][1:], strict=True))]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..drawable import Drawable
 from .events import Event
-from .unit import Unit, load
+from .unit import Fmu, load_fmu
 
 if TYPE_CHECKING:
     import xarray
@@ -23,7 +23,7 @@ class Run(ByContents, Drawable):
     table: NDArray[np.void]
     """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
     units: Mapping[str, str]
-    """Unit of each field."""
+    """Fmu of each field."""
     fallen: bool
     """The run ended in a fall."""
     fall_time: float | None
@@ -56,12 +56,12 @@ class Run(ByContents, Drawable):
         last = f", word {self.stride['word']}, speed {self.stride['speed']:.6g} m/s" if self.strides else ""
         return f"<Run {end}, {self.strides} strides{last}>"
 
-    def to_xarray(self, unit: Unit | None = None) -> "xarray.Dataset":
+    def to_xarray(self, fmu: Fmu | None = None) -> "xarray.Dataset":
         """The recorded rows with units, over the time; at an event there are two rows of the same time.
 
         Parameters
         ----------
-        unit : Unit, optional
+        fmu : Fmu, optional
             That was run, for descriptions; by default that of `fmu_path`.
 
         Returns
@@ -71,4 +71,4 @@ class Run(ByContents, Drawable):
         """
         from .tables import dataset_of  # xarray is slow to load
 
-        return dataset_of(self, load(unit))
+        return dataset_of(self, load_fmu(fmu))

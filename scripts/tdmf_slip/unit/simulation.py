@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError, RunError
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .events import MODE, PHASE, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .run import Run
-from .unit import Unit, load
+from .unit import Fmu, load_fmu
 from .variable import Given, Value
 
 DEFAULT_STRIDES = 10
@@ -43,14 +43,14 @@ def simulate(
     *,
     stop_time: float | None = None,
     strides: int | None = None,
-    relative_tolerance: float = DEFAULT_TOLERANCE,
+    tolerance: float = DEFAULT_TOLERANCE,
     output_interval: float | None = None,
     inputs: InputTables | None = None,
     variables: Iterable[str] | None = None,
     record_events: bool = True,
     interface: str = "me",
-    show_progress: bool = False,
-    unit: Unit | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
 ) -> Run:
     """Run the unit once through FMPy; a fall ends the run and is a result, not an error.
 
@@ -63,7 +63,7 @@ def simulate(
     strides : int, optional
         End at the apex that closes this many strides, in Co-Simulation at the next recorded row. With
         `stop_time`, whichever comes first; with neither, ten strides.
-    relative_tolerance : float, default 1e-9
+    tolerance : float, default 1e-9
         Of CVODE, whose absolute tolerances follow from the unit's nominal values; in Co-Simulation the
         tighter of it and `solver.relative_tolerance` holds.
     output_interval : float, optional
@@ -76,9 +76,9 @@ def simulate(
         Keep the rows before and after each event (Model Exchange), not the regular ones only.
     interface : str, default 'me'
         `me` (Model Exchange) or `cs` (Co-Simulation).
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 
     Returns
@@ -100,22 +100,22 @@ def simulate(
     >>> print(run.stride["word"], run.stride["count"], run.fallen)
     +0- 3 False
     """
-    unit = load(unit)
-    starts = unit.start_values(start_values, "start values")
+    fmu = load_fmu(fmu)
+    starts = fmu.start_values(start_values, "start values")
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
-    recorded = _recorded(unit, variables)
+    recorded = _recorded(fmu, variables)
     experiment = Experiment(
-        stop_time=_stop_time(unit, starts, stop_time, strides),
-        relative_tolerance=checked("relative_tolerance", relative_tolerance, *TOLERANCES),
-        output_interval=_interval(unit, starts, output_interval),
+        stop_time=_stop_time(fmu, starts, stop_time, strides),
+        tolerance=checked("tolerance", tolerance, *TOLERANCES),
+        output_interval=_interval(fmu, starts, output_interval),
         start_values=starts,
-        inputs=signals(unit, inputs, starts),
+        inputs=signals(fmu, inputs, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
-    _check_rows(experiment, _least_duration(unit, starts, stop_time, strides))
-    with opened(unit, interface) as instance:
-        table = _run(instance, experiment, stop_time, strides, show_progress)
+    _check_rows(experiment, _least_duration(fmu, starts, stop_time, strides))
+    with opened(fmu, interface) as instance:
+        table = _run(instance, experiment, stop_time, strides, progress)
         run = _result(instance, experiment, table, recorded, not record_events)
     if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
@@ -125,12 +125,12 @@ def simulate(
     return run
 
 
-def time_unit(unit: Unit, starts: Mapping[str, Value]) -> float:
+def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:
     """The paper's unit of time, sqrt(m/k), in s.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Whose start values hold where `starts` has none.
     starts : mapping of str to float
         Start values by name.
@@ -140,16 +140,16 @@ def time_unit(unit: Unit, starts: Mapping[str, Value]) -> float:
     float
         Seconds.
     """
-    mass, stiffness = (starts.get(name, unit.start_of(name)) for name in ("body.mass", "leg.stiffness"))
+    mass, stiffness = (starts.get(name, fmu.start_of(name)) for name in ("body.mass", "leg.stiffness"))
     return math.sqrt(mass / stiffness)
 
 
-def longest_time(unit: Unit, starts: Mapping[str, Value], strides: int) -> float:
+def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:
     """A time, in s, in which so many strides have closed if they close at all.
 
     Parameters
     ----------
-    unit : Unit
+    fmu : Fmu
         Whose start values hold where `starts` has none.
     starts : mapping of str to float
         Start values by name.
@@ -161,16 +161,16 @@ def longest_time(unit: Unit, starts: Mapping[str, Value], strides: int) -> float
     float
         Seconds.
     """
-    length, gravity = (starts.get(name, unit.start_of(name)) for name in ("leg.free_length", "gravity"))
-    return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(unit, starts))
+    length, gravity = (starts.get(name, fmu.start_of(name)) for name in ("leg.free_length", "gravity"))
+    return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(fmu, starts))
 
 
-def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
+def _recorded(fmu: Fmu, variables: Iterable[str] | None) -> list[str]:
     if variables is None:
-        return unit.names("input") + unit.names("output")
+        return fmu.names("input") + fmu.names("output")
     check_kind(variables, Iterable, "variables", "names of variables in a list")
     names = [variables] if isinstance(variables, str) else variables
-    found = {unit.find(name, "variables").name: unit.variables[name] for name in names}
+    found = {fmu.find(name, "variables").name: fmu.variables[name] for name in names}
     for variable in found.values():
         if variable.type == "String":
             raise InputError(
@@ -179,25 +179,23 @@ def _recorded(unit: Unit, variables: Iterable[str] | None) -> list[str]:
     return [name for name, variable in found.items() if variable.causality != "independent"]
 
 
-def _stop_time(
-    unit: Unit, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
-) -> float:
+def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, strides: int | None) -> float:
     """The time that is given, or one in which the strides have closed if they do at all."""
     longest = math.inf
     if strides is not None:
-        longest = longest_time(unit, starts, checked_whole("strides", strides, 1, MOST_STRIDES))
+        longest = longest_time(fmu, starts, checked_whole("strides", strides, 1, MOST_STRIDES))
     return longest if stop_time is None else checked("stop_time", stop_time, *TIMES)
 
 
-def _interval(unit: Unit, starts: Mapping[str, Value], interval: float | None) -> float:
-    return time_unit(unit, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
+def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None) -> float:
+    return time_unit(fmu, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
 
 
 def _least_duration(
-    unit: Unit, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
+    fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
 ) -> float:
     """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
-    by_strides = math.inf if strides is None else strides * time_unit(unit, starts)
+    by_strides = math.inf if strides is None else strides * time_unit(fmu, starts)
     return min(by_strides, math.inf if stop_time is None else stop_time)
 
 
@@ -215,7 +213,7 @@ def _run(
     instance: Instance, experiment: Experiment, stop_time: float | None, strides: int | None, show: bool
 ) -> NDArray[np.void]:
     total, unit = (strides, "strides") if stop_time is None else (stop_time, "s")
-    with progress.bar("simulate", total, unit, show) as bar:
+    with progress_bar("simulate", total, unit, show) as bar:
 
         def step_finished(time: float, recorder: Recorder) -> bool:
             closed = instance.integer("stride.count") if strides is not None else 0
@@ -239,27 +237,27 @@ def _result(
     recorded: list[str],
     regular: bool,
 ) -> Run:
-    unit = instance.unit
+    fmu = instance.fmu
     fallen = instance.boolean(FALLEN)
     if fallen and not table[FALLEN][-1]:  # FMPy stops before it records the row in which the runner falls
         _, *names = table.dtype.names or ()
         last = (table["time"][-1], *instance.read(names).values())
         table = np.append(table, np.array([last], dtype=table.dtype))
     fall_time = float(table["time"][np.argmax(table[FALLEN])]) if fallen else None
-    events = events_of(table, unit)
+    events = events_of(table, fmu)
     if regular:
         table = _regular_rows(table, experiment.output_interval)
     names = ["time", *recorded]
     return Run(
         table=np.array(table[names], dtype=[(name, table.dtype[name]) for name in names]),
-        units={name: unit.variables[name].unit for name in names},
+        units={name: fmu.variables[name].unit for name in names},
         fallen=fallen,
         fall_time=fall_time,
-        final=instance.read(unit.variables),
+        final=instance.read(fmu.variables),
         events=events,
         messages=list(instance.messages),
-        stride={variable.member: instance.value(variable.name) for variable in unit.group("stride")},
-        apex={variable.member: instance.real(variable.name) for variable in unit.group("apex")},
+        stride={variable.member: instance.value(variable.name) for variable in fmu.group("stride")},
+        apex={variable.member: instance.real(variable.name) for variable in fmu.group("apex")},
     )
 
 

@@ -9,13 +9,13 @@ import numpy as np
 
 from ..files.whole import check_place, whole
 from .run import Run
-from .unit import Unit
+from .unit import Fmu
 
 if TYPE_CHECKING:
     import xarray
 
 
-def write_table(path: Path | str, run: Run, unit: Unit) -> None:
+def write_table(path: Path | str, run: Run, fmu: Fmu) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
 
     Parameters
@@ -24,7 +24,7 @@ def write_table(path: Path | str, run: Run, unit: Unit) -> None:
         Of the file; its suffix says which format.
     run : Run
         Whose rows.
-    unit : Unit
+    fmu : Fmu
         For units and descriptions.
 
     Raises
@@ -34,30 +34,30 @@ def write_table(path: Path | str, run: Run, unit: Unit) -> None:
     """
     path = check_place(path, WRITERS, "output")
     with whole(path) as beside:
-        WRITERS[path.suffix.lower()](beside, run, unit)
+        WRITERS[path.suffix.lower()](beside, run, fmu)
 
 
-def _write_csv(path: Path, run: Run, _unit: Unit) -> None:
+def _write_csv(path: Path, run: Run, _unit: Fmu) -> None:
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(run.names)
         writer.writerows(run.table.tolist())
 
 
-def _write_netcdf(path: Path, run: Run, unit: Unit) -> None:
+def _write_netcdf(path: Path, run: Run, fmu: Fmu) -> None:
     from ..files.netcdf import netcdf_of  # slow to load, and seldom asked for
 
-    path.write_bytes(netcdf_of(dataset_of(run, unit)))
+    path.write_bytes(netcdf_of(dataset_of(run, fmu)))
 
 
-def dataset_of(run: Run, unit: Unit) -> "xarray.Dataset":
+def dataset_of(run: Run, fmu: Fmu) -> "xarray.Dataset":
     """A run's recorded rows over the time, with units, flags and the run's end.
 
     Parameters
     ----------
     run : Run
         Whose rows.
-    unit : Unit
+    fmu : Fmu
         For units and descriptions.
 
     Returns
@@ -71,10 +71,10 @@ def dataset_of(run: Run, unit: Unit) -> "xarray.Dataset":
     for name in run.names:
         column = run.table[name]
         values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
-        data[name] = ("time", values, _attributes(unit, name))
+        data[name] = ("time", values, _attributes(fmu, name))
         data[name].encoding = {"zlib": True}
-    data.attrs = {"title": f"TDMF-SLIP run, unit version {unit.version}", "fallen": int(run.fallen)}
-    for name in [*unit.names("parameter"), *(variable.name for variable in unit.group("stride"))]:
+    data.attrs = {"title": f"TDMF-SLIP run, unit version {fmu.version}", "fallen": int(run.fallen)}
+    for name in [*fmu.names("parameter"), *(variable.name for variable in fmu.group("stride"))]:
         data.attrs[name] = _plain(run.final[name])
     return data
 
@@ -84,9 +84,9 @@ def _plain(value: float | int | bool | str) -> float | int | str:
     return int(value) if isinstance(value, bool) else value
 
 
-def _attributes(unit: Unit, name: str) -> dict[str, object]:
+def _attributes(fmu: Fmu, name: str) -> dict[str, object]:
     """CF attributes of a variable."""
-    variable = unit.variables[name]
+    variable = fmu.variables[name]
     attributes: dict[str, object] = {"long_name": variable.description}
     if variable.unit:
         attributes["units"] = variable.unit
@@ -96,4 +96,4 @@ def _attributes(unit: Unit, name: str) -> dict[str, object]:
     return attributes
 
 
-WRITERS: Mapping[str, Callable[[Path, Run, Unit], None]] = {".csv": _write_csv, ".nc": _write_netcdf}
+WRITERS: Mapping[str, Callable[[Path, Run, Fmu], None]] = {".csv": _write_csv, ".nc": _write_netcdf}

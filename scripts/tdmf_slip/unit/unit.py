@@ -73,7 +73,7 @@ def fmu_path(fmi: int = 2) -> Path:
     )
 
 
-class Unit:
+class Fmu:
     """A unit whose description has been read; use `load`."""
 
     def __init__(self, path: Path) -> None:
@@ -215,17 +215,17 @@ class Unit:
         return str(self.description.version or "")
 
 
-def load(path: Path | str | Unit | None = None) -> Unit:
+def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
     """The unit at a path; read again only where the file has changed.
 
     Parameters
     ----------
-    path : Path, str or Unit, optional
+    path : Path, str or Fmu, optional
         Of the FMU; by default the one that `fmu_path` finds. A unit that is loaded is given back as it is.
 
     Returns
     -------
-    Unit
+    Fmu
         With its variables.
 
     Raises
@@ -238,13 +238,13 @@ def load(path: Path | str | Unit | None = None) -> Unit:
     Examples
     --------
     >>> import tdmf_slip
-    >>> friction = tdmf_slip.load().variables["ground.friction"]
+    >>> friction = tdmf_slip.load_fmu().variables["ground.friction"]
     >>> print(friction.start, friction.minimum, friction.description)
     0.6 0.0 Coefficient of friction of foot and ground, mu
     """
-    if isinstance(path, Unit):
+    if isinstance(path, Fmu):
         return path
-    check_kind(path, (str, os.PathLike, NoneType), "unit", "a Unit, or the path of an FMU")
+    check_kind(path, (str, os.PathLike, NoneType), "fmu", "an Fmu, or the path of an FMU")
     path = fmu_path() if path is None else Path(path)
     try:
         return _load(path.resolve(), path.stat().st_mtime_ns)
@@ -255,5 +255,5 @@ def load(path: Path | str | Unit | None = None) -> Unit:
 
 
 @functools.lru_cache
-def _load(path: Path, modified: int) -> Unit:
-    return Unit(path)
+def _load(path: Path, modified: int) -> Fmu:
+    return Fmu(path)

@@ -53,7 +53,7 @@ class Variable(ByContents):
     type: str
     """Real, Integer, Boolean, String or Enumeration."""
     unit: str
-    """Unit of every value, empty where there is none."""
+    """Fmu of every value, empty where there is none."""
     description: str
     """Its meaning."""
     causality: str
@@ -98,8 +98,8 @@ class Variable(ByContents):
             return "true or false"
         if self.items:
             return ", ".join(f"{name} ({value})" for value, name in self.items.items())
-        unit = f" {self.unit}" if self.unit not in ("", "1") else ""
-        return f"{self.minimum:g} to {self.maximum:g}{unit}"
+        fmu = f" {self.unit}" if self.unit not in ("", "1") else ""
+        return f"{self.minimum:g} to {self.maximum:g}{fmu}"
 
     @property
     def known_units(self) -> tuple[str, ...]:

@@ -16,9 +16,9 @@ from ...files.datasets import xarray
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.stride import Stride
-from ...terminal import progress
+from ...terminal.progress import progress_bar
 from ...unit.parameters import read_parameters
-from ...unit.unit import FRICTION, Unit
+from ...unit.unit import FRICTION, Fmu
 from .. import guinea_fowl as slippery
 from . import (
     attraction,
@@ -76,13 +76,13 @@ class Figure:
 
 def draw(
     folder: Path,
-    unit: Unit,
+    fmu: Fmu,
     *,
     only: str | None = None,
     measure: bool = False,
     formats: Sequence[str] = ("png", "svg"),
     appearance: style.Appearance = style.DESIGNED,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> list[Path]:
     """Draw the figures into a folder.
 
@@ -90,7 +90,7 @@ def draw(
     ----------
     folder : Path
         Where the files go; made where it is missing.
-    unit : Unit
+    fmu : Fmu
         Run for one stride of a gait.
     only : str, optional
         Only figures whose name begins like this.
@@ -100,7 +100,7 @@ def draw(
         Of `FORMATS`.
     appearance : Appearance, optional
         Width, resolution and style.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -113,7 +113,7 @@ def draw(
     InputError
         No figure has such a name, or nothing can be written there.
     """
-    known = _figures(unit, measure)
+    known = _figures(fmu, measure)
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
     if not chosen:
         raise InputError(f"only {only}: no such figure; allowed: {', '.join(known)}")
@@ -121,7 +121,7 @@ def draw(
     written = []
     with (
         style.appearing(appearance),
-        progress.bar("figures", len(chosen), "figures", show_progress) as bar,
+        progress_bar("figures", len(chosen), "figures", progress) as bar,
     ):
         for name, figure in chosen.items():
             for suffix in formats:
@@ -133,12 +133,12 @@ def draw(
     return written
 
 
-def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
-    runner = Runner.of(read_parameters("paper"), unit)
+def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
+    runner = Runner.of(read_parameters("paper"), fmu)
 
     @cache
     def stride(friction: float) -> Stride:
-        return Stride(periodic_gait(runner.but(FRICTION, friction)), unit)
+        return Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
 
     @cache
     def gaits() -> Sweep:
@@ -166,20 +166,16 @@ def _figures(unit: Unit, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def optima() -> Columns:
-        return (
-            optimal.table(optimal.measure(runner, show_progress=True))
-            if measure
-            else stored.columns("optimal")
-        )
+        return optimal.table(optimal.measure(runner, progress=True)) if measure else stored.columns("optimal")
 
     @cache
     def roughness() -> Columns:
-        return rough.table(rough.measure(runner, show_progress=True)) if measure else stored.columns("rough")
+        return rough.table(rough.measure(runner, progress=True)) if measure else stored.columns("rough")
 
     @cache
     def feedbacks() -> Columns:
         if measure:
-            return feedback.table(feedback.measure(runner, show_progress=True))
+            return feedback.table(feedback.measure(runner, progress=True))
         return stored.columns("feedback")
 
     @cache

@@ -65,14 +65,14 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
     return dict(zip(COLOURS, made, strict=True))
 
 
-def measure(runner: Runner, *, show_progress: bool = False) -> dict[str, list[Judgement]]:
+def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgement]]:
     """How well each feedback holds the gaits.
 
     Parameters
     ----------
     runner : Runner
         Whose scales are 1.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -87,7 +87,7 @@ def measure(runner: Runner, *, show_progress: bool = False) -> dict[str, list[Ju
         for name, law in laws(gait).items():
             noisy = None if law is None else replace(law, noise=noise, seed=SEED)
             trials[name].append(Trial(gait, noisy, ROUGHNESS, SEED))
-    found = iter(judge_all([trial for its in trials.values() for trial in its], show_progress=show_progress))
+    found = iter(judge_all([trial for its in trials.values() for trial in its], progress=progress))
     return {name: [next(found) for _ in its] for name, its in trials.items()}
 
 

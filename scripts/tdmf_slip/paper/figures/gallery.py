@@ -7,23 +7,23 @@ from ...analysis.search import periodic_gait
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
-from ...terminal import progress
+from ...terminal.progress import progress_bar
 from ...unit.parameters import read_parameters
-from ...unit.unit import FRICTION, Unit
+from ...unit.unit import FRICTION, Fmu
 from ..claims import WORDS
 from . import figure_5, figure_6, figure_7, figure_8
 
 
-def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
+def draw(folder: Path, fmu: Fmu, progress: bool = False) -> list[Path]:
     """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model.
 
     Parameters
     ----------
     folder : Path
         Where the files go; made where it is missing.
-    unit : Unit
+    fmu : Fmu
         Run for one stride of each gait.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -37,11 +37,11 @@ def draw(folder: Path, unit: Unit, show_progress: bool = False) -> list[Path]:
         Nothing can be written there.
     """
     folder.mkdir(exist_ok=True)
-    runner = Runner.of(read_parameters("paper"), unit)
-    with progress.bar("pictures", len(WORDS) + 7, "", show_progress) as bar:
+    runner = Runner.of(read_parameters("paper"), fmu)
+    with progress_bar("pictures", len(WORDS) + 7, "", progress) as bar:
         strides = {}
         for friction in WORDS:
-            strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), unit)
+            strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
             bar.update()
         written = []
         for name, drawing in _drawings(strides).items():

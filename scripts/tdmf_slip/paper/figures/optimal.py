@@ -22,7 +22,7 @@ from ...optimization.problem import Goal
 from ...optimization.space import Space
 from ...optimization.starts import Start
 from ...pictures import style
-from ...terminal import progress
+from ...terminal.progress import progress_bar
 from ...unit.unit import FRICTION
 from .columns import Columns
 
@@ -43,7 +43,7 @@ def measure(
     runner: Runner,
     frictions: Sequence[float] | NDArray[np.float64] = FRICTIONS,
     *,
-    show_progress: bool = False,
+    progress: bool = False,
 ) -> list[Optimum]:
     """The best runners, from friction to friction, each also from the one before.
 
@@ -53,7 +53,7 @@ def measure(
         Whose body it is.
     frictions : sequence of float
         In order.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -64,7 +64,7 @@ def measure(
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
     slipping_least: list[Optimum] = []
-    with progress.bar("optimal runners", len(frictions), "frictions", show_progress) as bar:
+    with progress_bar("optimal runners", len(frictions), "frictions", progress) as bar:
         for friction in frictions:
             its = runner.but(FRICTION, float(friction))
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
@@ -98,7 +98,7 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
         optimizer = Optimizer(periodic_gait(runner), Space(BOUNDS), 1)
         starts = list(_starts(optimizer.space, runner, near))
         starts += [optimizer.first] if begin or not starts else []
-        with progress.bar("", len(starts), "", show=False) as bar:
+        with progress_bar("", len(starts), "", show=False) as bar:
             return [optimizer.optimum(goal, optimizer.best(goal, bar, starts))]
     except RunError:
         return []

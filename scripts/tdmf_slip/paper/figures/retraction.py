@@ -42,7 +42,7 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
         its = runner.but(FRICTION, friction)
         first = periodic_gait(its)
         back, forth = (
-            trace(its, RATE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+            trace(its, RATE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
             for end in (2.0 * SHOWN[0], SHOWN[1])
         )
         found[friction] = back, forth

@@ -35,14 +35,14 @@ Measured = Sequence[tuple[float, bool, FirstPassage]]
 """Frictions, whether the runner was matched, and what was found at each."""
 
 
-def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
+def measure(runner: Runner, *, progress: bool = False) -> Measured:
     """How long runners stay up, at each friction and roughness.
 
     Parameters
     ----------
     runner : Runner
         Whose length of leg is 1.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
 
     Returns
@@ -58,7 +58,7 @@ def measure(runner: Runner, *, show_progress: bool = False) -> Measured:
     as_they_come = len(places)
     for one in _matched(runner):
         places.append(Place(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MOST_STRIDES))
-    found = stay_all(places, show_progress=show_progress)
+    found = stay_all(places, progress=progress)
     return [
         (place.runner.values[FRICTION], number >= as_they_come, one)
         for number, (place, one) in enumerate(zip(places, found, strict=True))

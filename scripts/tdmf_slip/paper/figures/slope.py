@@ -51,7 +51,7 @@ def gaits(runner: Runner) -> Gaits:
         its = runner.but(FRICTION, friction)
         first = periodic_gait(its)
         down, up = (
-            trace(its, SLOPE, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+            trace(its, SLOPE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
             for end in (LOWEST, HIGHEST)
         )
         below = tuple(zip(down.values, down.gaits, strict=True))[:0:-1]

@@ -66,11 +66,11 @@ def _leg_alone(first: Gait) -> Iterator[Gait]:
 
 
 def _branch(first: Gait, name: str, end: float) -> Branch:
-    return trace(first.runner, name, first, end, largest_step=LARGEST_STEP, most_points=POINTS)
+    return trace(first.runner, name, first, end, max_step=LARGEST_STEP, max_points=POINTS)
 
 
 def _both_ways(first: Gait, name: str, end: float) -> Branch:
-    return trace(first.runner, name, first, end, begin=0.0, largest_step=LARGEST_STEP, most_points=POINTS)
+    return trace(first.runner, name, first, end, begin=0.0, max_step=LARGEST_STEP, max_points=POINTS)
 
 
 def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
