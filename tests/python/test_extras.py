@@ -88,7 +88,7 @@ print(gait.word)
 print(tdmf_slip.simulate({}, strides=1).stride["word"])
 print(len(tdmf_slip.sweep({}, [0.6, 0.7]).gaits))
 print(len(tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.61).gaits) > 1)
-print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [gait.apex], most_strides=2)[0]["strides"][0])
+print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [gait.apex], max_strides=2)[0]["strides"][0])
 print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
 """
     done = run_without(PARTS, program)

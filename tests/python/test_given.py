@@ -89,12 +89,12 @@ SAME = {
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
     "starts by their columns": (
-        lambda given, gait: tdmf_slip.run_ensemble([GIVEN], given(gait), most_strides=1)[0]["apex"],
+        lambda given, gait: tdmf_slip.run_ensemble([GIVEN], given(gait), max_strides=1)[0]["apex"],
         lambda gait: [gait.apex, gait.apex],
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
     "cases": (
-        lambda given, gait: tdmf_slip.run_ensemble(given, [gait.apex], most_strides=2)[0]["apex"],
+        lambda given, gait: tdmf_slip.run_ensemble(given, [gait.apex], max_strides=2)[0]["apex"],
         [GIVEN],
         pandas.DataFrame([GIVEN]),
     ),
@@ -186,13 +186,13 @@ REFUSED = {
         r"1,000,000,000 numbers; allowed: up to",
     ),
     "run_ensemble": (
-        lambda gait: tdmf_slip.run_ensemble([GIVEN], MANY, most_strides=1),
+        lambda gait: tdmf_slip.run_ensemble([GIVEN], MANY, max_strides=1),
         r"starts: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
     "fates": (lambda gait: fates.fates(GIVEN, gait.apex, MANY), r"starts: 1,000,000,000 .*up to"),
     "gaits of a case": (
         lambda gait: tdmf_slip.run_ensemble(
-            [tdmf_slip.library.ensemble.Case(GIVEN, MANY)], [gait.apex], most_strides=1
+            [tdmf_slip.library.ensemble.Case(GIVEN, MANY)], [gait.apex], max_strides=1
         ),
         r"gaits: 1,000,000,000 .*up to",
     ),
@@ -214,7 +214,7 @@ REFUSED = {
         "model array.*allowed",
     ),
     "an array for instructions": (
-        lambda gait: tdmf_slip.run_ensemble([{}], [gait.apex], most_strides=1, instructions=np.zeros(2)),
+        lambda gait: tdmf_slip.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
         "instructions array.*allowed",
     ),
     "an array for a name": (lambda gait: tdmf_slip.sweep({}, [0.5], over=np.zeros(2)), "over array.*allowed"),

@@ -229,7 +229,7 @@ def strides_to_fall(
     Examples
     --------
     >>> import tdmf_slip
-    >>> rough = tdmf_slip.strides_to_fall({"ground.friction": 0.6}, 0.3, runners=100, most_strides=200)
+    >>> rough = tdmf_slip.strides_to_fall({"ground.friction": 0.6}, 0.3, runners=100, max_strides=200)
     >>> rough.falls + rough.censored
     100
     """

@@ -127,7 +127,7 @@ def run_ensemble(
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> faster = gait.apex.copy()
     >>> faster[1] *= 1.1
-    >>> ends, work = tdmf_slip.run_ensemble([gait.runner], [gait.apex, faster], most_strides=20)
+    >>> ends, work = tdmf_slip.run_ensemble([gait.runner], [gait.apex, faster], max_strides=20)
     >>> print(ends["strides"], ends["apex"][:, 1].round(3))
     [20 20] [1.063 1.068]
     """
