@@ -124,7 +124,7 @@ KERNEL void expand_falling_slip_on(const ground_coefficients *c, const falling_s
     /* decay = exp(exponent) */
     s->decay[k] = exp_of(k, s->exponent, s->decay);
     /* share = share + excess * decay */
-    s->share[k] = with_constant(k, c->excess * s->decay[k], real_of(1.0));
+    s->share[k] = with_constant(k, c->excess * s->decay[k], broadcast(1.0));
     /* coefficient = friction * share */
     s->coefficient[k] = ramp_times(k, c->friction, c->friction_rate, s->share);
     /* axial_y = axial * y */

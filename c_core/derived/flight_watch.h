@@ -7,9 +7,9 @@
 /* r less the least length: a fall. */
 static inline void watch_leg_too_short_in_flight(event_search *search, const flight_constants *c,
                                                  const flight_series *s, real length_change) {
-    const guard_series g = {s->length, real_of(1.0), s->length[0] - c->mode.guards.leg_min_length,
+    const guard_series g = {s->length, broadcast(1.0), s->length[0] - c->mode.guards.leg_min_length,
                             search->order};
-    const choice watching = search->live & not(g.start > length_change);
+    const mask watching = search->live & mask_not(g.start > length_change);
     if (any(watching)) {
         watch(search, TDMF_GUARD_LEG_TOO_SHORT, watching, &g, search->beyond_margin * c->mode.length_scale);
     }

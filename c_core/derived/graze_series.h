@@ -135,7 +135,7 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
     /* angle_rate = moment / square */
     s->angle_rate[k] =
         quotient_of(k, sum->angle_rate, s->moment[k], s->angle_rate, s->square, by->inverse_square);
-    s->normal_force[k] = real_of(0.0);
+    s->normal_force[k] = broadcast(0.0);
     integrate(s->vx, k,
               with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
                         -c->gravity_x_rate));
@@ -232,7 +232,7 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
         const real d_y_times_foot_acceleration =
             product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
         t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
-        t->friction_power[k] = real_of(0.0);
+        t->friction_power[k] = broadcast(0.0);
         integrate(t->vx, k,
                   with_ramp(k,
                             d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -

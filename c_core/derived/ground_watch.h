@@ -7,8 +7,8 @@
 /* d + r cos theta', the height of the body over the ground: a fall. */
 static inline void watch_body_down_on_ground(event_search *search, const ground_constants *c,
                                              const ground_series *s) {
-    const guard_series g = {s->y, real_of(1.0), s->y[0], search->order};
-    const choice watching = search->live;
+    const guard_series g = {s->y, broadcast(1.0), s->y[0], search->order};
+    const mask watching = search->live;
     if (any(watching)) {
         watch(search, TDMF_GUARD_BODY_DOWN, watching, &g, search->beyond_margin * c->mode.length_scale);
     }
@@ -17,9 +17,9 @@ static inline void watch_body_down_on_ground(event_search *search, const ground_
 /* r less the least length: a fall. */
 static inline void watch_leg_too_short_on_ground(event_search *search, const ground_constants *c,
                                                  const ground_series *s, real length_change) {
-    const guard_series g = {s->length, real_of(1.0), s->length[0] - c->mode.guards.leg_min_length,
+    const guard_series g = {s->length, broadcast(1.0), s->length[0] - c->mode.guards.leg_min_length,
                             search->order};
-    const choice watching = search->live & not(g.start > length_change);
+    const mask watching = search->live & mask_not(g.start > length_change);
     if (any(watching)) {
         watch(search, TDMF_GUARD_LEG_TOO_SHORT, watching, &g, search->beyond_margin * c->mode.length_scale);
     }
@@ -28,8 +28,8 @@ static inline void watch_leg_too_short_on_ground(event_search *search, const gro
 /* -rdot, of a leg that has not been compressed most in this stance. */
 static inline void watch_greatest_compression_on_ground(event_search *search, const ground_constants *c,
                                                         const ground_series *s) {
-    const guard_series g = {s->length_rate, real_of(-1.0), -s->length_rate[0], search->order - 1};
-    const choice watching = search->live & (c->awaits_thrust > 0.0);
+    const guard_series g = {s->length_rate, broadcast(-1.0), -s->length_rate[0], search->order - 1};
+    const mask watching = search->live & (c->awaits_thrust > 0.0);
     if (any(watching)) {
         watch(search, TDMF_GUARD_GREATEST_COMPRESSION, watching, &g,
               search->beyond_margin * c->mode.speed_scale);
@@ -40,7 +40,7 @@ static inline void watch_greatest_compression_on_ground(event_search *search, co
 static inline void watch_slip_velocity_zero_on_ground(event_search *search, const ground_constants *c,
                                                       const ground_series *s) {
     const guard_series g = {s->foot_vx, c->slip_sign, c->slip_sign * s->foot_vx[0], search->order};
-    const choice watching = search->live;
+    const mask watching = search->live;
     if (any(watching)) {
         watch(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, watching, &g,
               search->beyond_margin * c->mode.speed_scale);

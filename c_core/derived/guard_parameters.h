@@ -12,7 +12,7 @@ typedef struct {
 
 static inline guard_parameters guard_parameters_of(const tdmf_model *model) {
     const guard_parameters values = {
-        .leg_min_length = real_of(model->parameters.leg.min_length),
+        .leg_min_length = broadcast(model->parameters.leg.min_length),
     };
     return values;
 }

@@ -29,7 +29,7 @@ static inline void end_stick(const ground_series *s, const elapsed_time *elapsed
     at->y = y;
     at->vx = vx;
     at->vy = vy;
-    at->foot_vx = real_of(0.0);
+    at->foot_vx = broadcast(0.0);
 }
 
 /* Where a motion leads: the body's place as seen from the foot, its velocity, and the foot's. */

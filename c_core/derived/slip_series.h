@@ -110,9 +110,9 @@ KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by,
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     /* friction_power = friction_force * foot_vx */
     s->friction_power[k] = product_of(k, sum->friction_power, s->friction_force, s->foot_vx);
-    s->torque[k] = real_of(0.0);
-    s->power[k] = real_of(0.0);
-    s->turning[k] = real_of(0.0);
+    s->torque[k] = broadcast(0.0);
+    s->power[k] = broadcast(0.0);
+    s->turning[k] = broadcast(0.0);
     integrate(s->vx, k,
               with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
                         -c->gravity_x_rate));

@@ -92,12 +92,12 @@ KERNEL void expand_stick_on(const ground_coefficients *c, const stick_factors *b
     s->tangential_push[k] = -tangential;
     /* speed_square = length_rate * length_rate */
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
-    s->torque[k] = real_of(0.0);
-    s->power[k] = real_of(0.0);
-    s->turning[k] = real_of(0.0);
+    s->torque[k] = broadcast(0.0);
+    s->power[k] = broadcast(0.0);
+    s->turning[k] = broadcast(0.0);
     integrate(s->vx, k, with_ramp(k, c->inverse_body_mass * s->along[k], -c->gravity_x, -c->gravity_x_rate));
     integrate(s->vy, k, with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate));
-    integrate(s->foot_vx, k, real_of(0.0));
+    integrate(s->foot_vx, k, broadcast(0.0));
     integrate(s->moment, k, gravity_x_times_y - gravity_y_times_x);
 }
 
@@ -263,7 +263,7 @@ KERNEL void expand_stick_turning_on(const ground_coefficients *c, const stick_tu
     s->torque[k] = ramp_of(k, c->torque, c->torque_rate);
     integrate(s->vx, k, with_ramp(k, c->inverse_body_mass * s->along[k], -c->gravity_x, -c->gravity_x_rate));
     integrate(s->vy, k, with_ramp(k, c->inverse_body_mass * s->off[k], -c->gravity_y, -c->gravity_y_rate));
-    integrate(s->foot_vx, k, real_of(0.0));
+    integrate(s->foot_vx, k, broadcast(0.0));
     integrate(s->moment, k,
               with_ramp(k, gravity_x_times_y - gravity_y_times_x, c->inverse_body_mass * c->torque,
                         c->inverse_body_mass * c->torque_rate));
@@ -349,14 +349,14 @@ static inline void vary_stick_turning(const ground_coefficients *c, const ground
                                          ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
         t->power[k] = product(t->turning, s->moment, k) + product(s->turning, t->moment, k);
         t->torque[k] = ramp_of(k, d->torque, d->torque_rate);
-        t->friction_power[k] = real_of(0.0);
+        t->friction_power[k] = broadcast(0.0);
         integrate(t->vx, k,
                   with_ramp(k, d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along,
                             -d->gravity_x, -d->gravity_x_rate));
         integrate(t->vy, k,
                   with_ramp(k, d->inverse_body_mass * s->off[k] + c->inverse_body_mass * d_off, -d->gravity_y,
                             -d->gravity_y_rate));
-        integrate(t->foot_vx, k, real_of(0.0));
+        integrate(t->foot_vx, k, broadcast(0.0));
         integrate(t->moment, k,
                   with_ramp(k, d_gravity_x_times_y - d_gravity_y_times_x,
                             d->inverse_body_mass * c->torque + c->inverse_body_mass * d->torque,

@@ -24,7 +24,7 @@ typedef union {
 
 typedef struct {
     batch_members members;
-    choice live;
+    mask live;
     int runner_in[LANES]; /* or EMPTY */
     int count;
     int fields; /* of a member; those of one kind of motion have the same */
@@ -108,7 +108,7 @@ static void fill_lanes(integration *integration, batch *batch) {
 }
 
 /* Runners that are pushed are few: they share one kernel, which asks which case it is. */
-static lane_outcome step_forced(flying_member *m, choice live, batch_kind kind, int order, double tolerance,
+static lane_outcome step_forced(flying_member *m, mask live, batch_kind kind, int order, double tolerance,
                                 flight_series *f) {
     const bool retracts = kind == BATCH_RETRACT_FORCED || kind == BATCH_RETRACT_FORCED_AND_WAIT;
     const flight_case is = {
@@ -224,7 +224,7 @@ static void read_series(const integration *integration, batch_kind kind, int lan
 
 static void note_steps(integration *integration, batch_kind kind, lane_outcome outcome) {
     const batch *batch = &integration->batches[kind];
-    const unsigned stuck = lanes_of(outcome.stuck);
+    const unsigned stuck = movemask(outcome.stuck);
     double before[MEMBER_FIELDS], after[MEMBER_FIELDS];
     tdmf_lane_step noted = {.order = integration->order, .before = before, .after = after};
     for (int lane = 0; lane < LANES; ++lane) {
@@ -253,7 +253,7 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     if (is_noted) {
         note_steps(integration, kind, outcome);
     }
-    const unsigned leaving = lanes_of(outcome.at_event | outcome.late | outcome.stuck);
+    const unsigned leaving = movemask(outcome.at_event | outcome.late | outcome.stuck);
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (leaving >> lane & 1) {
             empty_lane(integration, kind, lane, &outcome);

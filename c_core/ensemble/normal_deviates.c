@@ -48,10 +48,10 @@ static bool passes_half(uniform_source *source) {
 
 /* True with probability (2 k + x)/(2 k + 2). */
 static bool passes_share(uniform_source *source, uint32_t k, uint64_t x) {
-    const uint32_t choices = 2 * k + 2;
+    const uint32_t parts = 2 * k + 2;
     const uint32_t high = (uint32_t)(draw(source) >> 32);
-    const uint32_t choice = (uint32_t)(((uint64_t)high * choices) >> 32);
-    return choice < 2 * k || (choice == 2 * k && draw(source) < x);
+    const uint32_t part = (uint32_t)(((uint64_t)high * parts) >> 32);
+    return part < 2 * k || (part == 2 * k && draw(source) < x);
 }
 
 /* True with probability exp(-x (2 k + x)/(2 k + 2)). */
@@ -67,7 +67,7 @@ static bool passes_part(uniform_source *source, uint32_t k, uint64_t x) {
 }
 
 /* k with probability proportional to exp(-k^2/2): exp(-k/2), accepted with exp(-k (k - 1)/2). */
-static uint32_t draw_whole_part(uniform_source *source) {
+static uint32_t draw_integer_part(uniform_source *source) {
     for (;;) {
         uint32_t k = 0;
         while (passes_half(source)) {
@@ -85,7 +85,7 @@ static uint32_t draw_whole_part(uniform_source *source) {
 
 static double draw_normal(uniform_source *source) {
     for (;;) {
-        const uint32_t k = draw_whole_part(source);
+        const uint32_t k = draw_integer_part(source);
         const uint64_t x = draw(source);
         uint32_t tests = k + 1;
         while (tests > 0 && passes_part(source, k, x)) {

@@ -24,14 +24,14 @@ enum { KINK = TDMF_GUARD_COUNT, AT_FLOOR };
 typedef struct {
     real size; /* of the step; all other times here are shares of it */
     int order;
-    choice live;
+    mask live;
     real beyond_margin; /* in a guard's scale: where it is known to be due, since its zero */
     real power[SERIES_TERMS];
     real time;
-    whole end; /* a guard, KINK, or AT_FLOOR and a guard */
+    integer end; /* a guard, KINK, or AT_FLOOR and a guard */
     /* The guard that a lane has yet to search, as a polynomial. */
-    choice pending;
-    whole pending_guard;
+    mask pending;
+    integer pending_guard;
     real c[SERIES_TERMS];
     real floor;
 } event_search;
@@ -44,22 +44,22 @@ typedef struct {
 } guard_series;
 
 /* For a step whose size and powers are set. */
-static inline void begin_search(event_search *search, int order, choice live, real beyond_margin) {
+static inline void begin_search(event_search *search, int order, mask live, real beyond_margin) {
     search->order = order;
     search->live = live;
     search->beyond_margin = beyond_margin;
-    search->time = real_of(INFINITY);
-    search->end = whole_of(KINK);
-    search->pending = choice_of(false);
-    search->pending_guard = whole_of(KINK);
+    search->time = broadcast(INFINITY);
+    search->end = integer_of(KINK);
+    search->pending = mask_of(false);
+    search->pending_guard = integer_of(KINK);
 }
 
 /* Notes what lanes have found that ends their step sooner. */
-static inline void note_found(event_search *search, choice lanes, real time, whole end) {
-    const choice sooner =
-        lanes & ((time < search->time) | ((time == search->time) & (search->end == whole_of(KINK))));
-    search->time = pick(sooner, time, search->time);
-    search->end = pick_whole(sooner, end, search->end);
+static inline void note_found(event_search *search, mask lanes, real time, integer end) {
+    const mask sooner =
+        lanes & ((time < search->time) | ((time == search->time) & (search->end == integer_of(KINK))));
+    search->time = select(sooner, time, search->time);
+    search->end = select_integer(sooner, end, search->end);
 }
 
 /* Finds the first root of the guards that are pending. An event takes place at its guard's zero, once it is
@@ -68,14 +68,15 @@ static inline void search_pending(event_search *search) {
     if (!any(search->pending)) {
         return;
     }
-    const real to = smaller(real_of(1.0), search->time);
-    const root found = first_root(search->c, search->order, search->floor, real_of(0.0), to, search->pending);
-    const choice is_event = found.is_root & (search->pending_guard != whole_of(KINK));
-    const choice has_zero = found.zero < found.time;
-    const whole guard = pick_whole(has_zero, search->pending_guard, search->pending_guard + AT_FLOOR);
-    note_found(search, search->pending, pick(is_event, found.zero, found.time),
-               pick_whole(is_event, guard, whole_of(KINK)));
-    search->pending = choice_of(false);
+    const real to = real_min(broadcast(1.0), search->time);
+    const root found =
+        first_root(search->c, search->order, search->floor, broadcast(0.0), to, search->pending);
+    const mask is_event = found.is_root & (search->pending_guard != integer_of(KINK));
+    const mask has_zero = found.zero < found.time;
+    const integer guard = select_integer(has_zero, search->pending_guard, search->pending_guard + AT_FLOOR);
+    note_found(search, search->pending, select(is_event, found.zero, found.time),
+               select_integer(is_event, guard, integer_of(KINK)));
+    search->pending = mask_of(false);
 }
 
 /* The guard of an event that ends a step, and the one whose zero the step has come to, if any. */
@@ -96,67 +97,67 @@ static inline real least_sum(const event_search *search, const guard_series *g) 
     for (; k < g->order; k += 2) {
         const real before = sum + g->factor * c[k] * power[k];
         sum = before + g->factor * c[k + 1] * power[k + 1];
-        least = smaller(smaller(least, before), sum);
+        least = real_min(real_min(least, before), sum);
     }
     if (k == g->order) {
-        least = smaller(least, sum + g->factor * c[k] * power[k]);
+        least = real_min(least, sum + g->factor * c[k] * power[k]);
     }
     return least;
 }
 
 /* Within the step a series differs by no more than this from its first coefficient. */
-static inline real spread_of(const event_search *search, const real *c, int order) {
+static inline real largest_deviation(const event_search *search, const real *c, int order) {
     const real *power = search->power;
-    real sum = real_of(0.0);
-    real most = real_of(0.0);
+    real sum = broadcast(0.0);
+    real most = broadcast(0.0);
     int k = 1;
     for (; k < order; k += 2) {
         const real before = sum + c[k] * power[k];
         sum = before + c[k + 1] * power[k + 1];
-        most = larger(larger(most, real_abs(before)), real_abs(sum));
+        most = real_max(real_max(most, real_abs(before)), real_abs(sum));
     }
     if (k == order) {
-        most = larger(most, real_abs(sum + c[k] * power[k]));
+        most = real_max(most, real_abs(sum + c[k] * power[k]));
     }
     return most;
 }
 
 /* Lanes in which a polynomial stays above its floor: seen from the start of the step, or over the chord from
  * start to end, from which it sags by no more than its curvature allows. */
-static inline choice stays_above(const real *c, int order, real floor) {
+static inline mask stays_above(const real *c, int order, real floor) {
     const expansion start = expansion_at_start(c, order);
     const real above = start.value - floor;
     const real lowest = start.curvature - 2.0 * sum_of_tail(c, order);
     const real highest =
-        larger(start.curvature + bound_of_derivative(c, second_derivative, order), real_of(0.0));
+        real_max(start.curvature + bound_of_derivative(c, second_derivative, order), broadcast(0.0));
     real change = c[order];
     for (int k = order - 1; k > 0; --k) {
         change += c[k];
     }
-    return stays_positive(above, start.slope, lowest, real_of(1.0)) |
-           stays_positive(above, change - 0.5 * highest, highest, real_of(1.0));
+    return stays_positive(above, start.slope, lowest, broadcast(1.0)) |
+           stays_positive(above, change - 0.5 * highest, highest, broadcast(1.0));
 }
 
 /* Has lanes search a guard. */
-static inline void take_pending(event_search *search, int guard, choice lanes, const real *c, real floor) {
+static inline void take_pending(event_search *search, int guard, mask lanes, const real *c, real floor) {
     const bool takes_all = !any(search->pending);
     for (int k = 0; k <= search->order; ++k) {
-        search->c[k] = takes_all ? c[k] : pick(lanes, c[k], search->c[k]);
+        search->c[k] = takes_all ? c[k] : select(lanes, c[k], search->c[k]);
     }
-    search->floor = takes_all ? floor : pick(lanes, floor, search->floor);
-    search->pending_guard = pick_whole(lanes, whole_of(guard), search->pending_guard);
+    search->floor = takes_all ? floor : select(lanes, floor, search->floor);
+    search->pending_guard = select_integer(lanes, integer_of(guard), search->pending_guard);
     search->pending |= lanes;
 }
 
 /* Has lanes search a guard unless it is seen to stay above its floor. */
-static inline void search_closer(event_search *search, int guard, choice near, const guard_series *g,
+static inline void search_closer(event_search *search, int guard, mask near, const guard_series *g,
                                  real floor) {
     real c[SERIES_TERMS];
     c[0] = g->start;
     for (int k = 1; k <= g->order; ++k) {
         c[k] = g->factor * g->series[k] * search->power[k];
     }
-    near &= not(stays_above(c, g->order, floor));
+    near &= mask_not(stays_above(c, g->order, floor));
     if (!any(near)) {
         return;
     }
@@ -164,15 +165,14 @@ static inline void search_closer(event_search *search, int guard, choice near, c
         search_pending(search);
     }
     for (int k = g->order + 1; k <= search->order; ++k) {
-        c[k] = real_of(0.0);
+        c[k] = broadcast(0.0);
     }
     take_pending(search, guard, near, c, floor);
 }
 
 /* The first root of a guard, in the lanes that watch it: where it is down to `floor`, which is below zero. */
-static inline void watch(event_search *search, int guard, choice watching, const guard_series *g,
-                         real floor) {
-    const choice near = watching & search->live & not(least_sum(search, g) > 0.0);
+static inline void watch(event_search *search, int guard, mask watching, const guard_series *g, real floor) {
+    const mask near = watching & search->live & mask_not(least_sum(search, g) > 0.0);
     if (any(near)) {
         search_closer(search, guard, near, g, floor);
     }

@@ -35,7 +35,7 @@ static const double third_derivative[SERIES_TERMS] = {
  * polynomial falls from zero down to its floor; that of the root where it is not seen to. */
 typedef struct {
     real time;
-    choice is_root;
+    mask is_root;
     real zero;
 } root;
 
@@ -45,7 +45,7 @@ typedef struct {
 } expansion;
 
 static inline expansion expansion_at(const real *c, int order, real t) {
-    real value = real_of(0.0), slope = real_of(0.0), curvature = real_of(0.0);
+    real value = broadcast(0.0), slope = broadcast(0.0), curvature = broadcast(0.0);
     for (int k = order; k >= 0; --k) {
         curvature = curvature * t + slope;
         slope = slope * t + value;
@@ -56,14 +56,14 @@ static inline expansion expansion_at(const real *c, int order, real t) {
 }
 
 static inline expansion expansion_at_start(const real *c, int order) {
-    const expansion at = {c[0], order > 0 ? c[1] : real_of(0.0), order > 1 ? 2.0 * c[2] : real_of(0.0)};
+    const expansion at = {c[0], order > 0 ? c[1] : broadcast(0.0), order > 1 ? 2.0 * c[2] : broadcast(0.0)};
     return at;
 }
 
 /* Sums from k = 3 on: of |c[k]|, which bounds a series at its start, and of what bounds a derivative on [0,
  * 1]. */
 static inline real sum_of_tail(const real *c, int order) {
-    real even = real_of(0.0), odd = real_of(0.0);
+    real even = broadcast(0.0), odd = broadcast(0.0);
     int k = 3;
     for (; k < order; k += 2) {
         odd += real_abs(c[k]);
@@ -76,7 +76,7 @@ static inline real sum_of_tail(const real *c, int order) {
 }
 
 static inline real bound_of_derivative(const real *c, const double weights[SERIES_TERMS], int order) {
-    real even = real_of(0.0), odd = real_of(0.0);
+    real even = broadcast(0.0), odd = broadcast(0.0);
     int k = 3;
     for (; k < order; k += 2) {
         odd += weights[k] * real_abs(c[k]);
@@ -89,39 +89,40 @@ static inline real bound_of_derivative(const real *c, const double weights[SERIE
 }
 
 /* value + slope d + curvature d^2/2 is positive for all d up to `left`. */
-static inline choice stays_positive(real value, real slope, real curvature, real left) {
-    const choice at_end = value + left * (slope + 0.5 * curvature * left) > 0.0;
+static inline mask stays_positive(real value, real slope, real curvature, real left) {
+    const mask at_end = value + left * (slope + 0.5 * curvature * left) > 0.0;
     return at_end & ((curvature <= 0.0) | (slope >= 0.0) | (-slope >= curvature * left) |
                      (slope * slope < 2.0 * curvature * value));
 }
 
 /* The first positive root of a parabola that has one, written without cancellation. */
 static inline real root_of_parabola(real value, real slope, real curvature) {
-    const real discriminant = real_sqrt(larger(real_of(0.0), slope * slope - 2.0 * curvature * value));
-    const choice falls = slope < 0.0;
-    return pick(falls, 2.0 * value, -(slope + discriminant)) / pick(falls, discriminant - slope, curvature);
+    const real discriminant = real_sqrt(real_max(broadcast(0.0), slope * slope - 2.0 * curvature * value));
+    const mask falls = slope < 0.0;
+    return select(falls, 2.0 * value, -(slope + discriminant)) /
+           select(falls, discriminant - slope, curvature);
 }
 
 /* How far from a point no root lies. The shorter the interval that the bound must hold for, the further it
  * reaches within it. */
-static inline real safe_distance(const expansion *at, real bound, real left, choice searching) {
+static inline real safe_distance(const expansion *at, real bound, real left, mask searching) {
     const real lowest = at->curvature - bound * left * (1.0 / 3.0);
-    const choice none = stays_positive(at->value, at->slope, lowest, left);
-    if (!any(searching & not(none))) {
-        return real_of(INFINITY);
+    const mask none = stays_positive(at->value, at->slope, lowest, left);
+    if (!any(searching & mask_not(none))) {
+        return broadcast(INFINITY);
     }
     real safe = root_of_parabola(at->value, at->slope, lowest);
-    choice tries = searching & not(none) & (safe > 0.0);
+    mask tries = searching & mask_not(none) & (safe > 0.0);
     for (;;) {
         const real near = trial_factor * safe;
         tries &= near < left;
         if (!any(tries)) {
-            return pick(none, real_of(INFINITY), safe);
+            return select(none, broadcast(INFINITY), safe);
         }
         const real nearby = at->curvature - bound * near * (1.0 / 3.0);
-        const choice passes = tries & stays_positive(at->value, at->slope, nearby, near);
-        const real further = larger(safe, root_of_parabola(at->value, at->slope, nearby));
-        safe = pick(passes, near, pick(tries, further, safe));
+        const mask passes = tries & stays_positive(at->value, at->slope, nearby, near);
+        const real further = real_max(safe, root_of_parabola(at->value, at->slope, nearby));
+        safe = select(passes, near, select(tries, further, safe));
         tries = passes;
     }
 }
@@ -131,32 +132,32 @@ static inline real safe_distance(const expansion *at, real bound, real left, cho
 static inline real zero_before(const expansion *at, real time, real from) {
     const real since = at->value / at->slope;
     const real above = (1.0 + close_enough) * since;
-    const choice is_line = (at->slope < 0.0) & (time - above >= from) &
-                           (real_abs(at->curvature) * above <= close_enough * real_abs(at->slope));
-    return pick(is_line, time - since, time);
+    const mask is_line = (at->slope < 0.0) & (time - above >= from) &
+                         (real_abs(at->curvature) * above <= close_enough * real_abs(at->slope));
+    return select(is_line, time - since, time);
 }
 
 /* The first t in [from, to], in the lanes that search, at which a polynomial is no larger than `floor`, which
  * is below zero. Without one, time is infinity, or less than `to` where the search took too long: there is no
  * root before. `from` is not negative, and in all lanes zero or in none; `to` is no larger than 1. */
-static inline root first_root(const real *c, int order, real floor, real from, real to, choice searching) {
+static inline root first_root(const real *c, int order, real floor, real from, real to, mask searching) {
     const bool from_start = !any(from > 0.0);
     const real down = close_enough * real_abs(floor);
     expansion at = from_start ? expansion_at_start(c, order) : expansion_at(c, order, from);
     real bound = from_start ? 6.0 * sum_of_tail(c, order) : bound_of_derivative(c, third_derivative, order);
-    root found = {from, choice_of(false), from};
+    root found = {from, mask_of(false), from};
     for (int i = 0; i < ROOT_ITERATION_LIMIT; ++i) {
         const expansion above = {at.value - floor, at.slope, at.curvature};
-        const choice due = searching & not(above.value > down);
+        const mask due = searching & mask_not(above.value > down);
         found.is_root |= due;
-        searching &= not(due);
+        searching &= mask_not(due);
         if (!any(searching)) {
             break;
         }
         const real next = found.time + safe_distance(&above, bound, to - found.time, searching);
-        const choice past_end = searching & (next > to);
-        found.time = pick(past_end, real_of(INFINITY), pick(searching, next, found.time));
-        searching &= not(past_end);
+        const mask past_end = searching & (next > to);
+        found.time = select(past_end, broadcast(INFINITY), select(searching, next, found.time));
+        searching &= mask_not(past_end);
         if (!any(searching)) {
             break;
         }
@@ -171,11 +172,11 @@ static inline root first_root(const real *c, int order, real floor, real from, r
 
 /* The first t in (from, to] at which a polynomial changes its sign; values up to `zero` count as zero. */
 static inline root first_sign_change(const real *c, int order, real zero, real from, real to,
-                                     choice searching) {
+                                     mask searching) {
     real above[SERIES_TERMS];
     const expansion at = expansion_at(c, order, from);
-    const real leading = pick(real_abs(at.value) > zero, at.value, at.slope);
-    const real sign = pick(leading < 0.0, real_of(-1.0), real_of(1.0));
+    const real leading = select(real_abs(at.value) > zero, at.value, at.slope);
+    const real sign = select(leading < 0.0, broadcast(-1.0), broadcast(1.0));
     for (int k = 0; k <= order; ++k) {
         above[k] = sign * c[k];
     }

@@ -10,44 +10,44 @@
 static inline real lowest_center_of_mass(const event_search *search, const flight_constants *c,
                                          const ballistic *com) {
     const real t = search->size;
-    const real gravity = larger(c->normal_gravity, real_of(0.0));
+    const real gravity = real_max(c->normal_gravity, broadcast(0.0));
     real rate = com->ground.rate - 0.5 * gravity * t;
     if (INPUTS_RAMP) {
         rate -= real_abs(com->normal_jerk) * t * t * (1.0 / 6);
     }
-    return smaller(com->ground.height, com->ground.height + t * rate);
+    return real_min(com->ground.height, com->ground.height + t * rate);
 }
 
 /* A leg does not drop further than its longest at the angle that brings it nearest to the ground's normal. */
 static inline real most_drop(const event_search *search, const flight_constants *c, const flight_series *f,
                              real longest, real sine, real cosine) {
-    const real turn = spread_of(search, f->angle, search->order);
+    const real turn = largest_deviation(search, f->angle, search->order);
     const real change = turn * (real_abs(sine) + 0.5 * turn);
-    const real down = c->body_share * longest * smaller(cosine + change, real_of(1.0));
-    const real up = (1.0 - c->body_share) * longest * smaller(change - cosine, real_of(1.0));
-    return larger(larger(down, up), real_of(0.0));
+    const real down = c->body_share * longest * real_min(cosine + change, broadcast(1.0));
+    const real up = (1.0 - c->body_share) * longest * real_min(change - cosine, broadcast(1.0));
+    return real_max(real_max(down, up), broadcast(0.0));
 }
 
 /* A leg that spins at a steady rate has long steps, and a drop that is not. */
 static inline void trust_drop(event_search *search, const flight_constants *c, const real *drop,
-                              double tolerance, choice lanes) {
-    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+                              double tolerance, mask lanes) {
+    series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     note_remainder(&remainder, drop, search->order, c->mode.length_scale);
-    const real trusted = trusted_size(&remainder, real_of(INFINITY), search->order, real_of(tolerance));
-    note_found(search, lanes, trusted / search->size, whole_of(KINK));
+    const real trusted = trusted_size(&remainder, broadcast(INFINITY), search->order, broadcast(tolerance));
+    note_found(search, lanes, trusted / search->size, integer_of(KINK));
 }
 
 /* The heights of foot and body: a parabola and a share of the leg's drop. */
 static inline void watch_heights(event_search *search, const flight_constants *c, const flight_series *f,
                                  double tolerance, real longest, const ballistic *com) {
     const real lowest = lowest_center_of_mass(search, c, com);
-    choice low = search->live & not(lowest > longest * larger(c->body_share, 1.0 - c->body_share));
+    mask low = search->live & mask_not(lowest > longest * real_max(c->body_share, 1.0 - c->body_share));
     real sine, cosine, drop[SERIES_TERMS];
     if (!any(low)) {
         return;
     }
     sine_and_cosine(f->angle[0] - c->slope, &sine, &cosine);
-    low &= not(lowest > most_drop(search, c, f, longest, sine, cosine));
+    low &= mask_not(lowest > most_drop(search, c, f, longest, sine, cosine));
     if (!any(low)) {
         return;
     }
@@ -66,7 +66,7 @@ static inline void watch_heights(event_search *search, const flight_constants *c
         if (INPUTS_RAMP) {
             height[3] += com->normal_jerk * (1.0 / 6);
         }
-        const guard_series g = {height, real_of(1.0), com->ground.height + share * drop[0], order};
+        const guard_series g = {height, broadcast(1.0), com->ground.height + share * drop[0], order};
         watch(search, end == 0 ? TDMF_GUARD_TOUCHDOWN : TDMF_GUARD_BODY_DOWN, low, &g, floor);
     }
 }
@@ -85,7 +85,7 @@ static inline void watch_new_ground(event_search *search, const flight_constants
     if (INPUTS_RAMP) {
         depth[3] -= com->new_normal_jerk * (1.0 / 6);
     }
-    const guard_series g = {depth, real_of(1.0), c->body_share * drop[0] - com->new_ground.height,
+    const guard_series g = {depth, broadcast(1.0), c->body_share * drop[0] - com->new_ground.height,
                             search->order};
     watch(search, TDMF_GUARD_NEW_GROUND, search->live, &g, search->beyond_margin * c->mode.length_scale);
 }
@@ -94,8 +94,8 @@ static inline void watch_new_ground(event_search *search, const flight_constants
 static inline void watch_apex_in_flight(event_search *search, const flight_constants *c,
                                         const ballistic *com) {
     const real gravity = c->mode.gravity;
-    const real time = larger(com->rise_rate, real_of(0.0)) / (gravity * search->size);
-    note_found(search, search->live & (gravity > 0.0) & (time <= 1.0), time, whole_of(TDMF_GUARD_APEX));
+    const real time = real_max(com->rise_rate, broadcast(0.0)) / (gravity * search->size);
+    note_found(search, search->live & (gravity > 0.0) & (time <= 1.0), time, integer_of(TDMF_GUARD_APEX));
 }
 
 /* The same where the push on the body ramps; until the centre of mass rises, for a kink where it begins to.
@@ -105,10 +105,10 @@ static inline void watch_ramped_apex(event_search *search, const flight_constant
     real rate[SERIES_TERMS];
     rate[1] = -c->mode.gravity;
     rate[2] = 0.5 * com->rise_jerk;
-    const guard_series rise = {rate, real_of(rising ? 1.0 : -1.0), rising ? com->rise_rate : -com->rise_rate,
-                               2};
+    const guard_series rise = {rate, broadcast(rising ? 1.0 : -1.0),
+                               rising ? com->rise_rate : -com->rise_rate, 2};
     watch(search, rising ? TDMF_GUARD_APEX : KINK, search->live, &rise,
-          (rising ? search->beyond_margin : real_of(TDMF_BEYOND_DEAD_BAND)) * c->mode.speed_scale);
+          (rising ? search->beyond_margin : broadcast(TDMF_BEYOND_DEAD_BAND)) * c->mode.speed_scale);
 }
 
 /* What the clamp is decided by. */
@@ -116,14 +116,14 @@ static inline void watch_clamp(event_search *search, const flight_constants *c, 
     const int order = search->order - 1;
     real torque[SERIES_TERMS];
     expand_torque(&c->servo, f->angle, f->angle_rate, order, torque);
-    const guard_series g = {torque, real_of(1.0), torque[0], order};
+    const guard_series g = {torque, broadcast(1.0), torque[0], order};
     watch(search, TDMF_GUARD_CLAMP, search->live, &g,
           TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor * c->mode.energy_scale);
 }
 
 static inline void watch_apex(event_search *search, const flight_constants *c, const ballistic *com,
                               bool rising) {
-    if (INPUTS_RAMP && any(not(com->rise_jerk == 0.0))) {
+    if (INPUTS_RAMP && any(mask_not(com->rise_jerk == 0.0))) {
         watch_ramped_apex(search, c, com, rising);
     } else if (rising) {
         watch_apex_in_flight(search, c, com);

@@ -33,13 +33,13 @@ static inline void vary_flight_by_case(const flight_coefficients *c, const fligh
 static inline real longest_flight_step(const flight_coefficients *c, real length, int order, bool pushed) {
     const real inverse_length = 1.0 / length;
     const real by_square = c->mobility * inverse_length * inverse_length;
-    real stiffness = larger(c->mobility * c->stiffness, by_square * c->gain);
+    real stiffness = real_max(c->mobility * c->stiffness, by_square * c->gain);
     if (pushed) { /* a pendulum under the push */
-        stiffness = larger(stiffness, (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length);
+        stiffness = real_max(stiffness, (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length);
     }
     const real springs_back = real_sqrt(stiffness);
-    const real comes_to_rest = larger(c->mobility * c->damping, by_square * c->rate_gain);
-    return (double)order / larger(springs_back, comes_to_rest);
+    const real comes_to_rest = real_max(c->mobility * c->damping, by_square * c->rate_gain);
+    return (double)order / real_max(springs_back, comes_to_rest);
 }
 
 #endif

@@ -52,13 +52,13 @@ static inline height_above fall_on(height_above from, real gravity, real elapsed
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. */
 static inline real expand_flight_step(const flight_constants *c, const flight_coordinates *at, bool forced,
                                       int order, double tolerance, flight_series *f, real *longest) {
-    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     expand_flight_by_case(&c->law, &at->leg, order, forced, f);
     *longest = longest_flight_step(&c->law, at->leg.length, order, forced);
     note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
     note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
     return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
-                         trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1,
+                         trusted_size(&remainder, *longest, order - 1, broadcast(tolerance)), order - 1,
                          tolerance);
 }
 
@@ -67,10 +67,10 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
                                const flight_series *f, int order, const elapsed_time *elapsed, real turned) {
     const flight_coefficients *law = &c->law;
     real work = turned * (law->gain * (law->target - start->leg.angle - 0.5 * turned) + law->torque);
-    if (any(not(law->rate_gain == 0.0))) {
+    if (any(mask_not(law->rate_gain == 0.0))) {
         work -= law->rate_gain * integral_to(f->rate_square, elapsed, order - 1);
     }
-    if (any(not(law->torque_rate == 0.0))) {
+    if (any(mask_not(law->torque_rate == 0.0))) {
         /* By parts: the integral of t w. */
         const real t = elapsed->power[1];
         work += law->torque_rate * (t * (start->leg.angle + turned) - integral_to(f->angle, elapsed, order));

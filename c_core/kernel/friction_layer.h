@@ -29,16 +29,16 @@ static inline real size_by_layer(const friction_layer *layer, real slip_sign, co
                                  real size, int order) {
     const real few = most_change_in_layer * layer->velocity;
     const real beyond = slip_sign * g->foot_vx[0] - layer_width * layer->velocity;
-    const real most = larger(beyond, few);
+    const real most = real_max(beyond, few);
     real power[SERIES_TERMS];
     set_powers(power, size, order);
     const real change = largest_change(g->foot_vx, power, order);
-    size = pick(change > most, size * most / change, size);
+    size = select(change > most, size * most / change, size);
     set_powers(power, size, order);
     const real force = real_abs(g->normal_force[0]) + largest_change(g->normal_force, power, order - 1);
     const real growth = size * layer->growth_rate * force;
-    const choice too_long = (beyond < few) & (growth > most_growth_in_layer);
-    return pick(too_long, size * most_growth_in_layer / growth, size);
+    const mask too_long = (beyond < few) & (growth > most_growth_in_layer);
+    return select(too_long, size * most_growth_in_layer / growth, size);
 }
 
 #endif

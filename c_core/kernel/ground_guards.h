@@ -9,30 +9,30 @@
 
 /* theta, by the body's place over the foot, seen along the vertical. */
 static inline void watch_mid_stance(event_search *search, const ground_constants *c, const ground_series *g) {
-    const choice drives = c->drives > 0.0;
+    const mask drives = c->drives > 0.0;
     const real floor = 2.0 * search->beyond_margin * g->length[0];
     real ahead_of_foot[SERIES_TERMS];
     if (!any(drives)) {
         return;
     }
-    if (any(not(c->slope_sine == 0.0))) {
+    if (any(mask_not(c->slope_sine == 0.0))) {
         expand_ahead(g->x, g->y, c->slope_sine, c->slope_cosine, search->order, ahead_of_foot);
-        const guard_series ahead = {ahead_of_foot, real_of(1.0), ahead_of_foot[0], search->order};
+        const guard_series ahead = {ahead_of_foot, broadcast(1.0), ahead_of_foot[0], search->order};
         watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
     } else {
-        const guard_series ahead = {g->x, real_of(-1.0), -g->x[0], search->order};
+        const guard_series ahead = {g->x, broadcast(-1.0), -g->x[0], search->order};
         watch(search, TDMF_GUARD_MID_STANCE, drives, &ahead, floor);
     }
 }
 
 /* One edge of the friction cone: mu f_n + sign f_t. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
-                              double sign, choice near) {
+                              double sign, mask near) {
     const int order = search->order - 1;
     real room[SERIES_TERMS];
     expand_room(g->normal_force, g->tangential_push, c->cone_normal, c->cone_normal_rate, c->cone_tangential,
-                real_of(sign), order, room);
-    const guard_series edge = {room, real_of(1.0), room[0], order};
+                broadcast(sign), order, room);
+    const guard_series edge = {room, broadcast(1.0), room[0], order};
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near, &edge,
           search->beyond_margin * c->mode.force_scale);
 }
@@ -48,23 +48,23 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
     for (int k = 1; k <= order; ++k) {
         const real before = normal;
         normal += g->normal_force[k] * search->power[k];
-        least_normal = smaller(least_normal, normal);
+        least_normal = real_min(least_normal, normal);
         if (sticks) {
             tangential += g->tangential_push[k] * search->power[k];
             real room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
             if (INPUTS_RAMP) {
                 room += c->cone_normal_rate * search->size * before;
             }
-            least_room = smaller(least_room, room);
+            least_room = real_min(least_room, room);
         }
     }
-    const choice may_lift = search->live & not(least_normal > 0.0);
+    const mask may_lift = search->live & mask_not(least_normal > 0.0);
     if (any(may_lift)) {
-        const guard_series force = {g->normal_force, real_of(1.0), g->normal_force[0], order};
+        const guard_series force = {g->normal_force, broadcast(1.0), g->normal_force[0], order};
         search_closer(search, TDMF_GUARD_LIFT_OFF, may_lift, &force,
                       search->beyond_margin * c->mode.force_scale);
     }
-    const choice may_slip = search->live & not(least_room > 0.0);
+    const mask may_slip = search->live & mask_not(least_room > 0.0);
     if (sticks && any(may_slip)) {
         watch_edge(search, c, g, 1.0, may_slip);
         watch_edge(search, c, g, -1.0, may_slip);

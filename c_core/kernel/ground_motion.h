@@ -52,7 +52,7 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
 static inline real longest_ground_step(const ground_coefficients *c, bool free, int order) {
     const real mobility = free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
     const real springs_back = real_sqrt(mobility * c->stiffness);
-    return (double)order / larger(springs_back, mobility * c->damping);
+    return (double)order / real_max(springs_back, mobility * c->damping);
 }
 
 #endif

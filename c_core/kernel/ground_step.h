@@ -39,23 +39,23 @@ static inline bool foot_is_free(ground_case is) {
 static inline real expand_ground_step(const ground_constants *c, const friction_layer *layer,
                                       const ground_coordinates *at, ground_case is, int order,
                                       double tolerance, ground_series *g, real *longest) {
-    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     expand_ground(&c->law, &at->at, order, is, g);
     note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
     note_remainder(&remainder, g->foot_vx, order - 1,
-                   is.falls ? smaller(c->mode.speed_scale, layer->velocity) : c->mode.speed_scale);
+                   is.falls ? real_min(c->mode.speed_scale, layer->velocity) : c->mode.speed_scale);
     *longest = longest_ground_step(&c->law, foot_is_free(is), order);
     const real size = size_for_loss(
         g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
-        trusted_size(&remainder, *longest, order - 1, real_of(tolerance)), order - 1, tolerance);
+        trusted_size(&remainder, *longest, order - 1, broadcast(tolerance)), order - 1, tolerance);
     return is.falls ? size_by_layer(layer, c->slip_sign, g, size, order) : size;
 }
 
 /* The hip's work since the start of the step. */
 static inline real ground_work(const ground_series *g, ground_case is, int order,
                                const elapsed_time *elapsed) {
-    return is.turns ? integral_to(g->power, elapsed, order - 1) : real_of(0.0);
+    return is.turns ? integral_to(g->power, elapsed, order - 1) : broadcast(0.0);
 }
 
 /* Goes on to a time within the step. */

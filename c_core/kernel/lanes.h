@@ -18,16 +18,16 @@ typedef int64_t bits __attribute__((vector_size(8 * LANES)));
 
 typedef uint64_t pattern __attribute__((vector_size(8 * LANES))); /* for shifts to the left */
 
-/* All bits set in the lanes chosen, none in the others: what comparing yields. */
-typedef bits choice;
+/* All bits are set in the lanes selected, none in the others: what comparing yields. */
+typedef bits mask;
 
-/* A small whole number. */
-typedef bits whole;
+/* A small integer in each lane. */
+typedef bits integer;
 
 /* Inputs are held. */
 enum { INPUTS_RAMP = 0 };
 
-static inline real real_of(double x) {
+static inline real broadcast(double x) {
     return x - (real){0.0};
 }
 
@@ -35,37 +35,37 @@ static inline bits bits_of(int64_t x) {
     return x - (bits){0};
 }
 
-static inline whole whole_of(int x) {
+static inline integer integer_of(int x) {
     return bits_of(x);
 }
 
-static inline choice choice_of(bool chosen) {
-    return bits_of(chosen ? -1 : 0);
+static inline mask mask_of(bool selected) {
+    return bits_of(selected ? -1 : 0);
 }
 
-static inline choice not(choice chosen) {
-    return ~chosen;
+static inline mask mask_not(mask selected) {
+    return ~selected;
 }
 
-/* a in the lanes chosen, b in the others. */
-static inline real pick(choice chosen, real a, real b) {
-    return (real)(((bits)a & chosen) | ((bits)b & ~chosen));
+/* Takes a in the lanes selected, b in the others. */
+static inline real select(mask selected, real a, real b) {
+    return (real)(((bits)a & selected) | ((bits)b & ~selected));
 }
 
-static inline whole pick_whole(choice chosen, whole a, whole b) {
-    return (a & chosen) | (b & ~chosen);
+static inline integer select_integer(mask selected, integer a, integer b) {
+    return (a & selected) | (b & ~selected);
 }
 
 static inline real real_abs(real x) {
     return (real)((bits)x & bits_of(INT64_MAX));
 }
 
-static inline real smaller(real a, real b) {
-    return pick(a < b, a, b);
+static inline real real_min(real a, real b) {
+    return select(a < b, a, b);
 }
 
-static inline real larger(real a, real b) {
-    return pick(a > b, a, b);
+static inline real real_max(real a, real b) {
+    return select(a > b, a, b);
 }
 
 static inline real real_sqrt(real x) {
@@ -89,48 +89,48 @@ static inline real real_exp(real x) {
     return x;
 }
 
-/* A bit for each lane chosen. */
-static inline unsigned lanes_of(choice chosen) {
+/* Gives a bit for each lane selected. */
+static inline unsigned movemask(mask selected) {
 #if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)chosen);
+    return (unsigned)_mm512_movepi64_mask((__m512i)selected);
 #elif LANES == 4
-    return (unsigned)_mm256_movemask_pd((__m256d)chosen);
+    return (unsigned)_mm256_movemask_pd((__m256d)selected);
 #else
     unsigned lanes = 0;
     for (int lane = 0; lane < LANES; ++lane) {
-        lanes |= (unsigned)(chosen[lane] & 1) << lane;
+        lanes |= (unsigned)(selected[lane] & 1) << lane;
     }
     return lanes;
 #endif
 }
 
-static inline bool any(choice chosen) {
-    return lanes_of(chosen) != 0;
+static inline bool any(mask selected) {
+    return movemask(selected) != 0;
 }
 
 /* Neither infinite nor not a number. */
-static inline choice is_finite(real x) {
-    return real_abs(x) < real_of(INFINITY);
+static inline mask is_finite(real x) {
+    return real_abs(x) < broadcast(INFINITY);
 }
 
 /* Whole numbers up to 2^51 as integers and back: added to this, they are the low bits of the sum. */
-static const double whole_bias = 6755399441055744.0; /* 1.5 * 2^52 */
+static const double integer_bias = 6755399441055744.0; /* 1.5 * 2^52 */
 
-static inline bits bits_of_whole(real x) {
-    return (bits)(x + whole_bias) - (bits)real_of(whole_bias);
+static inline bits bits_of_integer(real x) {
+    return (bits)(x + integer_bias) - (bits)broadcast(integer_bias);
 }
 
-static inline real whole_of_bits(bits x) {
-    return (real)(x + (bits)real_of(whole_bias)) - whole_bias;
+static inline real integer_of_bits(bits x) {
+    return (real)(x + (bits)broadcast(integer_bias)) - integer_bias;
 }
 
 /* The high half of the bits of a number, and the number that has such a one. */
 static inline real high_half(real x) {
-    return whole_of_bits((bits)x >> 32);
+    return integer_of_bits((bits)x >> 32);
 }
 
 static inline real with_high_half(real half) {
-    return (real)((pattern)bits_of_whole(half) << 32);
+    return (real)((pattern)bits_of_integer(half) << 32);
 }
 
 #endif

@@ -9,7 +9,7 @@
 
 /* By halves, because each product waits for its factors; one more than asked for where `order` is even. */
 static inline void set_powers(real power[SERIES_TERMS], real t, int order) {
-    power[0] = real_of(1.0);
+    power[0] = broadcast(1.0);
     power[1] = t;
     for (int half = 1; 2 * half <= order; ++half) {
         power[2 * half] = power[half] * power[half];
@@ -18,7 +18,7 @@ static inline void set_powers(real power[SERIES_TERMS], real t, int order) {
 }
 
 static inline real power_of(real x, int n) {
-    real power = real_of(1.0);
+    real power = broadcast(1.0);
     for (; n > 0; n >>= 1, x *= x) {
         if (n & 1) {
             power *= x;
@@ -33,7 +33,7 @@ static inline real rough_root(real x, int n) {
     const double zero = 1072693248.0; /* the high half of 1.0 */
     const real logarithm = high_half(x) - zero;
     const real root = 0.97 * with_high_half(zero + logarithm * (1.0 / n));
-    return pick(x <= DBL_MAX, root, real_of(INFINITY));
+    return select(x <= DBL_MAX, root, broadcast(INFINITY));
 }
 
 #endif

@@ -10,15 +10,15 @@
 /* A ramp is there where inputs ramp, a drift always. */
 
 KERNEL real constant_of(int k, real value) {
-    return k == 0 ? value : real_of(0.0);
+    return k == 0 ? value : broadcast(0.0);
 }
 
 KERNEL real ramp_of(int k, real value, real rate) {
-    return k == 0 ? value : INPUTS_RAMP && k == 1 ? rate : real_of(0.0);
+    return k == 0 ? value : INPUTS_RAMP && k == 1 ? rate : broadcast(0.0);
 }
 
 KERNEL real drift_of(int k, real value, real rate) {
-    return k == 0 ? value : k == 1 ? rate : real_of(0.0);
+    return k == 0 ? value : k == 1 ? rate : broadcast(0.0);
 }
 
 KERNEL real with_constant(int k, real moving, real value) {
@@ -65,7 +65,7 @@ KERNEL real root_of(int k, real half_inner, real p, const real *q, real inverse_
 
 /* k times coefficient k of the integral of a' b. */
 static inline real product_with_rate(const real *a, const real *b, int k) {
-    real sum = real_of(0.0);
+    real sum = broadcast(0.0);
     for (int i = 1; i <= k; ++i) {
         sum += (double)i * a[i] * b[k - i];
     }
@@ -74,7 +74,7 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
 
 /* Of sin(a) and cos(a), by themselves up to k - 1 and the rate of a. */
 static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
-    real rise = real_of(0.0), fall = real_of(0.0);
+    real rise = broadcast(0.0), fall = broadcast(0.0);
     if (k == 0) {
         sine_and_cosine(a[0], &sine[0], &cosine[0]);
         return;
@@ -101,7 +101,7 @@ KERNEL void integrate(real *series, int k, real rate) {
 
 /* Coefficient k of a b. */
 static inline real product(const real *a, const real *b, int k) {
-    real sum = real_of(0.0);
+    real sum = broadcast(0.0);
     for (int i = 0; i <= k; ++i) {
         sum += a[i] * b[k - i];
     }
@@ -110,7 +110,7 @@ static inline real product(const real *a, const real *b, int k) {
 
 /* The same without the last coefficient of a: what a division still has to find. */
 static inline real product_so_far(const real *a, const real *b, int k) {
-    real sum = real_of(0.0);
+    real sum = broadcast(0.0);
     for (int i = 0; i < k; ++i) {
         sum += a[i] * b[k - i];
     }

@@ -11,31 +11,31 @@ typedef struct {
 } step_count;
 
 static inline step_count opened_steps(real limit) {
-    const step_count steps = {limit, real_of(0.0), real_of(0.0)};
+    const step_count steps = {limit, broadcast(0.0), broadcast(0.0)};
     return steps;
 }
 
-static inline choice span_is_over(const step_count *steps, real time_scale) {
+static inline mask span_is_over(const step_count *steps, real time_scale) {
     return steps->span >= time_scale;
 }
 
 static inline void count_step(step_count *steps, real time, real time_scale) {
-    const choice next = span_is_over(steps, time_scale);
-    steps->span = pick(next, real_of(0.0), steps->span) + time;
-    steps->in_span = pick(next, real_of(0.0), steps->in_span) + 1.0;
+    const mask next = span_is_over(steps, time_scale);
+    steps->span = select(next, broadcast(0.0), steps->span) + time;
+    steps->in_span = select(next, broadcast(0.0), steps->in_span) + 1.0;
     steps->left -= 1.0;
 }
 
-static inline choice no_steps_left(const step_count *steps) {
+static inline mask no_steps_left(const step_count *steps) {
     return steps->left <= 0.0;
 }
 
-static inline choice takes_too_many_steps(const step_count *steps, real time_scale) {
-    return (steps->in_span >= (double)TDMF_STIFFNESS_LIMIT) & not(span_is_over(steps, time_scale));
+static inline mask takes_too_many_steps(const step_count *steps, real time_scale) {
+    return (steps->in_span >= (double)TDMF_STIFFNESS_LIMIT) & mask_not(span_is_over(steps, time_scale));
 }
 
 /* By the longest step that a law allows. */
-static inline choice opens_too_stiff(real longest, real ahead) {
+static inline mask opens_too_stiff(real longest, real ahead) {
     return (double)TDMF_STIFFNESS_LIMIT * longest < ahead;
 }
 

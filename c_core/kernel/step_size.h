@@ -19,7 +19,7 @@ typedef struct {
 } series_remainder;
 
 static inline void note_remainder(series_remainder *remainder, const real *c, int order, real unit) {
-    const real allowed = 1.0 / larger(unit, real_abs(c[0]));
+    const real allowed = 1.0 / real_max(unit, real_abs(c[0]));
     remainder->last += real_abs(c[order]) * allowed;
     remainder->last_but_one += real_abs(c[order - 1]) * allowed;
 }
@@ -29,25 +29,25 @@ static inline void note_remainder(series_remainder *remainder, const real *c, in
 static inline real trusted_size(const series_remainder *remainder, real longest, int order, real tolerance) {
     const real by_last = rough_root(tolerance / remainder->last, order);
     const real by_last_but_one = rough_root(tolerance / remainder->last_but_one, order - 1);
-    const choice known = is_finite(remainder->last + remainder->last_but_one);
-    return pick(known, smaller(longest, smaller(by_last, by_last_but_one)), real_of(NAN));
+    const mask known = is_finite(remainder->last + remainder->last_but_one);
+    return select(known, real_min(longest, real_min(by_last, by_last_but_one)), broadcast(NAN));
 }
 
 /* Where a leg does not turn, its motion is a sum of exponentials, whose coefficients fall sooner than those
  * of their square, the damper's power. `unit` is that of the leg's speed squared. */
 static inline real size_for_loss(const real *speed_square, real unit, real size, int order,
                                  double tolerance) {
-    series_remainder remainder = {real_of(0.0), real_of(0.0)};
+    series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     note_remainder(&remainder, speed_square, order, unit);
-    const choice too_long = remainder.last * power_of(size, order) > tolerance;
-    return any(too_long) ? pick(too_long, trusted_size(&remainder, size, order, real_of(tolerance)), size)
+    const mask too_long = remainder.last * power_of(size, order) > tolerance;
+    return any(too_long) ? select(too_long, trusted_size(&remainder, size, order, broadcast(tolerance)), size)
                          : size;
 }
 
 /* Sum of |c[k]| power[k] from k = 1 on: within a complex time of that size a series differs by no more from
  * its first coefficient. */
 static inline real largest_change(const real *c, const real *power, int order) {
-    real sum[4] = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
+    real sum[4] = {broadcast(0.0), broadcast(0.0), broadcast(0.0), broadcast(0.0)};
     int k = 1;
     for (; k + 3 <= order; k += 4) {
         for (int i = 0; i < 4; ++i) {
@@ -67,13 +67,13 @@ static inline real shorten_without_pole(real *size, real power[SERIES_TERMS], co
     set_powers(power, *size, order);
     const real most = most_change * length[0];
     const real change = largest_change(length, power, order);
-    const choice too_long = change > most;
+    const mask too_long = change > most;
     if (!any(too_long)) {
         return change;
     }
-    *size = pick(too_long, *size * most / change, *size);
+    *size = select(too_long, *size * most / change, *size);
     set_powers(power, *size, order);
-    return pick(too_long, most, change);
+    return select(too_long, most, change);
 }
 
 #endif

@@ -11,9 +11,9 @@ typedef struct {
 
 /* `power` are those of the size of the step. */
 static inline void set_elapsed(elapsed_time *elapsed, const real *power, real size, real t, int order) {
-    elapsed->power[0] = real_of(1.0);
+    elapsed->power[0] = broadcast(1.0);
     elapsed->integral[0] = t;
-    if (any(not(t == size))) {
+    if (any(mask_not(t == size))) {
         set_powers(elapsed->power, t, order);
     } else {
         for (int k = 1; k <= order; ++k) {
@@ -27,7 +27,7 @@ static inline void set_elapsed(elapsed_time *elapsed, const real *power, real si
 
 /* The sum of c[k] weights[k] from k = 1 on. Four sums at once: one would wait for each of its terms. */
 static inline real sum_of_rest(const real *c, const real *weights, int order) {
-    real sum[4] = {real_of(0.0), real_of(0.0), real_of(0.0), real_of(0.0)};
+    real sum[4] = {broadcast(0.0), broadcast(0.0), broadcast(0.0), broadcast(0.0)};
     int k = 1;
     for (; k + 3 <= order; k += 4) {
         for (int i = 0; i < 4; ++i) {

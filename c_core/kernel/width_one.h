@@ -13,49 +13,49 @@ enum { INPUTS_RAMP = 1 };
 typedef double real;
 
 /* 1 or 0: what comparing yields. */
-typedef int choice;
+typedef int mask;
 
-/* A small whole number. */
-typedef int whole;
+/* A small integer. */
+typedef int integer;
 
-static inline real real_of(double x) {
+static inline real broadcast(double x) {
     return x;
 }
 
-static inline whole whole_of(int x) {
+static inline integer integer_of(int x) {
     return x;
 }
 
-static inline choice choice_of(bool chosen) {
-    return chosen;
+static inline mask mask_of(bool selected) {
+    return selected;
 }
 
-static inline choice not(choice chosen) {
-    return !chosen;
+static inline mask mask_not(mask selected) {
+    return !selected;
 }
 
-static inline bool any(choice chosen) {
-    return chosen != 0;
+static inline bool any(mask selected) {
+    return selected != 0;
 }
 
-/* a where chosen, else b. */
-static inline real pick(choice chosen, real a, real b) {
-    return chosen ? a : b;
+/* Takes a where it is selected, else b. */
+static inline real select(mask selected, real a, real b) {
+    return selected ? a : b;
 }
 
-static inline whole pick_whole(choice chosen, whole a, whole b) {
-    return chosen ? a : b;
+static inline integer select_integer(mask selected, integer a, integer b) {
+    return selected ? a : b;
 }
 
 static inline real real_abs(real x) {
     return fabs(x);
 }
 
-static inline real smaller(real a, real b) {
+static inline real real_min(real a, real b) {
     return a < b ? a : b;
 }
 
-static inline real larger(real a, real b) {
+static inline real real_max(real a, real b) {
     return a > b ? a : b;
 }
 
@@ -68,7 +68,7 @@ static inline real real_exp(real x) {
 }
 
 /* Neither infinite nor not a number. */
-static inline choice is_finite(real x) {
+static inline mask is_finite(real x) {
     return real_abs(x) < INFINITY;
 }
 

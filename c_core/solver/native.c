@@ -305,7 +305,7 @@ static bool mode_is_too_stiff(const integration *integration) {
     const bool lasts = contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK;
     return lasts && !integration->equations_are_ahead &&
            opens_too_stiff(integration->step.longest,
-                           smaller(integration->model->scales.time, time_left(integration)));
+                           real_min(integration->model->scales.time, time_left(integration)));
 }
 
 /* Whether one more step may be made, by the limits of a call and of stiffness. */
@@ -401,7 +401,7 @@ static tdmf_outcome advance_once(integration *integration) {
     if (!(step->size > 0.0)) {
         return TDMF_NO_PROGRESS;
     }
-    tdmf_step_shorten(step, smaller(time_left(integration), time_to_no_friction(integration)));
+    tdmf_step_shorten(step, real_min(time_left(integration), time_to_no_friction(integration)));
     const tdmf_step_end end = tdmf_step_find_end(step, &motion->mode);
     tdmf_mode_coordinates reached = tdmf_step_at(step, end.time);
     add_ramps(integration, end.time, &reached);

@@ -63,7 +63,7 @@ void tdmf_step_expand(tdmf_step *step, int order, double tolerance) {
 
 void tdmf_step_shorten(tdmf_step *step, double longest) {
     const double *length = flies(step) ? step->series.flight.length : step->series.ground.length;
-    step->search.size = smaller(longest, step->size);
+    step->search.size = real_min(longest, step->size);
     step->length_change = shorten_without_pole(&step->search.size, step->search.power, length, step->order);
     step->size = step->search.size;
 }
@@ -73,7 +73,7 @@ static double largest_term(const double *sizes, int order, double t) {
     double power = 1.0;
     double largest = 0.0;
     for (int k = 0; k < order - 1; ++k) {
-        largest = larger(largest, sizes[k] * power);
+        largest = real_max(largest, sizes[k] * power);
         power *= t;
     }
     return largest;
@@ -116,7 +116,7 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
 static void weigh_cone(ground_constants *c, const tdmf_mode_equations *equations, double size) {
     const double friction = equations->static_friction, rate = equations->static_friction_rate;
     if (rate != 0.0) {
-        c->cone_tangential = tdmf_cone_of(larger(friction, friction + rate * size)).tangential;
+        c->cone_tangential = tdmf_cone_of(real_max(friction, friction + rate * size)).tangential;
         c->cone_normal = c->cone_tangential * friction;
         c->cone_normal_rate = c->cone_tangential * rate;
     }
@@ -134,7 +134,7 @@ tdmf_step_end tdmf_step_find_end(tdmf_step *step, const tdmf_mode *mode) {
     event_search *search = &step->search;
     const mode_constants *constants =
         flies(step) ? &step->constants.flight.mode : &step->constants.ground.mode;
-    begin_search(search, step->order, choice_of(true),
+    begin_search(search, step->order, mask_of(true),
                  tdmf_beyond_margin(step->tolerance) * constants->margin_factor);
     if (flies(step)) {
         search_flight(step, mode);

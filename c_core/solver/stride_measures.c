@@ -98,7 +98,7 @@ static void note_turns(tdmf_measured *measured, const tdmf_measured_step *along,
         c[k] = rate[k] * step->search.power[k];
     }
     for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
-        const root turn = first_sign_change(c, order, 0.0, from, end, choice_of(true));
+        const root turn = first_sign_change(c, order, 0.0, from, end, mask_of(true));
         if (!turn.is_root || !(turn.time > from)) {
             break;
         }

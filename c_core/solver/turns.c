@@ -39,7 +39,7 @@ typedef struct {
 
 static inline partial_sums with_term(partial_sums sums, double term) {
     const double sum = sums.sum + term;
-    const partial_sums next = {sum, smaller(sums.least, sum), larger(sums.most, sum)};
+    const partial_sums next = {sum, real_min(sums.least, sum), real_max(sums.most, sum)};
     return next;
 }
 
@@ -79,7 +79,7 @@ static double force_turn(const tdmf_step *step, const double *force, bool rising
         rate.c[k] = -rate.c[k];
     }
     const root turn = first_root(rate.c, rate.order, TDMF_BEYOND_DEAD_BAND * scales->force / scales->time,
-                                 from / step->size, to / step->size, choice_of(true));
+                                 from / step->size, to / step->size, mask_of(true));
     return turn.is_root ? turn.time * step->size : INFINITY;
 }
 
@@ -132,7 +132,7 @@ bool tdmf_leg_lengthens(const tdmf_step *step, double end) {
     double sum = rate[0], most = sum;
     for (int k = 1; k <= order; ++k) {
         sum += rate[k] * step->search.power[k];
-        most = larger(most, sum);
+        most = real_max(most, sum);
     }
     if (most < 0.0) {
         return false;
@@ -144,7 +144,7 @@ bool tdmf_leg_lengthens(const tdmf_step *step, double end) {
     for (int k = 0; k <= order; ++k) {
         shortening.c[k] = -shortening.c[k];
     }
-    return first_root(shortening.c, order, 0.0, 0.0, end / step->size, choice_of(true)).is_root;
+    return first_root(shortening.c, order, 0.0, 0.0, end / step->size, mask_of(true)).is_root;
 }
 
 /* ---- the hip's power ---------------------------------------------------------------------------------- */
@@ -224,7 +224,7 @@ static double next_turn(const tdmf_step *step, changing_factors *changing, doubl
     for (int i = 0; i < changing->count; ++i) {
         const factor *f = &changing->of[i];
         const root found =
-            first_sign_change(f->c, f->order, f->zero, from / step->size, end / step->size, choice_of(true));
+            first_sign_change(f->c, f->order, f->zero, from / step->size, end / step->size, mask_of(true));
         if (found.time < first.time || (found.time == first.time && found.is_root)) {
             first = found;
             turning = i;
@@ -233,7 +233,7 @@ static double next_turn(const tdmf_step *step, changing_factors *changing, doubl
     if (first.is_root && changing->of[turning].is_monotone) {
         changing->of[turning] = changing->of[--changing->count];
     }
-    return first.is_root ? smaller(first.time * step->size, end) : end;
+    return first.is_root ? real_min(first.time * step->size, end) : end;
 }
 
 /* One more, if work is done in it. */
@@ -261,13 +261,13 @@ static double split_work(const tdmf_step *step, double end, double total, tdmf_s
     }
     if (changing.count == 0) {
         add_span(spans, 0.0, end, total);
-        return larger(0.0, total);
+        return real_max(0.0, total);
     }
     for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
         const double to = next_turn(step, &changing, from, end);
         const double done_then = to < end ? tdmf_step_work(step, to) : total;
         add_span(spans, from, to, done_then - done);
-        positive += larger(0.0, done_then - done);
+        positive += real_max(0.0, done_then - done);
         done = done_then;
         from = to;
     }

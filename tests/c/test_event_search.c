@@ -15,7 +15,7 @@ static event_search search_of_order(int order) {
     memset(&search, 0, sizeof search);
     search.size = step_size;
     set_powers(search.power, step_size, order);
-    begin_search(&search, order, choice_of(true), -1e-12);
+    begin_search(&search, order, mask_of(true), -1e-12);
     return search;
 }
 
@@ -75,7 +75,7 @@ static void the_spread_knows_every_term(void **state) {
                 double shares[SERIES_TERMS] = {5.0}, series[SERIES_TERMS];
                 shares[term] = 3.0 * sign;
                 in_time(shares, order, series);
-                assert_close(spread_of(&search, series, order), 3.0, 1e-15);
+                assert_close(largest_deviation(&search, series, order), 3.0, 1e-15);
             }
         }
     }
@@ -143,7 +143,7 @@ static void a_step_in_graze_ends_at_the_kink_of_the_clamp(void **state) {
         event_search search = search_of_order(8);
         double torque[SERIES_TERMS];
         in_time(shares, 1, torque);
-        clamp_servo(&search, &c, choice_of(true), 7, torque);
+        clamp_servo(&search, &c, mask_of(true), 7, torque);
         search_pending(&search);
         assert_int_equal(search.end, KINK);
         assert_close(search.time, 0.3, 1e-11);
@@ -160,7 +160,7 @@ static void without_a_clamp_there_is_no_kink(void **state) {
     double torque[SERIES_TERMS];
     (void)state;
     in_time(shares, 1, torque);
-    clamp_servo(&search, &c, choice_of(false), 7, torque);
+    clamp_servo(&search, &c, mask_of(false), 7, torque);
     search_pending(&search);
     assert_true(search.time == INFINITY);
     assert_close(torque[1], -0.5, 1e-15);

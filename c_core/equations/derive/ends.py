@@ -37,7 +37,7 @@ def traced(page: Any, told: dict[str, str]) -> dict[str, Expression]:
 
 def real(value: Expression) -> str:
     """Write a value for any width."""
-    return f"real_of({c_text(value)})" if value.operation == "number" else c_text(value)
+    return f"broadcast({c_text(value)})" if value.operation == "number" else c_text(value)
 
 
 def ends() -> str:

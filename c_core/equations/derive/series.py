@@ -165,13 +165,13 @@ class Expansion:
         ramps = {leaf: leaf.marks["ramp"] for leaf in leaves([steady]) if "ramp" in leaf.marks}
         rate = derivative(steady, ramps)
         parts = [c_text(moving, self.factor)]
-        parts += [f"real_of({c_text(p)})" if p.operation == "number" else c_text(p) for p in (steady, rate)]
+        parts += [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in (steady, rate)]
         word = min(leaf.marks["word"] for leaf in ramps) if ramps else "constant"
         parts = parts if ramps else parts[:2]
         if moving.is_number(0):
             nothing = steady.is_number(0) and not ramps
             return parts[1] if nothing else f"{word}_of({k}, {', '.join(parts[1:])})"
-        return parts[0] if parts[1:] == ["real_of(0.0)"] else f"with_{word}({k}, {', '.join(parts)})"
+        return parts[0] if parts[1:] == ["broadcast(0.0)"] else f"with_{word}({k}, {', '.join(parts)})"
 
     def atoms(self, node: Expression) -> list[Expression]:
         """Give what a sum is made of, of all that moves: what stands, or is no sum."""

@@ -59,7 +59,7 @@ WATCH = """\
 {what}static inline void {name}(event_search *search, const {motion}_constants *c,
                           const {motion}_series *s{given}) {{
     const guard_series g = {{s->{series}, {weight}, {start}, {order}}};
-    const choice watching = {watching};
+    const mask watching = {watching};
     if (any(watching)) {{
         watch(search, TDMF_GUARD_{guard}, watching, &g, {floor});
     }}
@@ -126,7 +126,7 @@ def watched(event: Event, motion: str) -> tuple[str, str]:
     band = dead if event.band == "dead" else "search->beyond_margin"
     flag = FLAGS.get(event.only_while, "")
     by_length = series[0].name == "length" and (factor.is_number(1) or factor.is_number(-1))
-    near = "not(g.start > length_change)" if by_length else ""
+    near = "mask_not(g.start > length_change)" if by_length else ""
     name = f"watch_{event.name}_{'in' if motion == 'flight' else 'on'}_{motion}"
     text = WATCH.format(
         what=comment(event.law.__doc__),
@@ -134,7 +134,7 @@ def watched(event: Event, motion: str) -> tuple[str, str]:
         motion=motion,
         given=", real length_change" if by_length else "",
         series=series[0].name,
-        weight=f"real_of({c_text(factor)})" if factor.operation == "number" else c_text(factor),
+        weight=f"broadcast({c_text(factor)})" if factor.operation == "number" else c_text(factor),
         start=c_text(value, lambda node: f"{node.value}[0]" if node is series[0] else None),
         order="search->order - 1" if series[0].name in SHORTER else "search->order",
         watching=" & ".join(filter(None, ["search->live", flag and f"({flag})", near])),
@@ -180,7 +180,7 @@ def parameters() -> str:
             if event.name not in BY_HAND[motion]:
                 given = [leaf for leaf in leaves([guard(event, motion)]) if "path" in leaf.marks]
                 found |= {str(leaf.name): leaf.marks["path"] for leaf in given}
-    values = [f".{name} = real_of({path.replace('model.', 'model->', 1)})," for name, path in found.items()]
+    values = [f".{name} = broadcast({path.replace('model.', 'model->', 1)})," for name, path in found.items()]
     text = PARAMETERS.format(struct=struct("guard_parameters", found, "real"), values=" ".join(values))
     includes = '#include "tdmf_slip/parameters.h"\n#include "width.h"\n'
     return header("guard_parameters", "events.py", includes, text)
