@@ -92,14 +92,15 @@ tdmf_vary_acceleration_of_foot(const tdmf_model *model, const tdmf_ground_line *
 
 /* rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9). */
 static inline tdmf_leg_rates tdmf_acceleration_of_leg(const tdmf_model *model, const tdmf_leg *leg,
-                                                      double torque, tdmf_vector fall, tdmf_vector foot) {
+                                                      double torque, tdmf_vector free_body,
+                                                      tdmf_vector foot) {
     const double turning = torque * leg->inverse_length * model->inverse_body_mass -
-                           (fall.x * leg->cosine + fall.y * leg->sine) + foot.x * leg->cosine +
+                           (free_body.x * leg->cosine + free_body.y * leg->sine) + foot.x * leg->cosine +
                            foot.y * leg->sine - 2.0 * leg->length_rate * leg->angle_rate;
     const tdmf_leg_rates result = {
-        .length = leg->length * leg->angle_rate * leg->angle_rate +
-                  leg->axial_force * model->inverse_body_mass + (fall.y * leg->cosine - fall.x * leg->sine) +
-                  foot.x * leg->sine - foot.y * leg->cosine,
+        .length =
+            leg->length * leg->angle_rate * leg->angle_rate + leg->axial_force * model->inverse_body_mass +
+            (free_body.y * leg->cosine - free_body.x * leg->sine) + foot.x * leg->sine - foot.y * leg->cosine,
         .angle = turning * leg->inverse_length,
     };
     return result;
@@ -107,26 +108,27 @@ static inline tdmf_leg_rates tdmf_acceleration_of_leg(const tdmf_model *model, c
 
 /* Its change. */
 static inline tdmf_leg_rates tdmf_vary_acceleration_of_leg(const tdmf_model *model, const tdmf_leg *leg,
-                                                           double torque, tdmf_vector fall, tdmf_vector foot,
-                                                           const tdmf_model *d_model, const tdmf_leg *d_leg,
-                                                           double d_torque, tdmf_vector d_fall,
-                                                           tdmf_vector d_foot) {
+                                                           double torque, tdmf_vector free_body,
+                                                           tdmf_vector foot, const tdmf_model *d_model,
+                                                           const tdmf_leg *d_leg, double d_torque,
+                                                           tdmf_vector d_free_body, tdmf_vector d_foot) {
     const double d_turning =
         (d_torque * leg->inverse_length + torque * d_leg->inverse_length) * model->inverse_body_mass +
         torque * leg->inverse_length * d_model->inverse_body_mass -
-        (d_fall.x * leg->cosine + fall.x * d_leg->cosine + (d_fall.y * leg->sine + fall.y * d_leg->sine)) +
+        (d_free_body.x * leg->cosine + free_body.x * d_leg->cosine +
+         (d_free_body.y * leg->sine + free_body.y * d_leg->sine)) +
         (d_foot.x * leg->cosine + foot.x * d_leg->cosine) + (d_foot.y * leg->sine + foot.y * d_leg->sine) -
         (2.0 * d_leg->length_rate * leg->angle_rate + 2.0 * leg->length_rate * d_leg->angle_rate);
     const double turning = torque * leg->inverse_length * model->inverse_body_mass -
-                           (fall.x * leg->cosine + fall.y * leg->sine) + foot.x * leg->cosine +
+                           (free_body.x * leg->cosine + free_body.y * leg->sine) + foot.x * leg->cosine +
                            foot.y * leg->sine - 2.0 * leg->length_rate * leg->angle_rate;
     const tdmf_leg_rates result = {
         .length =
             (d_leg->length * leg->angle_rate + leg->length * d_leg->angle_rate) * leg->angle_rate +
             leg->length * leg->angle_rate * d_leg->angle_rate +
             (d_leg->axial_force * model->inverse_body_mass + leg->axial_force * d_model->inverse_body_mass) +
-            (d_fall.y * leg->cosine + fall.y * d_leg->cosine -
-             (d_fall.x * leg->sine + fall.x * d_leg->sine)) +
+            (d_free_body.y * leg->cosine + free_body.y * d_leg->cosine -
+             (d_free_body.x * leg->sine + free_body.x * d_leg->sine)) +
             (d_foot.x * leg->sine + foot.x * d_leg->sine) - (d_foot.y * leg->cosine + foot.y * d_leg->cosine),
         .angle = d_turning * leg->inverse_length + turning * d_leg->inverse_length,
     };
@@ -151,7 +153,7 @@ static inline double tdmf_vary_external_power(const tdmf_inputs *inputs, tdmf_po
  * no work. */
 static inline void tdmf_rates_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                    const tdmf_leg *leg, double torque, tdmf_ground_force force,
-                                   tdmf_vector foot, tdmf_leg_rates acceleration, double slip_velocity,
+                                   tdmf_vector foot, tdmf_leg_rates leg_acceleration, double slip_velocity,
                                    double place_rate, double external_power,
                                    double written[TDMF_STATE_COUNT]) {
     const double power = torque * leg->angle_rate;
@@ -161,8 +163,8 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
     written[TDMF_LEG_ANGLE] = leg->angle_rate;
     written[TDMF_FOOT_VX] = foot.x;
     written[TDMF_FOOT_VY] = foot.y;
-    written[TDMF_LEG_LENGTH_RATE] = acceleration.length;
-    written[TDMF_LEG_ANGLE_RATE] = acceleration.angle;
+    written[TDMF_LEG_LENGTH_RATE] = leg_acceleration.length;
+    written[TDMF_LEG_ANGLE_RATE] = leg_acceleration.angle;
     written[TDMF_HIP_WORK] = power;
     written[TDMF_HIP_PLACE_TIME] = place_rate;
     written[TDMF_LEG_WORK] = 0.0;
@@ -175,15 +177,16 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
 /* Its change. */
 static inline void tdmf_vary_rates_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                         const tdmf_leg *leg, double torque, tdmf_ground_force force,
-                                        tdmf_vector foot, tdmf_leg_rates acceleration, double slip_velocity,
-                                        double place_rate, double external_power, const tdmf_model *d_model,
-                                        const double d_state[TDMF_STATE_COUNT], const tdmf_leg *d_leg,
-                                        double d_torque, tdmf_ground_force d_force, tdmf_vector d_foot,
-                                        tdmf_leg_rates d_acceleration, double d_slip_velocity,
-                                        double d_external_power, double written[TDMF_STATE_COUNT]) {
+                                        tdmf_vector foot, tdmf_leg_rates leg_acceleration,
+                                        double slip_velocity, double place_rate, double external_power,
+                                        const tdmf_model *d_model, const double d_state[TDMF_STATE_COUNT],
+                                        const tdmf_leg *d_leg, double d_torque, tdmf_ground_force d_force,
+                                        tdmf_vector d_foot, tdmf_leg_rates d_leg_acceleration,
+                                        double d_slip_velocity, double d_external_power,
+                                        double written[TDMF_STATE_COUNT]) {
     (void)state;
     (void)foot;
-    (void)acceleration;
+    (void)leg_acceleration;
     (void)place_rate;
     (void)external_power;
     const double d_power = d_torque * leg->angle_rate + torque * d_leg->angle_rate;
@@ -194,8 +197,8 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
     written[TDMF_LEG_ANGLE] = d_leg->angle_rate;
     written[TDMF_FOOT_VX] = d_foot.x;
     written[TDMF_FOOT_VY] = d_foot.y;
-    written[TDMF_LEG_LENGTH_RATE] = d_acceleration.length;
-    written[TDMF_LEG_ANGLE_RATE] = d_acceleration.angle;
+    written[TDMF_LEG_LENGTH_RATE] = d_leg_acceleration.length;
+    written[TDMF_LEG_ANGLE_RATE] = d_leg_acceleration.angle;
     written[TDMF_HIP_WORK] = d_power;
     written[TDMF_HIP_PLACE_TIME] = 0.0;
     written[TDMF_LEG_WORK] = 0.0;

@@ -28,7 +28,7 @@ static inline tdmf_vector tdmf_vary_push_on_body(const tdmf_model *model, const 
 }
 
 /* a = (0, -g) + (external force)/m, of the body alone. */
-static inline tdmf_vector tdmf_fall_of_body(const tdmf_model *model, tdmf_vector push) {
+static inline tdmf_vector tdmf_body_acceleration(const tdmf_model *model, tdmf_vector push) {
     const tdmf_vector result = {
         .x = push.x,
         .y = push.y - model->parameters.gravity,
@@ -37,8 +37,8 @@ static inline tdmf_vector tdmf_fall_of_body(const tdmf_model *model, tdmf_vector
 }
 
 /* Its change. */
-static inline tdmf_vector tdmf_vary_fall_of_body(const tdmf_model *model, tdmf_vector push,
-                                                 const tdmf_model *d_model, tdmf_vector d_push) {
+static inline tdmf_vector tdmf_vary_body_acceleration(const tdmf_model *model, tdmf_vector push,
+                                                      const tdmf_model *d_model, tdmf_vector d_push) {
     (void)model;
     (void)push;
     const tdmf_vector result = {
@@ -49,7 +49,7 @@ static inline tdmf_vector tdmf_vary_fall_of_body(const tdmf_model *model, tdmf_v
 }
 
 /* (0, -g) + (external force)/(m + m_f), of the centre of mass. */
-static inline tdmf_vector tdmf_fall_of_center(const tdmf_model *model, tdmf_vector push) {
+static inline tdmf_vector tdmf_com_acceleration(const tdmf_model *model, tdmf_vector push) {
     const tdmf_vector result = {
         .x = model->body_share * push.x,
         .y = model->body_share * push.y - model->parameters.gravity,
@@ -58,8 +58,8 @@ static inline tdmf_vector tdmf_fall_of_center(const tdmf_model *model, tdmf_vect
 }
 
 /* Its change. */
-static inline tdmf_vector tdmf_vary_fall_of_center(const tdmf_model *model, tdmf_vector push,
-                                                   const tdmf_model *d_model, tdmf_vector d_push) {
+static inline tdmf_vector tdmf_vary_com_acceleration(const tdmf_model *model, tdmf_vector push,
+                                                     const tdmf_model *d_model, tdmf_vector d_push) {
     const tdmf_vector result = {
         .x = d_model->body_share * push.x + model->body_share * d_push.x,
         .y = d_model->body_share * push.y + model->body_share * d_push.y - d_model->parameters.gravity,
@@ -68,34 +68,37 @@ static inline tdmf_vector tdmf_vary_fall_of_center(const tdmf_model *model, tdmf
 }
 
 /* The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6. */
-static inline tdmf_point tdmf_ballistic_after(tdmf_point start, tdmf_vector fall, tdmf_vector jerk,
+static inline tdmf_point tdmf_ballistic_after(tdmf_point start, tdmf_vector acceleration, tdmf_vector jerk,
                                               double time) {
     const tdmf_point result = {
-        .x = start.x + time * (start.vx + time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x))),
-        .y = start.y + time * (start.vy + time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y))),
-        .vx = start.vx + time * (fall.x + 0.5 * (time * jerk.x)),
-        .vy = start.vy + time * (fall.y + 0.5 * (time * jerk.y)),
+        .x = start.x + time * (start.vx + time * (0.5 * acceleration.x + 1.0 / 6.0 * (time * jerk.x))),
+        .y = start.y + time * (start.vy + time * (0.5 * acceleration.y + 1.0 / 6.0 * (time * jerk.y))),
+        .vx = start.vx + time * (acceleration.x + 0.5 * (time * jerk.x)),
+        .vy = start.vy + time * (acceleration.y + 0.5 * (time * jerk.y)),
     };
     return result;
 }
 
 /* Its change. */
-static inline tdmf_point tdmf_vary_ballistic_after(tdmf_point start, tdmf_vector fall, tdmf_vector jerk,
-                                                   double time, tdmf_point d_start, tdmf_vector d_fall,
-                                                   tdmf_vector d_jerk, double d_time) {
+static inline tdmf_point tdmf_vary_ballistic_after(tdmf_point start, tdmf_vector acceleration,
+                                                   tdmf_vector jerk, double time, tdmf_point d_start,
+                                                   tdmf_vector d_acceleration, tdmf_vector d_jerk,
+                                                   double d_time) {
     const tdmf_point result = {
-        .x = d_start.x + (d_time * (start.vx + time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x))) +
-                          time * (d_start.vx + (d_time * (0.5 * fall.x + 1.0 / 6.0 * (time * jerk.x)) +
-                                                time * (0.5 * d_fall.x +
-                                                        1.0 / 6.0 * (d_time * jerk.x + time * d_jerk.x))))),
-        .y = d_start.y + (d_time * (start.vy + time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y))) +
-                          time * (d_start.vy + (d_time * (0.5 * fall.y + 1.0 / 6.0 * (time * jerk.y)) +
-                                                time * (0.5 * d_fall.y +
-                                                        1.0 / 6.0 * (d_time * jerk.y + time * d_jerk.y))))),
-        .vx = d_start.vx + (d_time * (fall.x + 0.5 * (time * jerk.x)) +
-                            time * (d_fall.x + 0.5 * (d_time * jerk.x + time * d_jerk.x))),
-        .vy = d_start.vy + (d_time * (fall.y + 0.5 * (time * jerk.y)) +
-                            time * (d_fall.y + 0.5 * (d_time * jerk.y + time * d_jerk.y))),
+        .x = d_start.x +
+             (d_time * (start.vx + time * (0.5 * acceleration.x + 1.0 / 6.0 * (time * jerk.x))) +
+              time * (d_start.vx +
+                      (d_time * (0.5 * acceleration.x + 1.0 / 6.0 * (time * jerk.x)) +
+                       time * (0.5 * d_acceleration.x + 1.0 / 6.0 * (d_time * jerk.x + time * d_jerk.x))))),
+        .y = d_start.y +
+             (d_time * (start.vy + time * (0.5 * acceleration.y + 1.0 / 6.0 * (time * jerk.y))) +
+              time * (d_start.vy +
+                      (d_time * (0.5 * acceleration.y + 1.0 / 6.0 * (time * jerk.y)) +
+                       time * (0.5 * d_acceleration.y + 1.0 / 6.0 * (d_time * jerk.y + time * d_jerk.y))))),
+        .vx = d_start.vx + (d_time * (acceleration.x + 0.5 * (time * jerk.x)) +
+                            time * (d_acceleration.x + 0.5 * (d_time * jerk.x + time * d_jerk.x))),
+        .vy = d_start.vy + (d_time * (acceleration.y + 0.5 * (time * jerk.y)) +
+                            time * (d_acceleration.y + 0.5 * (d_time * jerk.y + time * d_jerk.y))),
     };
     return result;
 }

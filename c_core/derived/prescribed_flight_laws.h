@@ -31,7 +31,7 @@ static inline void tdmf_vary_placed_leg(const tdmf_model *model, const tdmf_inpu
 
 /* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
 static inline void tdmf_prescribed_rates(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                         tdmf_leg_direction direction, tdmf_vector fall,
+                                         tdmf_leg_direction direction, tdmf_vector acceleration,
                                          double written[TDMF_STATE_COUNT]) {
     const double towards = model->body_share * state[TDMF_LEG_ANGLE_RATE] * state[TDMF_LEG_ANGLE_RATE];
     const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
@@ -39,20 +39,20 @@ static inline void tdmf_prescribed_rates(const tdmf_model *model, const double s
     written[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
     written[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
     written[TDMF_LEG_ANGLE] = state[TDMF_LEG_ANGLE_RATE];
-    written[TDMF_FOOT_VX] = fall.x + towards * x;
-    written[TDMF_FOOT_VY] = fall.y + towards * y;
+    written[TDMF_FOOT_VX] = acceleration.x + towards * x;
+    written[TDMF_FOOT_VY] = acceleration.y + towards * y;
     written[TDMF_HIP_PLACE_TIME] = 1.0;
 }
 
 /* How long a centre of mass rises that falls so fast. */
-static inline double tdmf_rise_time(tdmf_point start, tdmf_vector fall) {
-    return start.vy / -fall.y;
+static inline double tdmf_rise_time(tdmf_point start, tdmf_vector acceleration) {
+    return start.vy / -acceleration.y;
 }
 
 /* Its change. */
-static inline double tdmf_vary_rise_time(tdmf_point start, tdmf_vector fall, tdmf_point d_start,
-                                         tdmf_vector d_fall) {
-    return (d_start.vy - start.vy / -fall.y * -d_fall.y) / -fall.y;
+static inline double tdmf_vary_rise_time(tdmf_point start, tdmf_vector acceleration, tdmf_point d_start,
+                                         tdmf_vector d_acceleration) {
+    return (d_start.vy - start.vy / -acceleration.y * -d_acceleration.y) / -acceleration.y;
 }
 
 #endif

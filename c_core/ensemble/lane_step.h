@@ -56,10 +56,10 @@ static inline ballistic center_of_mass_of(const flying_member *m, bool ground_wa
     const flight_constants *c = &m->constants;
     const real gone = m->now.elapsed;
     ballistic com;
-    com.ground = fall_on(m->com, c->normal_gravity, gone);
+    com.ground = height_after(m->com, c->normal_gravity, gone);
     com.rise_rate = m->rise_rate - c->mode.gravity * gone;
     if (ground_waits) {
-        com.new_ground = fall_on(m->com_over_new_ground, c->new_normal_gravity, gone);
+        com.new_ground = height_after(m->com_over_new_ground, c->new_normal_gravity, gone);
     }
     return com;
 }

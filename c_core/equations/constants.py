@@ -27,7 +27,7 @@ def on_ground(model, line, law, rest_length, push, friction, excess, fading):
 
     `friction` has the sign of the foot's velocity; `excess` and `fading` tell how it falls with speed.
     """
-    fall = free_fall.of_body(model, push)
+    acceleration = free_fall.of_body(model, push)
     weight = ground_force.foot_weight(model)
     return Record(
         stiffness=model.parameters.leg.stiffness,
@@ -37,8 +37,8 @@ def on_ground(model, line, law, rest_length, push, friction, excess, fading):
         inverse_foot_mass=model.inverse_foot_mass,
         foot_weight_x=weight * line.sine,
         foot_weight_y=weight * line.cosine,
-        gravity_x=-ground_line.along(line, fall.x, fall.y),
-        gravity_y=-ground_line.off(line, fall.x, fall.y),
+        gravity_x=-ground_line.along(line, acceleration.x, acceleration.y),
+        gravity_y=-ground_line.off(line, acceleration.x, acceleration.y),
         torque=law.torque,
         torque_rate=law.torque_rate,
         friction=friction,

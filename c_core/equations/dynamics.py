@@ -37,11 +37,11 @@ def foot_acceleration(model, line, leg, torque, force, contact):
     return Record(x=along * line.cosine, y=along * line.sine)
 
 
-def leg_acceleration(model, leg, torque, fall, foot):
+def leg_acceleration(model, leg, torque, free_body, foot):
     """rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9)."""
     turning = (
         torque * leg.inverse_length * model.inverse_body_mass
-        - (fall.x * leg.cosine + fall.y * leg.sine)
+        - (free_body.x * leg.cosine + free_body.y * leg.sine)
         + foot.x * leg.cosine
         + foot.y * leg.sine
         - 2 * leg.length_rate * leg.angle_rate
@@ -49,14 +49,14 @@ def leg_acceleration(model, leg, torque, fall, foot):
     return Record(
         length=leg.length * leg.angle_rate * leg.angle_rate
         + leg.axial_force * model.inverse_body_mass
-        + (fall.y * leg.cosine - fall.x * leg.sine)
+        + (free_body.y * leg.cosine - free_body.x * leg.sine)
         + foot.x * leg.sine
         - foot.y * leg.cosine,
         angle=turning * leg.inverse_length,
     )
 
 
-def rates(model, state, leg, torque, force, foot, acceleration, slip_velocity, place_rate, external_power):
+def rates(model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, place_rate, external_power):
     """The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
 
     The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg
@@ -70,8 +70,8 @@ def rates(model, state, leg, torque, force, foot, acceleration, slip_velocity, p
         leg_angle=leg.angle_rate,
         foot_vx=foot.x,
         foot_vy=foot.y,
-        leg_length_rate=acceleration.length,
-        leg_angle_rate=acceleration.angle,
+        leg_length_rate=leg_acceleration.length,
+        leg_angle_rate=leg_acceleration.angle,
         hip_work=power,
         hip_place_time=place_rate,
         leg_work=0,

@@ -1,4 +1,4 @@
-"""Free fall: gravity and the external force on the body, and the centre of mass in flight."""
+"""Free acceleration: gravity and the external force on the body, and the centre of mass in flight."""
 
 from .functions import Record
 
@@ -21,11 +21,11 @@ def of_center(model, push):
     return Record(x=model.body_share * push.x, y=model.body_share * push.y - model.parameters.gravity)
 
 
-def ballistic(start, fall, jerk, time):
+def ballistic(start, acceleration, jerk, time):
     """The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6."""
     return Record(
-        x=start.x + time * (start.vx + time * (fall.x / 2 + time * jerk.x / 6)),
-        y=start.y + time * (start.vy + time * (fall.y / 2 + time * jerk.y / 6)),
-        vx=start.vx + time * (fall.x + time * jerk.x / 2),
-        vy=start.vy + time * (fall.y + time * jerk.y / 2),
+        x=start.x + time * (start.vx + time * (acceleration.x / 2 + time * jerk.x / 6)),
+        y=start.y + time * (start.vy + time * (acceleration.y / 2 + time * jerk.y / 6)),
+        vx=start.vx + time * (acceleration.x + time * jerk.x / 2),
+        vy=start.vy + time * (acceleration.y + time * jerk.y / 2),
     )

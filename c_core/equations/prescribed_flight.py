@@ -19,7 +19,7 @@ def placed_leg(model, inputs, time):
     )
 
 
-def rates(model, state, direction, fall):
+def rates(model, state, direction, acceleration):
     """Where the leg has a constant length and rate, the foot swings about the centre of mass."""
     from_foot = coordinates.body_from_foot(state, direction)
     towards = model.body_share * state.leg_angle_rate * state.leg_angle_rate
@@ -27,12 +27,12 @@ def rates(model, state, direction, fall):
         foot_x=state.foot_vx,
         foot_y=state.foot_vy,
         leg_angle=state.leg_angle_rate,
-        foot_vx=fall.x + towards * from_foot.x,
-        foot_vy=fall.y + towards * from_foot.y,
+        foot_vx=acceleration.x + towards * from_foot.x,
+        foot_vy=acceleration.y + towards * from_foot.y,
         hip_place_time=1,
     )
 
 
-def time_to_apex(start, fall):
+def time_to_apex(start, acceleration):
     """How long a centre of mass rises that falls so fast."""
-    return start.vy / -fall.y
+    return start.vy / -acceleration.y

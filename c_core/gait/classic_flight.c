@@ -56,13 +56,13 @@ static bool begins(const tdmf_classic *slip, double energy, double height, apex 
 }
 
 /* How fast a leg that is held comes down: then F is a parabola. */
-static double held_fall(const tdmf_classic *slip, const apex *from) {
+static double fall_speed_of_fixed_leg(const tdmf_classic *slip, const apex *from) {
     const double climb = from->speed * from->tangent;
     const double root = sqrt(climb * climb + 2.0 * slip->gravity * from->clearance);
     return climb > 0.0 ? 2.0 * slip->gravity * from->clearance / (climb + root) : root - climb;
 }
 
-static double retracting_fall(const tdmf_classic *slip, const apex *from) {
+static double fall_speed_of_retracted_leg(const tdmf_classic *slip, const apex *from) {
     const tdmf_swinging_height over_ground = {
         from->height * from->ground.cosine,         -from->speed * from->ground.sine,
         -slip->gravity * from->ground.cosine,       slip->free_length,
@@ -118,14 +118,15 @@ tdmf_classic_outcome tdmf_classic_land(const tdmf_classic *slip, double energy, 
     if (!begins(slip, energy, height, &from)) {
         return TDMF_CLASSIC_NO_START;
     }
-    const double fall = slip->retraction_rate == 0.0 ? held_fall(slip, &from) : retracting_fall(slip, &from);
-    if (!(fall > 0.0) || !isfinite(fall)) {
+    const double fall_speed = slip->retraction_rate == 0.0 ? fall_speed_of_fixed_leg(slip, &from)
+                                                           : fall_speed_of_retracted_leg(slip, &from);
+    if (!(fall_speed > 0.0) || !isfinite(fall_speed)) {
         return TDMF_CLASSIC_NO_START;
     }
-    const double time = fall / slip->gravity;
+    const double time = fall_speed / slip->gravity;
     const double angle = slip->touchdown_angle - slip->retraction_rate * time;
     const tdmf_classic_point at = {-slip->free_length * sin(angle), slip->free_length * cos(angle),
-                                   from.speed, -fall};
+                                   from.speed, -fall_speed};
     standing->touchdown_angle = angle;
     standing->at = at;
     standing->foot = from.speed * time - at.x;

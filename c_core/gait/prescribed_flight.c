@@ -17,13 +17,13 @@
 /* ---- the centre of mass ------------------------------------------------------------------------------- */
 
 static tdmf_vector acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
+    return tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
 }
 
 static tdmf_vector vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const tdmf_direction *d) {
-    return tdmf_vary_fall_of_center(model, tdmf_push_on_body(model, inputs), &d->model,
-                                    tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
+    return tdmf_vary_com_acceleration(model, tdmf_push_on_body(model, inputs), &d->model,
+                                      tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
 }
 
 static const tdmf_vector steady = {0.0, 0.0};

@@ -75,13 +75,13 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
     const tdmf_direction d = tdmf_direction_of(model, change, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(
         model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const tdmf_vector fall = tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs));
-    const double shift = d_com.vy / -fall.y;
+    const tdmf_vector acceleration = tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
+    const double shift = d_com.vy / -acceleration.y;
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
         tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
     const tdmf_stride_change result = {
-        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + fall.x * shift,
+        .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + acceleration.x * shift,
                  d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
                  d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,

@@ -43,7 +43,7 @@ typedef struct {
 } ballistic;
 
 /* A height some time later. */
-static inline height_above fall_on(height_above from, real gravity, real elapsed) {
+static inline height_above height_after(height_above from, real gravity, real elapsed) {
     const height_above to = {from.height + elapsed * (from.rate - 0.5 * gravity * elapsed),
                              from.rate - gravity * elapsed};
     return to;

@@ -12,17 +12,17 @@
 /* ---- accelerations ------------------------------------------------------------------------------------ */
 
 typedef struct {
-    tdmf_vector fall, foot; /* of the body without its leg, and of the foot */
+    tdmf_vector body, foot; /* of the body as if it had no leg, and of the foot */
     tdmf_leg_rates leg;
 } accelerations;
 
 static inline accelerations accelerate(const tdmf_evaluation *at) {
     const tdmf_model *model = at->model;
     accelerations a;
-    a.fall = tdmf_fall_of_body(model, tdmf_push_on_body(model, at->inputs));
+    a.body = tdmf_body_acceleration(model, tdmf_push_on_body(model, at->inputs));
     a.foot = tdmf_acceleration_of_foot(model, &at->mode->ground, &at->leg, at->torque, at->force,
                                        at->mode->contact);
-    a.leg = tdmf_acceleration_of_leg(model, &at->leg, at->torque, a.fall, a.foot);
+    a.leg = tdmf_acceleration_of_leg(model, &at->leg, at->torque, a.body, a.foot);
     return a;
 }
 
@@ -30,13 +30,13 @@ static accelerations vary_accelerations(const tdmf_evaluation *at, const tdmf_ev
     const tdmf_model *model = at->model;
     const accelerations a = accelerate(at);
     accelerations d_a;
-    d_a.fall = tdmf_vary_fall_of_body(model, tdmf_push_on_body(model, at->inputs), d->model,
-                                      tdmf_vary_push_on_body(model, at->inputs, d->model, d->inputs));
+    d_a.body = tdmf_vary_body_acceleration(model, tdmf_push_on_body(model, at->inputs), d->model,
+                                           tdmf_vary_push_on_body(model, at->inputs, d->model, d->inputs));
     d_a.foot = tdmf_vary_acceleration_of_foot(model, &at->mode->ground, &at->leg, at->torque, at->force,
                                               at->mode->contact, d->model, &d->mode->ground, &d->leg,
                                               d->torque, d->force);
-    d_a.leg = tdmf_vary_acceleration_of_leg(model, &at->leg, at->torque, a.fall, a.foot, d->model, &d->leg,
-                                            d->torque, d_a.fall, d_a.foot);
+    d_a.leg = tdmf_vary_acceleration_of_leg(model, &at->leg, at->torque, a.body, a.foot, d->model, &d->leg,
+                                            d->torque, d_a.body, d_a.foot);
     return d_a;
 }
 

@@ -10,12 +10,12 @@ static inline bool tdmf_is_pushed(const tdmf_inputs *inputs) {
 }
 
 /* What of it is along a line and away from it. */
-static inline double tdmf_along_line(const tdmf_ground_line *line, tdmf_vector fall) {
-    return tdmf_velocity_along(line, fall.x, fall.y);
+static inline double tdmf_along_line(const tdmf_ground_line *line, tdmf_vector acceleration) {
+    return tdmf_velocity_along(line, acceleration.x, acceleration.y);
 }
 
-static inline double tdmf_off_line(const tdmf_ground_line *line, tdmf_vector fall) {
-    return tdmf_velocity_off(line, fall.x, fall.y);
+static inline double tdmf_off_line(const tdmf_ground_line *line, tdmf_vector acceleration) {
+    return tdmf_velocity_off(line, acceleration.x, acceleration.y);
 }
 
 #endif

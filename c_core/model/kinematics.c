@@ -14,7 +14,7 @@ tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_
 tdmf_point tdmf_center_of_mass_after(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from,
                                      double time) {
     static const tdmf_vector steady = {0.0, 0.0};
-    return tdmf_ballistic_after(from, tdmf_fall_of_center(model, tdmf_push_on_body(model, inputs)), steady,
+    return tdmf_ballistic_after(from, tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs)), steady,
                                 time);
 }
 

@@ -26,10 +26,10 @@ tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_dire
 }
 
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
-    const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
+    const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     const double share = equations->model->body_share;
     const tdmf_vector rate = {share * equations->push_rate.x, share * equations->push_rate.y};
-    return tdmf_ballistic_after(equations->com, fall, rate, t);
+    return tdmf_ballistic_after(equations->com, acceleration, rate, t);
 }
 
 /* A leg that has wound past a half turn in flight stays wound. */

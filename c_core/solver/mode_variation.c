@@ -31,15 +31,15 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
 }
 
 /* The change of the centre of mass's acceleration. */
-static tdmf_vector vary_fall(const tdmf_mode_equations *equations, const tdmf_change *change) {
+static tdmf_vector vary_acceleration(const tdmf_mode_equations *equations, const tdmf_change *change) {
     const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
-    return tdmf_vary_fall_of_center(equations->model, equations->push, &d.model,
-                                    tdmf_vary_push(equations, &d));
+    return tdmf_vary_com_acceleration(equations->model, equations->push, &d.model,
+                                      tdmf_vary_push(equations, &d));
 }
 
 static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
                            const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
-    const tdmf_vector d_fall = vary_fall(step->equations, change);
+    const tdmf_vector d_acceleration = vary_acceleration(step->equations, change);
     flight_start end;
     vary_end_flight(&step->series.flight, tangent, step->order, t, &end);
     set_flight(&end, &varied_mode->at.flying);
@@ -47,8 +47,8 @@ static void advance_flight(const tdmf_step *step, double t, const tdmf_change *c
     const tdmf_mode_equations *equations = step->equations;
     const tdmf_vector none = {0.0, 0.0};
     varied_mode->com =
-        tdmf_vary_ballistic_after(equations->com, tdmf_fall_of_center(equations->model, equations->push),
-                                  none, t, varied_mode->com, d_fall, none, 0.0);
+        tdmf_vary_ballistic_after(equations->com, tdmf_com_acceleration(equations->model, equations->push),
+                                  none, t, varied_mode->com, d_acceleration, none, 0.0);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */

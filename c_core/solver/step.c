@@ -202,7 +202,7 @@ typedef struct {
 static place_integral integrate_body_in_flight(const tdmf_step *step, double t) {
     const tdmf_mode_equations *equations = step->equations;
     const flight_series *f = &step->series.flight;
-    const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
+    const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     const double share = equations->model->body_share, rest = 1.0 - share;
     const int order = step->order - 1;
     double across[SERIES_TERMS], along[SERIES_TERMS];
@@ -212,10 +212,12 @@ static place_integral integrate_body_in_flight(const tdmf_step *step, double t) 
     }
     const place_integral integral = {
         t * (equations->com.x +
-             t * (equations->com.vx / 2.0 + t * (fall.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
+             t * (equations->com.vx / 2.0 +
+                  t * (acceleration.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
             rest * series_integral(across, order, t),
         t * (equations->com.y +
-             t * (equations->com.vy / 2.0 + t * (fall.y / 6.0 + t * share * equations->push_rate.y / 24.0))) +
+             t * (equations->com.vy / 2.0 +
+                  t * (acceleration.y / 6.0 + t * share * equations->push_rate.y / 24.0))) +
             rest * series_integral(along, order, t),
     };
     return integral;

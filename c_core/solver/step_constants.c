@@ -45,10 +45,10 @@ ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
 
 /* Of the centre of mass: its weight, less what pushes it up. */
 static void set_forcing(const tdmf_mode_equations *equations, flight_constants *constants) {
-    const tdmf_vector fall = tdmf_fall_of_center(equations->model, equations->push);
-    constants->mode.gravity = -fall.y;
-    constants->normal_gravity = -tdmf_off_line(&equations->ground, fall);
-    constants->new_normal_gravity = -tdmf_off_line(&equations->new_ground, fall);
+    const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
+    constants->mode.gravity = -acceleration.y;
+    constants->normal_gravity = -tdmf_off_line(&equations->ground, acceleration);
+    constants->new_normal_gravity = -tdmf_off_line(&equations->new_ground, acceleration);
 }
 
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,

@@ -27,10 +27,10 @@ TYPES = {
     "direction": "tdmf_leg_direction",
     "contact": "tdmf_contact_mode",
     "force": "tdmf_ground_force",
-    "acceleration": "tdmf_leg_rates",
+    "leg_acceleration": "tdmf_leg_rates",
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
-    **dict.fromkeys(("push", "fall", "jerk", "foot"), "tdmf_vector"),
+    **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
     **dict.fromkeys(("upright", "sticks", "falls"), "bool"),
 }
 FIXED = ("direction", "sign", "sine", "turns", "place_rate")
@@ -86,8 +86,8 @@ graze
     tdmf_ground_force force_in_flight = graze.force_in_flight | only
 free_fall
     tdmf_vector push_on_body = free_fall.push_on_body
-    tdmf_vector fall_of_body = free_fall.of_body
-    tdmf_vector fall_of_center = free_fall.of_center
+    tdmf_vector body_acceleration = free_fall.of_body
+    tdmf_vector com_acceleration = free_fall.of_center
     tdmf_point ballistic_after = free_fall.ballistic
 coordinate
     tdmf_point body_from_foot = coordinates.body_from_foot
