@@ -24,13 +24,13 @@ static inline double tdmf_velocity_off(const tdmf_ground_line *line, double vx, 
 }
 
 /* t.(p - (0, h)), from the pivot along the line. */
-static inline double tdmf_place_along(const tdmf_ground_line *line, double x, double y) {
+static inline double tdmf_offset_along(const tdmf_ground_line *line, double x, double y) {
     return line->cosine * x + line->sine * (y - line->height);
 }
 
 /* Its change. */
-static inline double tdmf_vary_place_along(const tdmf_ground_line *line, double x, double y,
-                                           const tdmf_ground_line *d_line, double d_x, double d_y) {
+static inline double tdmf_vary_offset_along(const tdmf_ground_line *line, double x, double y,
+                                            const tdmf_ground_line *d_line, double d_x, double d_y) {
     return -line->sine * d_line->slope * x + line->cosine * d_x +
            (line->cosine * d_line->slope * (y - line->height) + line->sine * (d_y - d_line->height));
 }

@@ -244,7 +244,7 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     fill_lanes(integration, batch);
     integration->work.steps += batch->count;
-    integration->work.places += LANES;
+    integration->work.lane_steps += LANES;
     const bool is_noted = tdmf_notes_strides(integration->ensemble);
     if (is_noted) {
         integration->before = batch->members;

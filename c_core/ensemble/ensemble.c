@@ -79,7 +79,7 @@ static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, i
         }
         work->strides += ends[i].strides;
     }
-    work->steps = work->places = solver.steps;
+    work->steps = work->lane_steps = solver.steps;
     work->events = solver.events;
     work->evaluations = solver.evaluations;
     return true;
@@ -110,7 +110,7 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
     sum->strides += part->strides;
     sum->events += part->events;
     sum->steps += part->steps;
-    sum->places += part->places;
+    sum->lane_steps += part->lane_steps;
     sum->evaluations += part->evaluations;
 }
 

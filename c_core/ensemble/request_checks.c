@@ -158,10 +158,10 @@ static bool has_room(const tdmf_ensemble *ensemble) {
     return ensemble->strides == NULL || (ensemble->first_stride >= 0 && ensemble->stride_count >= 0);
 }
 
-static bool has_places(const tdmf_ensemble *ensemble) {
+static bool has_checkpoints(const tdmf_ensemble *ensemble) {
     for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
-        if (ensemble->places == NULL ||
-            (ensemble->places[i].stands && !tdmf_is_sound_motion(&ensemble->places[i].motion))) {
+        if (ensemble->checkpoints == NULL ||
+            (ensemble->checkpoints[i].stands && !tdmf_is_sound_motion(&ensemble->checkpoints[i].motion))) {
             return false;
         }
     }
@@ -175,5 +175,5 @@ bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_e
            tdmf_has_instructions(ensemble->instructions) &&
            (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&
            (ensemble->given == NULL || are_given(ensemble->given, ensemble->count)) && has_cases(ensemble) &&
-           has_room(ensemble) && has_places(ensemble);
+           has_room(ensemble) && has_checkpoints(ensemble);
 }

@@ -190,7 +190,7 @@ static bool begin_next_stride(tdmf_runner *runner) {
     if (is_set(runner)) {
         set(runner);
         if (runner->map == TDMF_REDUCED_MAP) {
-            tdmf_reduced_place(runner->model, &runner->inputs, &runner->motion);
+            tdmf_reduced_reset_leg(runner->model, &runner->inputs, &runner->motion);
         }
     }
     return begin_stride(runner);
@@ -232,8 +232,8 @@ static bool begin(tdmf_runner *runner) {
     tdmf_ensemble_end *end = runner->end;
     *end = nothing_yet;
     memcpy(end->apex, section, sizeof end->apex);
-    if (runner->ensemble->places) {
-        runner->ensemble->places[runner->index].stands = false;
+    if (runner->ensemble->checkpoints) {
+        runner->ensemble->checkpoints[runner->index].stands = false;
     }
     if (is_set(runner)) {
         set(runner);
@@ -249,14 +249,14 @@ static bool begin(tdmf_runner *runner) {
 
 /* Where it stood at the end of an earlier call. */
 static bool go_on(tdmf_runner *runner) {
-    tdmf_ensemble_place *place = &runner->ensemble->places[runner->index];
-    if (!place->stands || runner->end->strides >= runner->its_case->rules.most_strides) {
+    tdmf_ensemble_checkpoint *checkpoint = &runner->ensemble->checkpoints[runner->index];
+    if (!checkpoint->stands || runner->end->strides >= runner->its_case->rules.most_strides) {
         return false;
     }
-    place->stands = false;
-    runner->motion = place->motion;
+    checkpoint->stands = false;
+    runner->motion = checkpoint->motion;
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
-    runner->inputs.ground.height = place->ground_height;
+    runner->inputs.ground.height = checkpoint->ground_height;
     open_stride(runner);
     return begin_next_stride(runner);
 }
@@ -321,10 +321,10 @@ static int gait_near(const tdmf_runner *runner, const double apex[TDMF_SECTION_C
 }
 
 static void stand(const tdmf_runner *runner) {
-    tdmf_ensemble_place *places = runner->ensemble->places;
-    if (places) {
-        const tdmf_ensemble_place place = {true, runner->motion, runner->inputs.ground.height};
-        places[runner->index] = place;
+    tdmf_ensemble_checkpoint *checkpoints = runner->ensemble->checkpoints;
+    if (checkpoints) {
+        const tdmf_ensemble_checkpoint checkpoint = {true, runner->motion, runner->inputs.ground.height};
+        checkpoints[runner->index] = checkpoint;
     }
 }
 

@@ -61,19 +61,19 @@ int64_t tdmf_take_number(int64_t *counter) {
 typedef struct {
     job job;
     thread thread;
-} place;
+} worker;
 
 void tdmf_side_by_side(tdmf_work *work, void *shared, int count) {
-    place *places = count > 1 ? calloc((size_t)count, sizeof *places) : NULL;
+    worker *workers = count > 1 ? calloc((size_t)count, sizeof *workers) : NULL;
     int started = 1;
-    for (bool goes_on = places != NULL; goes_on && started < count; started += goes_on) {
+    for (bool goes_on = workers != NULL; goes_on && started < count; started += goes_on) {
         const job job = {work, shared, started};
-        places[started].job = job;
-        goes_on = start(&places[started].thread, &places[started].job);
+        workers[started].job = job;
+        goes_on = start(&workers[started].thread, &workers[started].job);
     }
     work(shared, 0);
     for (int i = 1; i < started; ++i) {
-        join(places[i].thread);
+        join(workers[i].thread);
     }
-    free(places);
+    free(workers);
 }

@@ -56,7 +56,7 @@ def foot_below(model, center, state, direction):
 def foot_over_ground(line, state):
     """The foot in the axes of the ground."""
     return Record(
-        x=ground_line.place_along(line, state.foot_x, state.foot_y),
+        x=ground_line.offset_along(line, state.foot_x, state.foot_y),
         y=ground_line.height_over(line, state.foot_x, state.foot_y),
         vx=ground_line.along(line, state.foot_vx, state.foot_vy),
         vy=ground_line.off(line, state.foot_vx, state.foot_vy),
@@ -121,7 +121,7 @@ def on_ground(line, state, direction):
         y=body.y,
         vx=foot_vx + body.vx,
         vy=body.vy,
-        foot_x=ground_line.place_along(line, state.foot_x, state.foot_y),
+        foot_x=ground_line.offset_along(line, state.foot_x, state.foot_y),
         foot_vx=foot_vx,
     )
 

@@ -16,7 +16,7 @@ def off(line, x, y):
     return line.cosine * y - line.sine * x
 
 
-def place_along(line, x, y):
+def offset_along(line, x, y):
     """t.(p - (0, h)), from the pivot along the line."""
     return along(line, x, y - line.height)
 

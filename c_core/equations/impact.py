@@ -27,7 +27,7 @@ def after(model, inputs, line, state, direction, sign, sticks, falls):
         along_after = friction.after_falling_impact(model, inputs, sign, along, off)
     else:
         along_after = friction.after_impact(inputs, sign, along, off)
-    place = ground_line.place_along(line, state.foot_x, state.foot_y)
+    place = ground_line.offset_along(line, state.foot_x, state.foot_y)
     foot = ground_line.point_on(line, place, along_after)
     leg = leg_rates_with_foot(state, direction, foot.vx, foot.vy)
     return Record(

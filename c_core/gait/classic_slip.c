@@ -134,7 +134,7 @@ static stance_end find_end(const tdmf_classic *slip, const stance_series *s, dou
     stance_end end = GOES_ON;
     set_powers(power, *size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
-        const double along = tdmf_place_along(&line, s->x[k], s->y[k]) * power[k];
+        const double along = tdmf_offset_along(&line, s->x[k], s->y[k]) * power[k];
         const double off = tdmf_height_over(&line, s->x[k], s->y[k]) * power[k];
         compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k] * power[k];
         inside_cone[0].c[k] = isinf(slip->friction) ? off : slip->friction * off - along;
@@ -172,7 +172,7 @@ typedef struct {
 
 static double steepness(const tdmf_classic *slip, tdmf_classic_point at) {
     const tdmf_ground_line line = tdmf_classic_ground(slip);
-    return fabs(tdmf_place_along(&line, at.x, at.y) / tdmf_height_over(&line, at.x, at.y));
+    return fabs(tdmf_offset_along(&line, at.x, at.y) / tdmf_height_over(&line, at.x, at.y));
 }
 
 /* The largest |tan| of that angle in a step: at its end, or where the leg turns back. */

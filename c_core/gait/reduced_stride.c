@@ -66,7 +66,7 @@ tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inpu
     return TDMF_REDUCED_CLOSED;
 }
 
-void tdmf_reduced_place(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
+void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
     write_apex(model, inputs, tdmf_center_of_mass(model, motion->state), motion->state);
     motion->mode.ground = tdmf_ground_line_set(inputs);
     motion->mode.rest_length = tdmf_rest_length(model, inputs, &motion->mode);

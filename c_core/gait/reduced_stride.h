@@ -12,7 +12,7 @@ tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inpu
                                         const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion);
 
 /* At an apex, with other settings: places leg and ground as these have them. */
-void tdmf_reduced_place(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
+void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
 
 /* From an apex through the impact into contact. TDMF_REDUCED_CLOSED where the foot is loaded then. `before`
  * becomes the runner before the impact; it may be NULL. */

@@ -25,7 +25,7 @@ static inline double tdmf_rounding_of_height(const tdmf_ground_line *line, doubl
 /* Puts the foot onto the line, from a place beside it. */
 static inline void tdmf_lift_to_ground(const tdmf_ground_line *line, double state[TDMF_STATE_COUNT]) {
     const tdmf_point foot =
-        tdmf_point_on(line, tdmf_place_along(line, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]), 0.0);
+        tdmf_point_on(line, tdmf_offset_along(line, state[TDMF_FOOT_X], state[TDMF_FOOT_Y]), 0.0);
     state[TDMF_FOOT_X] = foot.x;
     state[TDMF_FOOT_Y] = foot.y;
 }

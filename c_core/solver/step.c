@@ -196,10 +196,10 @@ double tdmf_step_leg_work(const tdmf_step *step, double time) {
 
 typedef struct {
     double x, y;
-} place_integral; /* m.s */
+} position_integral; /* m.s */
 
 /* The centre of mass, and the body's way from it. */
-static place_integral integrate_body_in_flight(const tdmf_step *step, double t) {
+static position_integral integrate_body_in_flight(const tdmf_step *step, double t) {
     const tdmf_mode_equations *equations = step->equations;
     const flight_series *f = &step->series.flight;
     const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
@@ -210,7 +210,7 @@ static place_integral integrate_body_in_flight(const tdmf_step *step, double t) 
         across[k] = product(f->length, f->sine, k);
         along[k] = product(f->length, f->cosine, k);
     }
-    const place_integral integral = {
+    const position_integral integral = {
         t * (equations->com.x +
              t * (equations->com.vx / 2.0 +
                   t * (acceleration.x / 6.0 + t * share * equations->push_rate.x / 24.0))) -
@@ -224,7 +224,7 @@ static place_integral integrate_body_in_flight(const tdmf_step *step, double t) 
 }
 
 /* The foot, and the body's place as seen from it. */
-static place_integral integrate_body_on_ground(const tdmf_step *step, double t) {
+static position_integral integrate_body_on_ground(const tdmf_step *step, double t) {
     const ground_series *g = &step->series.ground;
     double foot_way[SERIES_TERMS] = {0.0};
     for (int k = 0; k < step->order; ++k) {
@@ -234,7 +234,7 @@ static place_integral integrate_body_on_ground(const tdmf_step *step, double t) 
     const double along = t * step->equations->start.standing.foot_x +
                          series_integral(foot_way, step->order, t) + series_integral(g->x, step->order, t);
     const double off = series_integral(g->y, step->order, t);
-    const place_integral integral = {
+    const position_integral integral = {
         ground->cosine * along - ground->sine * off,
         t * ground->height + ground->sine * along + ground->cosine * off,
     };
@@ -243,7 +243,7 @@ static place_integral integrate_body_on_ground(const tdmf_step *step, double t) 
 
 double tdmf_step_shortfall(const tdmf_step *step, double time) {
     const tdmf_mode_equations *equations = step->equations;
-    const place_integral body =
+    const position_integral body =
         flies(step) ? integrate_body_in_flight(step, time) : integrate_body_on_ground(step, time);
     const tdmf_point from = equations->opened_body;
     return equations->model->parameters.body.mass * (equations->push_rate.x * (body.x - time * from.x) +

@@ -451,7 +451,7 @@ static void work_is_counted(void **state) {
     assert_true(fallen > RUNNERS / 20 && fallen < RUNNERS / 2 && closed_none > 0);
     assert_int_equal(work.strides, strides);
     assert_true(work.events > 4 * strides && work.steps > work.events);
-    assert_true(work.places >= work.steps && work.evaluations > 8 * work.steps);
+    assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
     free(ends);
     free(crowd);
 }

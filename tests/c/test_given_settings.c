@@ -20,7 +20,7 @@ typedef struct {
     tdmf_given_settings given;
     tdmf_ensemble_case its_case;
     double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble_place places[RUNNERS];
+    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble_stride strides[RUNNERS][STRIDES];
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
@@ -49,7 +49,7 @@ static void gather(crowd *crowd, int first) {
                                     .given = &crowd->given,
                                     .strides = &crowd->strides[0][0],
                                     .stride_count = STRIDES,
-                                    .places = crowd->places};
+                                    .checkpoints = crowd->checkpoints};
     crowd->ensemble = ensemble;
 }
 
@@ -114,7 +114,7 @@ static void a_run_that_has_made_its_strides_makes_no_more(void **state) {
     crowd.ensemble.goes_on = true;
     assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
     assert_memory_equal(crowd.ends, before, sizeof before);
-    assert_true(crowd.places[0].stands);
+    assert_true(crowd.checkpoints[0].stands);
     crowd.its_case.rules.most_strides = 3;
     assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
     assert_int_equal(crowd.ends[0].strides, 3);
@@ -134,13 +134,13 @@ static void who_has_fallen_stands_nowhere(void **state) {
     gather(&crowd, 0);
     make_fall(&crowd, FALLS, 0);
     for (int i = 0; i < RUNNERS; ++i) {
-        crowd.places[i].stands = true; /* as an earlier run may have left it */
+        crowd.checkpoints[i].stands = true; /* as an earlier run may have left it */
     }
     crowd.its_case.rules.most_strides = 1;
     assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
     assert_int_equal(crowd.ends[FALLS].fate, TDMF_FATE_FELL);
-    assert_false(crowd.places[FALLS].stands);
-    assert_true(crowd.places[0].stands);
+    assert_false(crowd.checkpoints[FALLS].stands);
+    assert_true(crowd.checkpoints[0].stands);
 }
 
 static void who_falls_later_stands_nowhere_then(void **state) {
@@ -150,12 +150,12 @@ static void who_falls_later_stands_nowhere_then(void **state) {
     make_fall(&crowd, FALLS, 1);
     crowd.its_case.rules.most_strides = 1;
     assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_true(crowd.places[FALLS].stands);
+    assert_true(crowd.checkpoints[FALLS].stands);
     crowd.its_case.rules.most_strides = STRIDES;
     crowd.ensemble.goes_on = true;
     assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
     assert_int_equal(crowd.ends[FALLS].fate, TDMF_FATE_FELL);
-    assert_false(crowd.places[FALLS].stands);
+    assert_false(crowd.checkpoints[FALLS].stands);
 }
 
 /* ---- at an apex --------------------------------------------------------------------------------------- */

@@ -286,7 +286,7 @@ typedef struct {
     scene scene;
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble_case its_case;
-    tdmf_ensemble_place places[RUNNERS];
+    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble_stride strides[RUNNERS];
     int setting;
     double one[1];
@@ -324,7 +324,7 @@ static void gather(crowd *crowd) {
                                     .threads = 1,
                                     .strides = crowd->strides,
                                     .stride_count = 1,
-                                    .places = crowd->places};
+                                    .checkpoints = crowd->checkpoints};
     crowd->ensemble = ensemble;
 }
 
@@ -359,13 +359,13 @@ static void notes_from_below_zero(crowd *c) {
 }
 static void goes_on_from_nowhere(crowd *c) {
     c->ensemble.goes_on = true;
-    c->ensemble.places = NULL;
+    c->ensemble.checkpoints = NULL;
 }
 static void goes_on_in_no_mode(crowd *c) {
     c->ensemble.goes_on = true;
-    c->places[RUNNERS - 1].stands = true;
-    c->places[RUNNERS - 1].motion = c->scene.motion;
-    c->places[RUNNERS - 1].motion.mode.contact = (tdmf_contact_mode)77;
+    c->checkpoints[RUNNERS - 1].stands = true;
+    c->checkpoints[RUNNERS - 1].motion = c->scene.motion;
+    c->checkpoints[RUNNERS - 1].motion.mode.contact = (tdmf_contact_mode)77;
 }
 static void given_no_values(crowd *c) {
     c->ensemble.given = &c->given;

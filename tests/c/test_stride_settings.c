@@ -36,7 +36,7 @@ typedef struct {
     double values[RUNNERS][STRIDES][SETTINGS];
     tdmf_given_settings given;
     tdmf_ensemble_stride strides[RUNNERS][STRIDES];
-    tdmf_ensemble_place places[RUNNERS];
+    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
 } crowd;
@@ -347,7 +347,7 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
         whole->its_case.rules.law = &whole->law;
         assert_true(tdmf_run_ensemble(&whole->ensemble, whole->ends, NULL));
         parts->its_case.rules.law = &parts->law;
-        parts->ensemble.places = parts->places;
+        parts->ensemble.checkpoints = parts->checkpoints;
         for (int stride = 0; stride < STRIDES; ++stride) {
             parts->its_case.rules.most_strides = stride + 1;
             parts->ensemble.goes_on = stride > 0;

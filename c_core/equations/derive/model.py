@@ -42,7 +42,7 @@ runner
 ground_line
     double velocity_along(line, vx, vy) = ground_line.along(line, vx, vy)
     double velocity_off(line, vx, vy) = ground_line.off(line, vx, vy) | only
-    double place_along = ground_line.place_along
+    double offset_along = ground_line.offset_along
     double height_over = ground_line.height_over
     double ground_height_at = ground_line.height_at
     double path_to = ground_line.path_to

@@ -117,7 +117,7 @@ typedef struct {
     bool stands;          /* else its run is over */
     tdmf_motion motion;   /* at the apex */
     double ground_height; /* m, that the ground has come to */
-} tdmf_ensemble_place;
+} tdmf_ensemble_checkpoint;
 
 /* What is to be run, and how. */
 typedef struct {
@@ -134,8 +134,8 @@ typedef struct {
     const tdmf_given_settings *given;           /* or NULL: none are */
     tdmf_ensemble_stride *strides;              /* what is noted, as strides begin and close; or NULL */
     int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
-    tdmf_ensemble_place *places;    /* of each runner, written where it stands; or NULL */
-    bool goes_on; /* from places and ends of an earlier call, with a larger number of most strides */
+    tdmf_ensemble_checkpoint *checkpoints; /* of each runner, written where it stands; or NULL */
+    bool goes_on; /* from checkpoints and ends of an earlier call, with a larger number of most strides */
 } tdmf_ensemble;
 
 /* How a runner ends. */
@@ -165,7 +165,7 @@ typedef struct {
 typedef struct {
     int64_t strides, events; /* of all runners */
     int64_t steps;           /* of runners */
-    int64_t places;          /* lanes stepped; the steps in them over their number is how full they were */
+    int64_t lane_steps;      /* lanes stepped; the steps in them over their number is how full they were */
     int64_t evaluations;     /* coefficients of series, as in tdmf_solver */
 } tdmf_ensemble_work;
 
@@ -176,7 +176,7 @@ typedef struct {
  * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
  * is drawn are set, weights or a spread are not finite or the spread is below 0 or above it in the reduced
  * map, a number of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their
- * array NULL, a place to go on from has a contact or phase that there is not, or there is no memory. */
+ * array NULL, a checkpoint to go on from has a contact or phase that there is not, or there is no memory. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 

@@ -162,8 +162,8 @@ void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STA
     const double velocity = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double d_velocity = tdmf_velocity_along(ground, d_state[TDMF_FOOT_VX], d_state[TDMF_FOOT_VY]);
     const tdmf_point d_foot = tdmf_vary_point_on(
-        ground, tdmf_place_along(ground, x, y), velocity, d_ground,
-        tdmf_vary_place_along(ground, x, y, d_ground, d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]),
+        ground, tdmf_offset_along(ground, x, y), velocity, d_ground,
+        tdmf_vary_offset_along(ground, x, y, d_ground, d_state[TDMF_FOOT_X], d_state[TDMF_FOOT_Y]),
         mode->contact == TDMF_CONTACT_STICK ? 0.0 : d_velocity);
     d_state[TDMF_FOOT_X] = d_foot.x;
     d_state[TDMF_FOOT_Y] = d_foot.y;

@@ -25,12 +25,12 @@ static int sample_count;
 
 /* Mechanical states at which a run begins. */
 LIVE_EXPORT(live_state)
-double *live_state_place(void) {
+double *live_state_address(void) {
     return start_state;
 }
 
 LIVE_EXPORT(live_samples)
-double *live_samples_place(void) {
+double *live_samples_address(void) {
     return &samples[0][0];
 }
 

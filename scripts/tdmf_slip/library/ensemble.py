@@ -150,7 +150,7 @@ def run_ensemble(
     ends = np.zeros(len(sections), dtype=END)
     work = run(ensemble, ends)
     del made, kept
-    return ends, Work(work.strides, work.events, work.steps, work.places, work.evaluations)
+    return ends, Work(work.strides, work.events, work.steps, work.lane_steps, work.evaluations)
 
 
 def ensemble_of(

@@ -133,8 +133,8 @@ class _Engine:
         self.ensemble.cases, self.ensemble.case_count = self.cases, len(self.cases)
         self.ensemble.case_of = ffi.cast("int *", ffi.from_buffer(self.case_of))
         self.ends = np.zeros(count, END)
-        self.places = ffi.new("tdmf_ensemble_place[]", count) if goes_on else ffi.NULL
-        self.ensemble.places = self.places
+        self.checkpoints = ffi.new("tdmf_ensemble_checkpoint[]", count) if goes_on else ffi.NULL
+        self.ensemble.checkpoints = self.checkpoints
 
     def where(self, stride: int) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
         """Apices at which a stride begins, NaN of runners whose run is over, and who is under way."""

@@ -140,7 +140,7 @@ class Ensemble(Protocol):
     strides: object
     first_stride: int
     stride_count: int
-    places: object
+    checkpoints: object
     goes_on: bool
 
 
