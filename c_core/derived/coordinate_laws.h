@@ -301,15 +301,15 @@ static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
     return result;
 }
 
-/* The state that coordinates on the ground stand for; the leg has wound by `turns`, in radians. */
+/* The state that coordinates on the ground stand for; the leg has wound by `winding`, in radians. */
 static inline void tdmf_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *standing,
-                                          double turns, double written[TDMF_STATE_COUNT]) {
+                                          double winding, double written[TDMF_STATE_COUNT]) {
     const double length = sqrt(standing->x * standing->x + standing->y * standing->y);
     const double angle = atan2(-standing->x, standing->y) + line->slope;
     written[TDMF_FOOT_X] = line->cosine * standing->foot_x;
     written[TDMF_FOOT_Y] = line->height + line->sine * standing->foot_x;
     written[TDMF_LEG_LENGTH] = length;
-    written[TDMF_LEG_ANGLE] = angle + turns;
+    written[TDMF_LEG_ANGLE] = angle + winding;
     written[TDMF_FOOT_VX] = line->cosine * standing->foot_vx;
     written[TDMF_FOOT_VY] = line->sine * standing->foot_vx;
     written[TDMF_LEG_LENGTH_RATE] =
@@ -320,11 +320,11 @@ static inline void tdmf_state_of_standing(const tdmf_ground_line *line, const td
 
 /* Its change. */
 static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, const tdmf_standing *standing,
-                                               double turns, const double state[TDMF_STATE_COUNT],
+                                               double winding, const double state[TDMF_STATE_COUNT],
                                                const tdmf_ground_line *d_line,
                                                const tdmf_standing *d_standing,
                                                double written[TDMF_STATE_COUNT]) {
-    (void)turns;
+    (void)winding;
     const double d_length = 0.5 *
                             (2.0 * (standing->x * d_standing->x) + 2.0 * (standing->y * d_standing->y)) /
                             state[TDMF_LEG_LENGTH];

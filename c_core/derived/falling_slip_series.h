@@ -85,8 +85,8 @@ KERNEL void begin_falling_slip_sums(const ground_series *s, int i, falling_slip_
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
 KERNEL void expand_falling_slip_on(const ground_coefficients *c, const falling_slip_factors *by, int k,
                                    const falling_slip_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);

@@ -81,8 +81,8 @@ KERNEL void begin_graze_sums(const ground_series *s, int i, graze_sums *sum, gra
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
 KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *by, int k,
                             const graze_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);

@@ -63,8 +63,8 @@ KERNEL void begin_slip_sums(const ground_series *s, int i, slip_sums *sum, slip_
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
 KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by, int k, const slip_sums *sum,
                            ground_series *s) {
     integrate(s->x, k, s->vx[k]);
@@ -165,7 +165,7 @@ KERNEL void expand_slip(const ground_coefficients *given, int order, ground_seri
 typedef struct {
     real inverse_length;
     real inverse_square;
-} slip_turning_factors;
+} slip_with_torque_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
 typedef struct {
@@ -182,18 +182,19 @@ typedef struct {
     real power;
     real speed_square;
     real friction_power;
-} slip_turning_sums;
+} slip_with_torque_sums;
 
 /* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
  * ahead. */
-KERNEL void add_slip_turning_sums_ahead(const ground_series *s, int i, int j, slip_turning_sums *sum) {
+KERNEL void add_slip_with_torque_sums_ahead(const ground_series *s, int i, int j,
+                                            slip_with_torque_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
 }
 
 /* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_slip_turning_sums(const ground_series *s, int i, int j, slip_turning_sums *sum) {
+KERNEL void add_slip_with_torque_sums(const ground_series *s, int i, int j, slip_with_torque_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
@@ -216,8 +217,8 @@ KERNEL void add_slip_turning_sums(const ground_series *s, int i, int j, slip_tur
 }
 
 /* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
-KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_sums *sum,
-                                    slip_turning_sums *next) {
+KERNEL void begin_slip_with_torque_sums(const ground_series *s, int i, slip_with_torque_sums *sum,
+                                        slip_with_torque_sums *next) {
     sum->x_times_x = s->x[i] * s->x[i + 1];
     next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
     sum->y_times_y = s->y[i] * s->y[i + 1];
@@ -238,10 +239,10 @@ KERNEL void begin_slip_turning_sums(const ground_series *s, int i, slip_turning_
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
-KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turning_factors *by, int k,
-                                   const slip_turning_sums *sum, ground_series *s) {
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
+KERNEL void expand_slip_with_torque_on(const ground_coefficients *c, const slip_with_torque_factors *by,
+                                       int k, const slip_with_torque_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);
     integrate(s->y, k, s->vy[k]);
     /* x_times_x = x * x */
@@ -310,49 +311,49 @@ KERNEL void expand_slip_turning_on(const ground_coefficients *c, const slip_turn
 }
 
 /* From coefficient k, even, two further. */
-KERNEL void expand_slip_turning_by_two(const ground_coefficients *c, const slip_turning_factors *by, int k,
-                                       ground_series *s) {
+KERNEL void expand_slip_with_torque_by_two(const ground_coefficients *c, const slip_with_torque_factors *by,
+                                           int k, ground_series *s) {
     const int middle = k / 2;
-    static const slip_turning_sums none = {0};
-    slip_turning_sums sum = none, next = none;
-    begin_slip_turning_sums(s, middle, &sum, &next);
+    static const slip_with_torque_sums none = {0};
+    slip_with_torque_sums sum = none, next = none;
+    begin_slip_with_torque_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_slip_turning_sums_ahead(s, i, j, &next);
-        add_slip_turning_sums_ahead(s, i - 1, j, &sum);
+        add_slip_with_torque_sums_ahead(s, i, j, &next);
+        add_slip_with_torque_sums_ahead(s, i - 1, j, &sum);
     }
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_slip_turning_sums(s, i, j, &next);
-        add_slip_turning_sums(s, i - 1, j, &sum);
+        add_slip_with_torque_sums(s, i, j, &next);
+        add_slip_with_torque_sums(s, i - 1, j, &sum);
     }
-    expand_slip_turning_on(c, by, k, &sum, s);
-    add_slip_turning_sums_ahead(s, 1, k, &next);
-    add_slip_turning_sums(s, 1, k, &next);
-    expand_slip_turning_on(c, by, k + 1, &next, s);
+    expand_slip_with_torque_on(c, by, k, &sum, s);
+    add_slip_with_torque_sums_ahead(s, 1, k, &next);
+    add_slip_with_torque_sums(s, 1, k, &next);
+    expand_slip_with_torque_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
-KERNEL void expand_slip_turning(const ground_coefficients *given, int order, ground_series *s) {
+KERNEL void expand_slip_with_torque(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const slip_turning_sums none = {0};
-    slip_turning_sums sum = none, next = none;
+    static const slip_with_torque_sums none = {0};
+    slip_with_torque_sums sum = none, next = none;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
     s->length[0] = real_sqrt(s->square[0]);
-    const slip_turning_factors factors = {
+    const slip_with_torque_factors factors = {
         .inverse_length = 1.0 / s->length[0],
         .inverse_square = 1.0 / s->square[0],
     };
-    const slip_turning_factors *by = &factors;
-    expand_slip_turning_on(c, by, 0, &sum, s);
-    begin_slip_turning_sums(s, 0, &sum, &next);
-    expand_slip_turning_on(c, by, 1, &next, s);
+    const slip_with_torque_factors *by = &factors;
+    expand_slip_with_torque_on(c, by, 0, &sum, s);
+    begin_slip_with_torque_sums(s, 0, &sum, &next);
+    expand_slip_with_torque_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
-        expand_slip_turning_by_two(c, by, k, s);
+        expand_slip_with_torque_by_two(c, by, k, s);
     }
 }
 
 /* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
-static inline void vary_slip_turning(const ground_coefficients *c, const ground_series *s,
-                                     const ground_coefficients *d, int order, ground_variation *t) {
+static inline void vary_slip_with_torque(const ground_coefficients *c, const ground_series *s,
+                                         const ground_coefficients *d, int order, ground_variation *t) {
     const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
     const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
     t->square[0] = d_x_times_x + d_y_times_y;

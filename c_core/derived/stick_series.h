@@ -55,8 +55,8 @@ KERNEL void begin_stick_sums(const ground_series *s, int i, stick_sums *sum, sti
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
 KERNEL void expand_stick_on(const ground_coefficients *c, const stick_factors *by, int k,
                             const stick_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);
@@ -145,7 +145,7 @@ KERNEL void expand_stick(const ground_coefficients *given, int order, ground_ser
 typedef struct {
     real inverse_length;
     real inverse_square;
-} stick_turning_factors;
+} stick_with_torque_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
 typedef struct {
@@ -160,18 +160,19 @@ typedef struct {
     real turning_times_x;
     real power;
     real speed_square;
-} stick_turning_sums;
+} stick_with_torque_sums;
 
 /* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
  * ahead. */
-KERNEL void add_stick_turning_sums_ahead(const ground_series *s, int i, int j, stick_turning_sums *sum) {
+KERNEL void add_stick_with_torque_sums_ahead(const ground_series *s, int i, int j,
+                                             stick_with_torque_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
 }
 
 /* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_stick_turning_sums(const ground_series *s, int i, int j, stick_turning_sums *sum) {
+KERNEL void add_stick_with_torque_sums(const ground_series *s, int i, int j, stick_with_torque_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
@@ -190,8 +191,8 @@ KERNEL void add_stick_turning_sums(const ground_series *s, int i, int j, stick_t
 }
 
 /* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
-KERNEL void begin_stick_turning_sums(const ground_series *s, int i, stick_turning_sums *sum,
-                                     stick_turning_sums *next) {
+KERNEL void begin_stick_with_torque_sums(const ground_series *s, int i, stick_with_torque_sums *sum,
+                                         stick_with_torque_sums *next) {
     sum->x_times_x = s->x[i] * s->x[i + 1];
     next->x_times_x = 0.5 * (s->x[i + 1] * s->x[i + 1]);
     sum->y_times_y = s->y[i] * s->y[i + 1];
@@ -210,10 +211,10 @@ KERNEL void begin_stick_turning_sums(const ground_series *s, int i, stick_turnin
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
  *
- * `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
- * From coefficient k of the states to the next. */
-KERNEL void expand_stick_turning_on(const ground_coefficients *c, const stick_turning_factors *by, int k,
-                                    const stick_turning_sums *sum, ground_series *s) {
+ * `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+ * speed. From coefficient k of the states to the next. */
+KERNEL void expand_stick_with_torque_on(const ground_coefficients *c, const stick_with_torque_factors *by,
+                                        int k, const stick_with_torque_sums *sum, ground_series *s) {
     integrate(s->x, k, s->vx[k]);
     integrate(s->y, k, s->vy[k]);
     /* x_times_x = x * x */
@@ -270,49 +271,49 @@ KERNEL void expand_stick_turning_on(const ground_coefficients *c, const stick_tu
 }
 
 /* From coefficient k, even, two further. */
-KERNEL void expand_stick_turning_by_two(const ground_coefficients *c, const stick_turning_factors *by, int k,
-                                        ground_series *s) {
+KERNEL void expand_stick_with_torque_by_two(const ground_coefficients *c, const stick_with_torque_factors *by,
+                                            int k, ground_series *s) {
     const int middle = k / 2;
-    static const stick_turning_sums none = {0};
-    stick_turning_sums sum = none, next = none;
-    begin_stick_turning_sums(s, middle, &sum, &next);
+    static const stick_with_torque_sums none = {0};
+    stick_with_torque_sums sum = none, next = none;
+    begin_stick_with_torque_sums(s, middle, &sum, &next);
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_stick_turning_sums_ahead(s, i, j, &next);
-        add_stick_turning_sums_ahead(s, i - 1, j, &sum);
+        add_stick_with_torque_sums_ahead(s, i, j, &next);
+        add_stick_with_torque_sums_ahead(s, i - 1, j, &sum);
     }
     for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_stick_turning_sums(s, i, j, &next);
-        add_stick_turning_sums(s, i - 1, j, &sum);
+        add_stick_with_torque_sums(s, i, j, &next);
+        add_stick_with_torque_sums(s, i - 1, j, &sum);
     }
-    expand_stick_turning_on(c, by, k, &sum, s);
-    add_stick_turning_sums_ahead(s, 1, k, &next);
-    add_stick_turning_sums(s, 1, k, &next);
-    expand_stick_turning_on(c, by, k + 1, &next, s);
+    expand_stick_with_torque_on(c, by, k, &sum, s);
+    add_stick_with_torque_sums_ahead(s, 1, k, &next);
+    add_stick_with_torque_sums(s, 1, k, &next);
+    expand_stick_with_torque_on(c, by, k + 1, &next, s);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
-KERNEL void expand_stick_turning(const ground_coefficients *given, int order, ground_series *s) {
+KERNEL void expand_stick_with_torque(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
-    static const stick_turning_sums none = {0};
-    stick_turning_sums sum = none, next = none;
+    static const stick_with_torque_sums none = {0};
+    stick_with_torque_sums sum = none, next = none;
     s->square[0] = s->x[0] * s->x[0] + s->y[0] * s->y[0];
     s->length[0] = real_sqrt(s->square[0]);
-    const stick_turning_factors factors = {
+    const stick_with_torque_factors factors = {
         .inverse_length = 1.0 / s->length[0],
         .inverse_square = 1.0 / s->square[0],
     };
-    const stick_turning_factors *by = &factors;
-    expand_stick_turning_on(c, by, 0, &sum, s);
-    begin_stick_turning_sums(s, 0, &sum, &next);
-    expand_stick_turning_on(c, by, 1, &next, s);
+    const stick_with_torque_factors *by = &factors;
+    expand_stick_with_torque_on(c, by, 0, &sum, s);
+    begin_stick_with_torque_sums(s, 0, &sum, &next);
+    expand_stick_with_torque_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
-        expand_stick_turning_by_two(c, by, k, s);
+        expand_stick_with_torque_by_two(c, by, k, s);
     }
 }
 
 /* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
-static inline void vary_stick_turning(const ground_coefficients *c, const ground_series *s,
-                                      const ground_coefficients *d, int order, ground_variation *t) {
+static inline void vary_stick_with_torque(const ground_coefficients *c, const ground_series *s,
+                                          const ground_coefficients *d, int order, ground_variation *t) {
     const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
     const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
     t->square[0] = d_x_times_x + d_y_times_y;

@@ -124,10 +124,10 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     const int order = integration->order;
     const double tolerance = integration->tolerance;
-    const ground_case sticks = {.turns = true}, sticks_and_coasts = {.turns = false};
-    const ground_case slips = {.slips = true, .turns = true}, slips_and_coasts = {.slips = true};
-    const ground_case slips_and_falls = {.slips = true, .turns = true, .falls = true};
-    const ground_case grazes = {.grazes = true, .turns = true};
+    const ground_case sticks = {.has_torque = true}, sticks_and_coasts = {.has_torque = false};
+    const ground_case slips = {.slips = true, .has_torque = true}, slips_and_coasts = {.slips = true};
+    const ground_case slips_and_falls = {.slips = true, .has_torque = true, .falls = true};
+    const ground_case grazes = {.grazes = true, .has_torque = true};
     const flight_case falls = {.rising = false}, climbs = {.rising = true};
     const flight_case retracts = {.rising = true, .retracts = true};
     const flight_case waits = {.awaits_ground = true};

@@ -2,6 +2,7 @@
 #include "runner.h"
 
 #include "events.h"
+#include "extrema.h"
 #include "friction.h"
 #include "ground_line.h"
 #include "hip_law.h"
@@ -13,7 +14,6 @@
 #include "static_assert.h"
 #include "step_constants.h"
 #include "tdmf_slip/automaton.h"
-#include "turns.h"
 
 #include "members.h"
 

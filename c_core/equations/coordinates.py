@@ -126,8 +126,8 @@ def on_ground(line, state, direction):
     )
 
 
-def from_ground(line, at, turns):
-    """The state that coordinates on the ground stand for; the leg has wound by `turns`, in radians."""
+def from_ground(line, at, winding):
+    """The state that coordinates on the ground stand for; the leg has wound by `winding`, in radians."""
     body = Record(x=at.x, y=at.y, vx=at.vx - at.foot_vx, vy=at.vy)
     leg = leg_to(body, line.slope)
     foot = ground_line.point_on(line, at.foot_x, at.foot_vx)
@@ -135,7 +135,7 @@ def from_ground(line, at, turns):
         foot_x=foot.x,
         foot_y=foot.y,
         leg_length=leg.length,
-        leg_angle=leg.angle + turns,
+        leg_angle=leg.angle + winding,
         foot_vx=foot.vx,
         foot_vy=foot.vy,
         leg_length_rate=leg.length_rate,

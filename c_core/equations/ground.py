@@ -30,10 +30,10 @@ def length_rate(x, y, vx, vy, length):
     return (x * vx + y * vy) / length
 
 
-def motion(c, s, contact, turns, falls=False):
+def motion(c, s, contact, has_torque, falls=False):
     """Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
 
-    `turns` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+    `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
     """
     square = s.x * s.x + s.y * s.y
     length = sqrt(square)
@@ -43,7 +43,7 @@ def motion(c, s, contact, turns, falls=False):
         turning = ground_force.grazing_across(axial, s.x, s.y, c.foot_weight_y)
         torque = turning * square
     else:
-        torque = c.torque if turns else 0
+        torque = c.torque if has_torque else 0
         turning = torque / square
     push = ground_force.leg_push(axial, turning, s.x, s.y)
     force = ground_force.holding_force(axial, turning, s.x, s.y, c.foot_weight_x, c.foot_weight_y)

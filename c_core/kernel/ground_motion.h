@@ -10,7 +10,7 @@
 /* Which terms there are. The foot is free unless it sticks; slip and graze exclude each other. Where there is
  * no torque, nothing turns the leg. */
 typedef struct {
-    bool slips, grazes, turns;
+    bool slips, grazes, has_torque;
     bool falls; /* in slip, friction with speed */
 } ground_case;
 
@@ -21,12 +21,12 @@ static inline void expand_ground(const ground_coefficients *c, const ground_star
         expand_graze(c, order, g);
     } else if (is.slips && is.falls) {
         expand_falling_slip(c, order, g);
-    } else if (is.slips && is.turns) {
-        expand_slip_turning(c, order, g);
+    } else if (is.slips && is.has_torque) {
+        expand_slip_with_torque(c, order, g);
     } else if (is.slips) {
         expand_slip(c, order, g);
-    } else if (is.turns) {
-        expand_stick_turning(c, order, g);
+    } else if (is.has_torque) {
+        expand_stick_with_torque(c, order, g);
     } else {
         expand_stick(c, order, g);
     }
@@ -42,9 +42,9 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
     } else if (is.slips && is.falls) {
         vary_falling_slip(c, g, d, order, t);
     } else if (is.slips) {
-        vary_slip_turning(c, g, d, order, t);
+        vary_slip_with_torque(c, g, d, order, t);
     } else {
-        vary_stick_turning(c, g, d, order, t);
+        vary_stick_with_torque(c, g, d, order, t);
     }
 }
 

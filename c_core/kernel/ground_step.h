@@ -55,7 +55,7 @@ static inline real expand_ground_step(const ground_constants *c, const friction_
 /* The hip's work since the start of the step. */
 static inline real ground_work(const ground_series *g, ground_case is, int order,
                                const elapsed_time *elapsed) {
-    return is.turns ? integral_to(g->power, elapsed, order - 1) : broadcast(0.0);
+    return is.has_torque ? integral_to(g->power, elapsed, order - 1) : broadcast(0.0);
 }
 
 /* Goes on to a time within the step. */

@@ -33,7 +33,7 @@ tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
 }
 
 /* A leg that has wound past a half turn in flight stays wound. */
-static double turns_of(const tdmf_mode_equations *equations, double angle) {
+static double winding_of(const tdmf_mode_equations *equations, double angle) {
     static const double turn = 6.283185307179586;
     const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
     const tdmf_standing *at = &equations->start.standing;
@@ -45,7 +45,7 @@ static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_
                         tdmf_leg_direction direction) {
     equations->start.standing = tdmf_standing_of(&equations->ground, state, direction);
     equations->start.angle = state[TDMF_LEG_ANGLE];
-    equations->turn = turns_of(equations, state[TDMF_LEG_ANGLE]);
+    equations->winding = winding_of(equations, state[TDMF_LEG_ANGLE]);
 }
 
 static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
@@ -153,7 +153,7 @@ static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, dou
 static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equations,
                                              const tdmf_mode_coordinates *at,
                                              double state[TDMF_STATE_COUNT]) {
-    tdmf_state_of_standing(&equations->ground, &at->standing, equations->turn, state);
+    tdmf_state_of_standing(&equations->ground, &at->standing, equations->winding, state);
     /* As whoever begins from the state has it, so that a run may stop at an event and go on alike. */
     return tdmf_leg_direction_of(state);
 }

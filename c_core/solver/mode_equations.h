@@ -44,7 +44,7 @@ typedef struct {
     tdmf_point opened_body;                  /* where forced: the body, when the equations were opened */
     tdmf_point com;                          /* flight: the centre of mass at the start */
     double place_time, place_rate;           /* time since place began, and 1 in place, else 0 */
-    double turn; /* on the ground: theta less the angle that the place of the body gives */
+    double winding; /* on the ground: theta less the angle that the place of the body gives */
     double positive_work, external_work;
     bool drifts; /* its laws change with time, or have changed since it was opened */
 } tdmf_mode_equations;

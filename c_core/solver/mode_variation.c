@@ -64,7 +64,7 @@ static void ground_variation_of_state(const tdmf_mode_equations *equations,
                                       const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
     const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, tdmf_leg_direction_of(state));
-    tdmf_vary_state_of_standing(&equations->ground, &standing, equations->turn, state, &d->mode.ground,
+    tdmf_vary_state_of_standing(&equations->ground, &standing, equations->winding, state, &d->mode.ground,
                                 &varied_mode->at.standing, d_state);
 }
 

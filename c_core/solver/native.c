@@ -5,6 +5,7 @@
 #include "evaluation.h"
 #include "event_log.h"
 #include "events.h"
+#include "extrema.h"
 #include "greatest_compression.h"
 #include "input_rates.h"
 #include "margins.h"
@@ -17,7 +18,6 @@
 #include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
-#include "turns.h"
 
 #include <math.h>
 #include <string.h>

@@ -21,7 +21,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
     const ground_case is = {
         .slips = equations->contact != TDMF_CONTACT_STICK && !grazes,
         .grazes = grazes,
-        .turns = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
+        .has_torque = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
         .falls = equations->falls,
     };
     return is;

@@ -80,7 +80,7 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .cone_tangential = cone.tangential,
         .slip_sign = tdmf_slip_sign(mode),
         /* A leg that has wound past a half turn passes upright no more. */
-        .drives = mode->mid_stance_pending && equations->turn == 0.0 ? 1.0 : 0.0,
+        .drives = mode->mid_stance_pending && equations->winding == 0.0 ? 1.0 : 0.0,
         .awaits_thrust = equations->awaits_thrust ? 1.0 : 0.0,
         .slope_sine = equations->ground.sine,
         .slope_cosine = equations->ground.cosine,

@@ -5,6 +5,7 @@
 
 #include "constant_laws.h"
 #include "evaluation.h"
+#include "extrema.h"
 #include "first_root.h"
 #include "ground_line.h"
 #include "guard_series.h"
@@ -12,12 +13,11 @@
 #include "series_sums.h"
 #include "step_size.h"
 #include "tdmf_slip/dynamics.h"
-#include "turns.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
+enum { EXTREMUM_LIMIT = SERIES_ORDER_LIMIT };
 
 /* ---- the foot's height -------------------------------------------------------------------------------- */
 
@@ -82,12 +82,12 @@ static void note_height(tdmf_measured *measured, const tdmf_measured_step *along
 
 /* ---- turns -------------------------------------------------------------------------------------------- */
 
-typedef void note_turn(tdmf_measured *measured, const tdmf_measured_step *along, double t);
+typedef void record_extremum(tdmf_measured *measured, const tdmf_measured_step *along, double t);
 
 /* At each zero of a rate, a series in time, and at the end of a step that is no event; its start was an end.
  */
-static void note_turns(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
-                       int order, note_turn *note) {
+static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
+                           int order, record_extremum *note) {
     const tdmf_step *step = along->step;
     double c[SERIES_TERMS], from = 0.0;
     const double end = along->end / step->size;
@@ -97,13 +97,13 @@ static void note_turns(tdmf_measured *measured, const tdmf_measured_step *along,
     for (int k = 0; k <= order; ++k) {
         c[k] = rate[k] * step->search.power[k];
     }
-    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
-        const root turn = first_sign_change(c, order, 0.0, from, end, mask_of(true));
-        if (!turn.is_root || !(turn.time > from)) {
+    for (int i = 0; i < EXTREMUM_LIMIT && from < end; ++i) {
+        const root extremum = first_sign_change(c, order, 0.0, from, end, mask_of(true));
+        if (!extremum.is_root || !(extremum.time > from)) {
             break;
         }
-        note(measured, along, turn.time * step->size);
-        from = turn.time;
+        note(measured, along, extremum.time * step->size);
+        from = extremum.time;
     }
     if (!along->ends_at_event) {
         note(measured, along, along->end);
@@ -122,7 +122,7 @@ static void measure_height(tdmf_measured *measured, const tdmf_measured_step *al
     rate[0] += com.ground.rate;
     rate[1] -= c->normal_gravity;
     rate[2] += 0.5 * com.normal_jerk;
-    note_turns(measured, along, rate, step->order - 1, note_height);
+    record_extrema(measured, along, rate, step->order - 1, note_height);
     if (along->ends_at_event) {
         note_height(measured, along, along->end); /* in flight nothing jumps, and on the ground it is least */
     }
@@ -148,7 +148,7 @@ static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *alon
     for (int k = 0; k < along->step->order; ++k) {
         rate[k] = (double)(k + 1) * speed[k + 1];
     }
-    note_turns(measured, along, rate, along->step->order - 1, note_slip);
+    record_extrema(measured, along, rate, along->step->order - 1, note_slip);
 }
 
 /* ---- integrals along a step --------------------------------------------------------------------------- */

@@ -149,16 +149,19 @@ enum {
 };
 
 static const ground_case cases[] = {
-    {.slips = false, .grazes = false, .turns = false}, {.slips = false, .grazes = false, .turns = true},
-    {.slips = true, .grazes = false, .turns = false},  {.slips = true, .grazes = false, .turns = true},
-    {.slips = false, .grazes = true, .turns = true},   {.slips = true, .turns = true, .falls = true},
+    {.slips = false, .grazes = false, .has_torque = false},
+    {.slips = false, .grazes = false, .has_torque = true},
+    {.slips = true, .grazes = false, .has_torque = false},
+    {.slips = true, .grazes = false, .has_torque = true},
+    {.slips = false, .grazes = true, .has_torque = true},
+    {.slips = true, .has_torque = true, .falls = true},
 };
 enum { CASES = sizeof cases / sizeof cases[0] };
 
 static void draw_ground(random_source *source, ground_case is, ground_coefficients *c, ground_start *start) {
     draw(source, &c->stiffness, GROUND_COEFFICIENTS);
     draw(source, &start->x, GROUND_START);
-    if (!is.turns) {
+    if (!is.has_torque) {
         c->torque = c->torque_rate = 0.0;
     }
 }
@@ -297,13 +300,13 @@ static void no_torque_is_a_torque_of_zero(void **state) {
     (void)state;
     for (int run = 0; run < 2 * RUNS; ++run) {
         const bool slips = run % 2 == 1;
-        const ground_case coasts = {.slips = slips}, turns = {.slips = slips, .turns = true};
+        const ground_case coasts = {.slips = slips}, has_torque = {.slips = slips, .has_torque = true};
         ground_coefficients c;
         ground_start start;
         static ground_series a, b;
         draw_ground(&source, coasts, &c, &start);
         expand_ground(&c, &start, ORDER, coasts, &a);
-        expand_ground(&c, &start, ORDER, turns, &b);
+        expand_ground(&c, &start, ORDER, has_torque, &b);
         for (int k = 0; k <= ORDER; ++k) {
             assert_true(a.x[k] == b.x[k] && a.y[k] == b.y[k] && a.vx[k] == b.vx[k] && a.vy[k] == b.vy[k]);
             assert_true(a.foot_vx[k] == b.foot_vx[k] && a.moment[k] == b.moment[k]);
@@ -374,20 +377,20 @@ static void the_ground_varies_as_it_changes(void **state) {
     (void)state;
     balanced = 0;
     for (int run = 0; run < CASES * RUNS; ++run) {
-        const ground_case is = cases[run % CASES], turns = {is.slips, is.grazes, true, is.falls};
+        const ground_case is = cases[run % CASES], has_torque = {is.slips, is.grazes, true, is.falls};
         ground_coefficients c, d, moved;
         ground_start start, d_start, moved_start;
         ground_series g, side[SIDES];
         ground_variation t;
         draw_ground(&source, is, &c, &start);
-        draw_ground(&source, turns, &d, &d_start);
+        draw_ground(&source, has_torque, &d, &d_start);
         expand_ground(&c, &start, VARIED_ORDER, is, &g);
         vary_ground(&c, &start, &g, &d, &d_start, VARIED_ORDER, is, &t);
         for (int i = 0; i < SIDES; ++i) {
             const double share = sides[i];
             move(&c.stiffness, &d.stiffness, share, GROUND_COEFFICIENTS, &moved.stiffness);
             move(&start.x, &d_start.x, share, GROUND_START, &moved_start.x);
-            expand_ground(&moved, &moved_start, VARIED_ORDER, turns, &side[i]);
+            expand_ground(&moved, &moved_start, VARIED_ORDER, has_torque, &side[i]);
         }
         ASSERT_VARIES(x);
         ASSERT_VARIES(vx);

@@ -33,7 +33,7 @@ TYPES = {
     **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
     **dict.fromkeys(("upright", "sticks", "falls"), "bool"),
 }
-FIXED = ("direction", "sign", "sine", "turns", "place_rate")
+FIXED = ("direction", "sign", "sine", "winding", "place_rate")
 
 FUNCTIONS = """
 runner
@@ -99,8 +99,8 @@ coordinate
     tdmf_flying flying_of = coordinates.in_flight | only
     void state_of_flying = coordinates.from_flight | only
     tdmf_standing standing_of = coordinates.on_ground
-    void state_of_standing(line, standing, turns) =
-        coordinates.from_ground(line, standing, turns) | value state
+    void state_of_standing(line, standing, winding) =
+        coordinates.from_ground(line, standing, winding) | value state
     double angle_seen = coordinates.angle_seen | only
 dynamics
     tdmf_vector acceleration_of_foot = dynamics.foot_acceleration

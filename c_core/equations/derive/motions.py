@@ -33,12 +33,12 @@ GROUND = Family(
     varied="torque power friction_power",
     cases={
         # Without a torque the leg does not turn, but a torque that varies would turn it.
-        "stick": {"contact": "stick", "turns": False, "noted": "square turning along off"},
-        "stick_turning": {"contact": "stick", "turns": True},
-        "slip": {"contact": "slip", "turns": False, "noted": "square turning along off friction_power"},
-        "slip_turning": {"contact": "slip", "turns": True, "noted": "friction_power"},
-        "falling_slip": {"contact": "slip", "turns": True, "falls": True, "noted": "friction_power"},
-        "graze": {"contact": "graze", "turns": True, "noted": "angle_rate axial_y"},
+        "stick": {"contact": "stick", "has_torque": False, "noted": "square turning along off"},
+        "stick_with_torque": {"contact": "stick", "has_torque": True},
+        "slip": {"contact": "slip", "has_torque": False, "noted": "square turning along off friction_power"},
+        "slip_with_torque": {"contact": "slip", "has_torque": True, "noted": "friction_power"},
+        "falling_slip": {"contact": "slip", "has_torque": True, "falls": True, "noted": "friction_power"},
+        "graze": {"contact": "graze", "has_torque": True, "noted": "angle_rate axial_y"},
     },
 )
 
@@ -94,8 +94,8 @@ def guard_series() -> str:
 FILES = {
     "guard_series.h": guard_series,
     "ground_series.h": partial(of_cases, "ground", GROUND, [], []),
-    "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_turning"], ["stick_turning"]),
-    "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_turning"], ["slip_turning"]),
+    "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_with_torque"], ["stick_with_torque"]),
+    "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_with_torque"], ["slip_with_torque"]),
     "falling_slip_series.h": partial(of_cases, "falling_slip", GROUND, ["falling_slip"], ["falling_slip"]),
     "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),
     "flight_series.h": partial(of_cases, "flight", FLIGHT, list(FLIGHT.cases), list(FLIGHT.cases)),

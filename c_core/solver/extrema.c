@@ -1,12 +1,12 @@
 /* Turns that are no events. */
-#include "turns.h"
+#include "extrema.h"
 
 #include "first_root.h"
 #include "margins.h"
 #include "series_sums.h"
 
 /* As many as a series can have. */
-enum { TURN_LIMIT = SERIES_ORDER_LIMIT };
+enum { EXTREMUM_LIMIT = SERIES_ORDER_LIMIT };
 
 /* A polynomial in the step's share, and up to where it counts as zero. */
 typedef struct {
@@ -68,7 +68,8 @@ static series_sums sums_of(const tdmf_step *step, const double *series, int orde
 
 /* The first time after `from`, up to `to`, at which a force turns from rising to falling or back; else
  * infinity. */
-static double force_turn(const tdmf_step *step, const double *force, bool rising, double from, double to) {
+static double next_force_extremum(const tdmf_step *step, const double *force, bool rising, double from,
+                                  double to) {
     const tdmf_scales *scales = &step->equations->model->scales;
     const partial_sums slope = sums_of(step, force, step->order - 1).rate;
     if (rising ? slope.least > 0.0 : slope.most < 0.0) {
@@ -78,16 +79,16 @@ static double force_turn(const tdmf_step *step, const double *force, bool rising
     for (int k = 0; k <= rate.order && !rising; ++k) {
         rate.c[k] = -rate.c[k];
     }
-    const root turn = first_root(rate.c, rate.order, TDMF_BEYOND_DEAD_BAND * scales->force / scales->time,
-                                 from / step->size, to / step->size, mask_of(true));
-    return turn.is_root ? turn.time * step->size : INFINITY;
+    const root extremum = first_root(rate.c, rate.order, TDMF_BEYOND_DEAD_BAND * scales->force / scales->time,
+                                     from / step->size, to / step->size, mask_of(true));
+    return extremum.is_root ? extremum.time * step->size : INFINITY;
 }
 
 static tdmf_peak largest_peak(const tdmf_step *step, const double *series, double end, bool *rising) {
     tdmf_peak peak = {INFINITY, -INFINITY};
     double from = 0.0;
-    for (int i = 0; i < TURN_LIMIT; ++i) {
-        from = force_turn(step, series, *rising, from, end);
+    for (int i = 0; i < EXTREMUM_LIMIT; ++i) {
+        from = next_force_extremum(step, series, *rising, from, end);
         if (!(from <= end)) {
             break;
         }
@@ -218,20 +219,20 @@ static void note_factors_on_ground(const tdmf_step *step, double zero, double en
 }
 
 /* The first time after `from` at which the power changes its sign, or `end`. */
-static double next_turn(const tdmf_step *step, changing_factors *changing, double from, double end) {
+static double next_sign_change(const tdmf_step *step, changing_factors *changing, double from, double end) {
     root first = {INFINITY, 0, INFINITY};
-    int turning = 0;
+    int next = 0;
     for (int i = 0; i < changing->count; ++i) {
         const factor *f = &changing->of[i];
         const root found =
             first_sign_change(f->c, f->order, f->zero, from / step->size, end / step->size, mask_of(true));
         if (found.time < first.time || (found.time == first.time && found.is_root)) {
             first = found;
-            turning = i;
+            next = i;
         }
     }
-    if (first.is_root && changing->of[turning].is_monotone) {
-        changing->of[turning] = changing->of[--changing->count];
+    if (first.is_root && changing->of[next].is_monotone) {
+        changing->of[next] = changing->of[--changing->count];
     }
     return first.is_root ? real_min(first.time * step->size, end) : end;
 }
@@ -263,8 +264,8 @@ static double split_work(const tdmf_step *step, double end, double total, tdmf_s
         add_span(spans, 0.0, end, total);
         return real_max(0.0, total);
     }
-    for (int i = 0; i < TURN_LIMIT && from < end; ++i) {
-        const double to = next_turn(step, &changing, from, end);
+    for (int i = 0; i < EXTREMUM_LIMIT && from < end; ++i) {
+        const double to = next_sign_change(step, &changing, from, end);
         const double done_then = to < end ? tdmf_step_work(step, to) : total;
         add_span(spans, from, to, done_then - done);
         positive += real_max(0.0, done_then - done);

@@ -1,7 +1,7 @@
 /* What a step passes that is no event, but is noted: peaks of the ground force, the leg's greatest
  * compression where it makes no difference yet, and turns of the hip's power. */
-#ifndef TDMF_SOLVER_TURNS_H
-#define TDMF_SOLVER_TURNS_H
+#ifndef TDMF_SOLVER_EXTREMA_H
+#define TDMF_SOLVER_EXTREMA_H
 
 #include "step.h"
 

@@ -1,6 +1,6 @@
 /* Peaks of the ground force within a step: where it turns from rising to falling, and there only. */
 #include "compare.h"
-#include "turns.h"
+#include "extrema.h"
 
 #include <math.h>
 #include <string.h>
