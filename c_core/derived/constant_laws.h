@@ -11,7 +11,7 @@ static inline flight_coefficients tdmf_flight_coefficients_of(const tdmf_model *
                                                               const tdmf_hip_law *law, double rest_length,
                                                               tdmf_vector push) {
     const flight_coefficients result = {
-        .mobility = model->mobility,
+        .inverse_reduced_mass = model->inverse_reduced_mass,
         .stiffness = model->parameters.leg.stiffness,
         .damping = model->parameters.leg.damping,
         .rest_length = rest_length,
@@ -35,7 +35,7 @@ tdmf_vary_flight_coefficients_of(const tdmf_model *model, const tdmf_hip_law *la
     (void)rest_length;
     (void)push;
     const flight_coefficients result = {
-        .mobility = d_model->mobility,
+        .inverse_reduced_mass = d_model->inverse_reduced_mass,
         .stiffness = d_model->parameters.leg.stiffness,
         .damping = d_model->parameters.leg.damping,
         .rest_length = d_rest_length,

@@ -6,7 +6,7 @@
 
 /* What the motions depend on, and its rates where it changes in time. */
 typedef struct {
-    real mobility;
+    real inverse_reduced_mass;
     real stiffness;
     real damping;
     real gain;
@@ -83,10 +83,10 @@ static inline void begin_flight_variation(const flight_start *start, const fligh
 /* Factors that all coefficients have, and what is divided by. */
 typedef struct {
     real inverse_square;
-    real mobility_times_stiffness;
-    real mobility_times_damping;
-    real mobility_times_gain;
-    real mobility_times_rate_gain;
+    real inverse_reduced_mass_times_stiffness;
+    real inverse_reduced_mass_times_damping;
+    real inverse_reduced_mass_times_gain;
+    real inverse_reduced_mass_times_rate_gain;
 } flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -138,14 +138,17 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     integrate(s->length_rate, k,
               with_constant(k,
-                            length_times_rate_square - by->mobility_times_stiffness * s->length[k] -
-                                by->mobility_times_damping * s->length_rate[k],
-                            c->mobility * (c->stiffness * c->rest_length)));
+                            length_times_rate_square -
+                                by->inverse_reduced_mass_times_stiffness * s->length[k] -
+                                by->inverse_reduced_mass_times_damping * s->length_rate[k],
+                            c->inverse_reduced_mass * (c->stiffness * c->rest_length)));
     integrate(s->angle, k, s->angle_rate[k]);
     integrate(s->momentum, k,
-              with_drift(
-                  k, -by->mobility_times_gain * s->angle[k] - by->mobility_times_rate_gain * s->angle_rate[k],
-                  c->mobility * (c->gain * c->target + c->torque), c->mobility * c->torque_rate));
+              with_drift(k,
+                         -by->inverse_reduced_mass_times_gain * s->angle[k] -
+                             by->inverse_reduced_mass_times_rate_gain * s->angle_rate[k],
+                         c->inverse_reduced_mass * (c->gain * c->target + c->torque),
+                         c->inverse_reduced_mass * c->torque_rate));
 }
 
 /* From coefficient k, even, two further. */
@@ -172,10 +175,10 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
     s->square[0] = s->length[0] * s->length[0];
     const flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .mobility_times_stiffness = c->mobility * c->stiffness,
-        .mobility_times_damping = c->mobility * c->damping,
-        .mobility_times_gain = c->mobility * c->gain,
-        .mobility_times_rate_gain = c->mobility * c->rate_gain,
+        .inverse_reduced_mass_times_stiffness = c->inverse_reduced_mass * c->stiffness,
+        .inverse_reduced_mass_times_damping = c->inverse_reduced_mass * c->damping,
+        .inverse_reduced_mass_times_gain = c->inverse_reduced_mass * c->gain,
+        .inverse_reduced_mass_times_rate_gain = c->inverse_reduced_mass * c->rate_gain,
     };
     const flight_factors *by = &factors;
     expand_flight_on(c, by, 0, &sum, s);
@@ -189,10 +192,10 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
 /* Factors that all coefficients have, and what is divided by. */
 typedef struct {
     real inverse_square;
-    real mobility_times_stiffness;
-    real mobility_times_damping;
-    real mobility_times_gain;
-    real mobility_times_rate_gain;
+    real inverse_reduced_mass_times_stiffness;
+    real inverse_reduced_mass_times_damping;
+    real inverse_reduced_mass_times_gain;
+    real inverse_reduced_mass_times_rate_gain;
 } pushed_flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -266,16 +269,17 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     integrate(s->length_rate, k,
               with_ramp(k,
-                        length_times_rate_square - by->mobility_times_stiffness * s->length[k] -
-                            by->mobility_times_damping * s->length_rate[k] + push_along,
-                        c->mobility * (c->stiffness * c->rest_length),
-                        c->mobility * (c->stiffness * c->rest_length_rate)));
+                        length_times_rate_square - by->inverse_reduced_mass_times_stiffness * s->length[k] -
+                            by->inverse_reduced_mass_times_damping * s->length_rate[k] + push_along,
+                        c->inverse_reduced_mass * (c->stiffness * c->rest_length),
+                        c->inverse_reduced_mass * (c->stiffness * c->rest_length_rate)));
     integrate(s->angle, k, s->angle_rate[k]);
     integrate(s->momentum, k,
               with_drift(k,
-                         -by->mobility_times_gain * s->angle[k] -
-                             by->mobility_times_rate_gain * s->angle_rate[k] + s->push_moment[k],
-                         c->mobility * (c->gain * c->target + c->torque), c->mobility * c->torque_rate));
+                         -by->inverse_reduced_mass_times_gain * s->angle[k] -
+                             by->inverse_reduced_mass_times_rate_gain * s->angle_rate[k] + s->push_moment[k],
+                         c->inverse_reduced_mass * (c->gain * c->target + c->torque),
+                         c->inverse_reduced_mass * c->torque_rate));
 }
 
 /* From coefficient k, even, two further. */
@@ -302,10 +306,10 @@ KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, fl
     s->square[0] = s->length[0] * s->length[0];
     const pushed_flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .mobility_times_stiffness = c->mobility * c->stiffness,
-        .mobility_times_damping = c->mobility * c->damping,
-        .mobility_times_gain = c->mobility * c->gain,
-        .mobility_times_rate_gain = c->mobility * c->rate_gain,
+        .inverse_reduced_mass_times_stiffness = c->inverse_reduced_mass * c->stiffness,
+        .inverse_reduced_mass_times_damping = c->inverse_reduced_mass * c->damping,
+        .inverse_reduced_mass_times_gain = c->inverse_reduced_mass * c->gain,
+        .inverse_reduced_mass_times_rate_gain = c->inverse_reduced_mass * c->rate_gain,
     };
     const pushed_flight_factors *by = &factors;
     expand_pushed_flight_on(c, by, 0, &sum, s);
@@ -344,9 +348,11 @@ static inline void vary_flight(const flight_coefficients *c, const flight_series
                                   d->gain * c->target + c->gain * d->target + d->torque, d->torque_rate);
         t->power[k] = product(t->torque, s->angle_rate, k) + product(torque, t->angle_rate, k);
         integrate(t->length_rate, k,
-                  d_length_times_rate_square + d->mobility * axial_force + c->mobility * d_axial_force);
+                  d_length_times_rate_square + d->inverse_reduced_mass * axial_force +
+                      c->inverse_reduced_mass * d_axial_force);
         integrate(t->angle, k, t->angle_rate[k]);
-        integrate(t->momentum, k, d->mobility * torque[k] + c->mobility * t->torque[k]);
+        integrate(t->momentum, k,
+                  d->inverse_reduced_mass * torque[k] + c->inverse_reduced_mass * t->torque[k]);
     }
 }
 
@@ -393,10 +399,12 @@ static inline void vary_pushed_flight(const flight_coefficients *c, const flight
             product(t->length, s->push_across, k) + product(s->length, t->push_across, k);
         t->power[k] = product(t->torque, s->angle_rate, k) + product(torque, t->angle_rate, k);
         integrate(t->length_rate, k,
-                  d_length_times_rate_square + d->mobility * axial_force + c->mobility * d_axial_force +
-                      d_push_along);
+                  d_length_times_rate_square + d->inverse_reduced_mass * axial_force +
+                      c->inverse_reduced_mass * d_axial_force + d_push_along);
         integrate(t->angle, k, t->angle_rate[k]);
-        integrate(t->momentum, k, d->mobility * torque[k] + c->mobility * t->torque[k] + d_push_moment);
+        integrate(t->momentum, k,
+                  d->inverse_reduced_mass * torque[k] + c->inverse_reduced_mass * t->torque[k] +
+                      d_push_moment);
     }
 }
 

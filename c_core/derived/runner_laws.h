@@ -14,7 +14,7 @@ static inline tdmf_mass_constants tdmf_mass_constants_of(const tdmf_model *model
     const tdmf_mass_constants result = {
         .inverse_body_mass = inverse_body_mass,
         .inverse_foot_mass = inverse_foot_mass,
-        .mobility = inverse_body_mass + inverse_foot_mass,
+        .inverse_reduced_mass = inverse_body_mass + inverse_foot_mass,
         .total_mass = total_mass,
         .body_share = model->parameters.body.mass / total_mass,
     };
@@ -33,8 +33,9 @@ static inline tdmf_mass_constants tdmf_vary_mass_constants_of(const tdmf_model *
         .inverse_body_mass = d_inverse_body_mass,
         .inverse_foot_mass =
             -constants->inverse_foot_mass * constants->inverse_foot_mass * d_model->parameters.foot.mass,
-        .mobility = d_inverse_body_mass - constants->inverse_foot_mass * constants->inverse_foot_mass *
-                                              d_model->parameters.foot.mass,
+        .inverse_reduced_mass = d_inverse_body_mass - constants->inverse_foot_mass *
+                                                          constants->inverse_foot_mass *
+                                                          d_model->parameters.foot.mass,
         .total_mass = d_total_mass,
         .body_share =
             (d_model->parameters.body.mass - constants->body_share * d_total_mass) / constants->total_mass,

@@ -205,7 +205,7 @@ static bool in_flight(batch_kind kind) {
 
 /* The series of one lane that are looked at, in the order in which they are noted. */
 static void read_series(const integration *integration, batch_kind kind, int lane,
-                        double to[TDMF_NOTED_SERIES][SERIES_TERMS]) {
+                        double to[TDMF_RECORDED_SERIES][SERIES_TERMS]) {
     const flight_series *f = &integration->series.flight;
     const ground_series *g = &integration->series.ground;
     const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST || kind == BATCH_FALLING_SLIP;
@@ -222,21 +222,21 @@ static void read_series(const integration *integration, batch_kind kind, int lan
     }
 }
 
-static void note_steps(integration *integration, batch_kind kind, lane_outcome outcome) {
+static void record_steps(integration *integration, batch_kind kind, lane_outcome outcome) {
     const batch *batch = &integration->batches[kind];
     const unsigned stuck = movemask(outcome.stuck);
     double before[MEMBER_FIELDS], after[MEMBER_FIELDS];
-    tdmf_lane_step noted = {.order = integration->order, .before = before, .after = after};
+    tdmf_lane_step recorded = {.order = integration->order, .before = before, .after = after};
     for (int lane = 0; lane < LANES; ++lane) {
         if (batch->runner_in[lane] == EMPTY || (stuck >> lane & 1)) {
             continue;
         }
-        noted.size = outcome.size[lane];
-        noted.end = outcome.end[lane];
+        recorded.size = outcome.size[lane];
+        recorded.end = outcome.end[lane];
         read_lane(&integration->before, lane, before, MEMBER_FIELDS);
         read_lane(&batch->members, lane, after, MEMBER_FIELDS);
-        read_series(integration, kind, lane, noted.series);
-        tdmf_runner_note_step(&integration->runners[batch->runner_in[lane]], &noted);
+        read_series(integration, kind, lane, recorded.series);
+        tdmf_runner_record_step(&integration->runners[batch->runner_in[lane]], &recorded);
     }
 }
 
@@ -245,13 +245,13 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     fill_lanes(integration, batch);
     integration->work.steps += batch->count;
     integration->work.lane_steps += LANES;
-    const bool is_noted = tdmf_notes_strides(integration->ensemble);
-    if (is_noted) {
+    const bool is_recorded = tdmf_records_strides(integration->ensemble);
+    if (is_recorded) {
         integration->before = batch->members;
     }
     const lane_outcome outcome = step_batch(integration, kind);
-    if (is_noted) {
-        note_steps(integration, kind, outcome);
+    if (is_recorded) {
+        record_steps(integration, kind, outcome);
     }
     const unsigned leaving = movemask(outcome.at_event | outcome.late | outcome.stuck);
     for (int lane = 0; leaving >> lane != 0; ++lane) {
@@ -265,11 +265,11 @@ static void step_and_sort(integration *integration, batch_kind kind) {
 static batch_kind fullest(const integration *integration) {
     const int kinds = integration->seldom > 0 ? BATCH_COUNT : BATCH_USUAL;
     batch_kind best = BATCH_PLACE;
-    int most = -1;
+    int maximum = -1;
     for (int kind = 0; kind < kinds; ++kind) {
         const batch *batch = &integration->batches[kind];
-        if (batch->count + batch->waiting_count > most) {
-            most = batch->count + batch->waiting_count;
+        if (batch->count + batch->waiting_count > maximum) {
+            maximum = batch->count + batch->waiting_count;
             best = (batch_kind)kind;
         }
     }

@@ -134,7 +134,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
     if (all.works == NULL) {
         return false;
     }
-    tdmf_side_by_side(run_share, &all, threads);
+    tdmf_run_in_threads(run_share, &all, threads);
     if (work) {
         const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
         *work = none;

@@ -22,7 +22,7 @@
 
 static bool coasts(const tdmf_runner *runner) {
     const tdmf_hip_law law =
-        tdmf_stance_law(runner->model, &runner->inputs, &tdmf_held_inputs, &runner->motion.mode);
+        tdmf_stance_law(runner->model, &runner->inputs, &tdmf_zero_input_rates, &runner->motion.mode);
     return law.torque == 0.0;
 }
 
@@ -113,7 +113,7 @@ static void write_standing_fields(const tdmf_runner *runner, standing_member *m)
 
 int tdmf_runner_load(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
-    tdmf_open_mode(&runner->equations, runner->model, &runner->inputs, &tdmf_held_inputs, &motion->mode,
+    tdmf_open_mode(&runner->equations, runner->model, &runner->inputs, &tdmf_zero_input_rates, &motion->mode,
                    motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
@@ -155,7 +155,7 @@ static void store(tdmf_runner *runner, const double *fields) {
 
 /* ---- what is noted of steps --------------------------------------------------------------------------- */
 
-bool tdmf_notes_strides(const tdmf_ensemble *ensemble) {
+bool tdmf_records_strides(const tdmf_ensemble *ensemble) {
     return ensemble->strides != NULL;
 }
 
@@ -170,10 +170,10 @@ static double read_flight_step(const tdmf_lane_step *lane, tdmf_mode_equations *
     flight_series *flight = &step->series.flight;
     tdmf_step_set_flight(&equations->start, &before->at);
     step->constants.flight = before->constants;
-    take_series(flight->momentum, lane, TDMF_NOTED_MOMENTUM);
-    take_series(flight->angle, lane, TDMF_NOTED_ANGLE);
-    take_series(flight->rate_square, lane, TDMF_NOTED_RATE_SQUARE);
-    take_series(flight->push_moment, lane, TDMF_NOTED_PUSH_MOMENT);
+    take_series(flight->momentum, lane, TDMF_RECORDED_MOMENTUM);
+    take_series(flight->angle, lane, TDMF_RECORDED_ANGLE);
+    take_series(flight->rate_square, lane, TDMF_RECORDED_RATE_SQUARE);
+    take_series(flight->push_moment, lane, TDMF_RECORDED_PUSH_MOMENT);
     return after->at.done.work - before->at.done.work;
 }
 
@@ -181,21 +181,21 @@ static double read_ground_step(const tdmf_lane_step *lane, tdmf_step *step) {
     const standing_member *before = (const standing_member *)lane->before;
     const standing_member *after = (const standing_member *)lane->after;
     ground_series *ground = &step->series.ground;
-    take_series(ground->normal_force, lane, TDMF_NOTED_NORMAL_FORCE);
+    take_series(ground->normal_force, lane, TDMF_RECORDED_NORMAL_FORCE);
     take_series(tdmf_step_ground_case(step).slips ? ground->friction_force : ground->tangential_push, lane,
-                TDMF_NOTED_TANGENTIAL);
-    take_series(ground->moment, lane, TDMF_NOTED_MOMENT);
-    take_series(ground->torque, lane, TDMF_NOTED_TORQUE);
-    take_series(ground->power, lane, TDMF_NOTED_POWER);
+                TDMF_RECORDED_TANGENTIAL);
+    take_series(ground->moment, lane, TDMF_RECORDED_MOMENT);
+    take_series(ground->torque, lane, TDMF_RECORDED_TORQUE);
+    take_series(ground->power, lane, TDMF_RECORDED_POWER);
     return after->at.done.work - before->at.done.work;
 }
 
-static void note_peak_forces(tdmf_motion *motion, const tdmf_step *step, double end) {
+static void record_peak_forces(tdmf_motion *motion, const tdmf_step *step, double end) {
     const tdmf_force_peaks peaks = tdmf_largest_peaks(step, end, &motion->mode);
     tdmf_record_force(&motion->record, peaks.normal.force, peaks.vertical.force);
 }
 
-void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
+void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
     tdmf_mode_equations equations = runner->equations;
     tdmf_step step;
     step.equations = &equations;
@@ -207,14 +207,14 @@ void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
                             : read_ground_step(lane, &step);
     runner->equations.positive_work += tdmf_positive_work(&step, lane->end, work);
     if (tdmf_in_contact(&runner->motion.mode)) {
-        note_peak_forces(&runner->motion, &step, lane->end);
+        record_peak_forces(&runner->motion, &step, lane->end);
     }
 }
 
 /* Of the ground force at an event. */
 static void observe(tdmf_runner *runner) {
     tdmf_motion *motion = &runner->motion;
-    if (tdmf_notes_strides(runner->ensemble)) {
+    if (tdmf_records_strides(runner->ensemble)) {
         tdmf_observe_along(runner->model, &runner->inputs, motion->state, runner->direction, &motion->mode,
                            &motion->record);
     }

@@ -35,16 +35,16 @@ typedef enum {
 
 /* Series of a step that peaks of force and signs of power are found by. */
 enum {
-    TDMF_NOTED_NORMAL_FORCE, /* on the ground */
-    TDMF_NOTED_TANGENTIAL,   /* against the ground's force along it */
-    TDMF_NOTED_MOMENT,
-    TDMF_NOTED_TORQUE,
-    TDMF_NOTED_POWER,
-    TDMF_NOTED_MOMENTUM = 0, /* in flight */
-    TDMF_NOTED_ANGLE,
-    TDMF_NOTED_RATE_SQUARE,
-    TDMF_NOTED_PUSH_MOMENT,
-    TDMF_NOTED_SERIES = TDMF_NOTED_POWER + 1
+    TDMF_RECORDED_NORMAL_FORCE, /* on the ground */
+    TDMF_RECORDED_TANGENTIAL,   /* against the ground's force along it */
+    TDMF_RECORDED_MOMENT,
+    TDMF_RECORDED_TORQUE,
+    TDMF_RECORDED_POWER,
+    TDMF_RECORDED_MOMENTUM = 0, /* in flight */
+    TDMF_RECORDED_ANGLE,
+    TDMF_RECORDED_RATE_SQUARE,
+    TDMF_RECORDED_PUSH_MOMENT,
+    TDMF_RECORDED_SERIES = TDMF_RECORDED_POWER + 1
 };
 
 typedef struct {
@@ -83,15 +83,15 @@ typedef struct {
     int order;
     double size, end;             /* s: for which it was expanded, and at which it ended */
     const double *before, *after; /* fields of the member */
-    double series[TDMF_NOTED_SERIES][SERIES_TERMS];
+    double series[TDMF_RECORDED_SERIES][SERIES_TERMS];
 } tdmf_lane_step;
 
 /* Whether strides are noted: then each step of a lane is looked at. */
-bool tdmf_notes_strides(const tdmf_ensemble *ensemble);
+bool tdmf_records_strides(const tdmf_ensemble *ensemble);
 
 /* Notes what a step has passed that is no event: peaks of the ground force, and what of the hip's work was
  * done at positive power. */
-void tdmf_runner_note_step(tdmf_runner *runner, const tdmf_lane_step *lane);
+void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane);
 
 /* Takes the event that the lane has come to: its first CHANGING_FIELDS fields, and the guard whose zero it
  * has reached, see tdmf_resolve_along. False where the run has ended. */

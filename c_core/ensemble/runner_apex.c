@@ -26,7 +26,7 @@ static void open_stride(tdmf_runner *runner) {
 /* ---- what is set -------------------------------------------------------------------------------------- */
 
 /* Where the stride under way is noted, or NULL. */
-static tdmf_ensemble_stride *open_note(const tdmf_runner *runner) {
+static tdmf_ensemble_stride *open_stride_record(const tdmf_runner *runner) {
     const tdmf_ensemble *ensemble = runner->ensemble;
     const int stride = runner->end->strides - ensemble->first_stride;
     return ensemble->strides && stride >= 0 && stride < ensemble->stride_count
@@ -49,12 +49,12 @@ static void set_given(tdmf_runner *runner, const tdmf_given_settings *given) {
 
 static void set_by_law(tdmf_runner *runner, const tdmf_affine_law *law) {
     double values[TDMF_SETTING_LIMIT];
-    tdmf_ensemble_stride *note = open_note(runner);
+    tdmf_ensemble_stride *record = open_stride_record(runner);
     const tdmf_ensemble_end *end = runner->end;
     tdmf_affine_settings(law, end->apex, runner->number, (uint32_t)end->strides, values);
     set_all(runner, law->settings, values, law->count);
-    if (note) {
-        memcpy(note->set, values, (size_t)law->count * sizeof *values);
+    if (record) {
+        memcpy(record->set, values, (size_t)law->count * sizeof *values);
     }
 }
 
@@ -154,11 +154,11 @@ static bool is_above_ground(tdmf_runner *runner) {
     return true;
 }
 
-static void note_beginning(tdmf_runner *runner) {
-    tdmf_ensemble_stride *note = open_note(runner);
-    if (note) {
-        note->began = 1;
-        note->ground_height = runner->inputs.ground.height;
+static void record_beginning(tdmf_runner *runner) {
+    tdmf_ensemble_stride *record = open_stride_record(runner);
+    if (record) {
+        record->began = 1;
+        record->ground_height = runner->inputs.ground.height;
     }
 }
 
@@ -171,7 +171,7 @@ static bool begin_stride(tdmf_runner *runner) {
     if (runner->its_case->rules.friction_spread != 0.0) {
         draw_friction(runner);
     }
-    note_beginning(runner);
+    record_beginning(runner);
     if (is_rough && trips(runner)) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
         return false;
@@ -244,13 +244,13 @@ static bool begin(tdmf_runner *runner) {
     }
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     open_stride(runner);
-    return runner->its_case->rules.most_strides > 0 && begin_stride(runner);
+    return runner->its_case->rules.max_strides > 0 && begin_stride(runner);
 }
 
 /* Where it stood at the end of an earlier call. */
 static bool go_on(tdmf_runner *runner) {
     tdmf_ensemble_checkpoint *checkpoint = &runner->ensemble->checkpoints[runner->index];
-    if (!checkpoint->stands || runner->end->strides >= runner->its_case->rules.most_strides) {
+    if (!checkpoint->stands || runner->end->strides >= runner->its_case->rules.max_strides) {
         return false;
     }
     checkpoint->stands = false;
@@ -269,7 +269,7 @@ bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64
 
 /* ---- where a stride closes ---------------------------------------------------------------------------- */
 
-static void note_apex(tdmf_runner *runner) {
+static void record_apex(tdmf_runner *runner) {
     const tdmf_record *record = &runner->motion.record;
     const double *state = runner->motion.state;
     tdmf_ensemble_end *end = runner->end;
@@ -290,16 +290,16 @@ static void note_apex(tdmf_runner *runner) {
 }
 
 /* Of the stride that has closed between these ends. */
-static void note_stride(const tdmf_runner *runner, const tdmf_ensemble_end *before,
-                        tdmf_ensemble_stride *note) {
+static void record_stride(const tdmf_runner *runner, const tdmf_ensemble_end *before,
+                          tdmf_ensemble_stride *record) {
     const tdmf_ensemble_end *end = runner->end;
-    memcpy(note->apex, end->apex, sizeof note->apex);
-    note->stride = runner->motion.record.stride;
-    note->liftoff_angle = runner->motion.mode.liftoff_angle;
-    note->external_work = end->external_work - before->external_work;
-    note->damper_loss = end->damper_loss - before->damper_loss;
-    note->friction_loss = end->friction_loss - before->friction_loss;
-    note->impact_loss = end->impact_loss - before->impact_loss;
+    memcpy(record->apex, end->apex, sizeof record->apex);
+    record->stride = runner->motion.record.stride;
+    record->liftoff_angle = runner->motion.mode.liftoff_angle;
+    record->external_work = end->external_work - before->external_work;
+    record->damper_loss = end->damper_loss - before->damper_loss;
+    record->friction_loss = end->friction_loss - before->friction_loss;
+    record->impact_loss = end->impact_loss - before->impact_loss;
 }
 
 /* The gait that an apex is near, or -1. */
@@ -330,11 +330,11 @@ static void stand(const tdmf_runner *runner) {
 
 bool tdmf_runner_close_stride(tdmf_runner *runner) {
     tdmf_ensemble_end *end = runner->end;
-    tdmf_ensemble_stride *note = open_note(runner);
+    tdmf_ensemble_stride *record = open_stride_record(runner);
     const tdmf_ensemble_end before = *end;
-    note_apex(runner);
-    if (note) {
-        note_stride(runner, &before, note);
+    record_apex(runner);
+    if (record) {
+        record_stride(runner, &before, record);
     }
     open_stride(runner);
     ++end->strides;
@@ -343,7 +343,7 @@ bool tdmf_runner_close_stride(tdmf_runner *runner) {
         end->fate = TDMF_FATE_SETTLED;
         return false;
     }
-    if (end->strides >= runner->its_case->rules.most_strides) {
+    if (end->strides >= runner->its_case->rules.max_strides) {
         stand(runner);
         return false;
     }

@@ -63,7 +63,7 @@ typedef struct {
     thread thread;
 } worker;
 
-void tdmf_side_by_side(tdmf_work *work, void *shared, int count) {
+void tdmf_run_in_threads(tdmf_work *work, void *shared, int count) {
     worker *workers = count > 1 ? calloc((size_t)count, sizeof *workers) : NULL;
     int started = 1;
     for (bool goes_on = workers != NULL; goes_on && started < count; started += goes_on) {

@@ -8,7 +8,7 @@ def of_flight(model, law, rest_length, push):
     """Leg, hip and the push on the body, of flight as seen from the centre of mass."""
     leg = model.parameters.leg
     return Record(
-        mobility=model.mobility,
+        inverse_reduced_mass=model.inverse_reduced_mass,
         stiffness=leg.stiffness,
         damping=leg.damping,
         rest_length=rest_length,

@@ -38,9 +38,9 @@ def motion(c, s, pushed):
     return Record(
         rates=Record(
             length=s.length_rate,
-            length_rate=s.length * rate_square + c.mobility * axial_force + push_along,
+            length_rate=s.length * rate_square + c.inverse_reduced_mass * axial_force + push_along,
             angle=angle_rate,
-            momentum=c.mobility * torque + push_moment,
+            momentum=c.inverse_reduced_mass * torque + push_moment,
         ),
         square=square,
         angle_rate=angle_rate,

@@ -11,7 +11,7 @@ def derived(body_mass, foot_mass):
     return Record(
         inverse_body_mass=inverse_body_mass,
         inverse_foot_mass=inverse_foot_mass,
-        mobility=inverse_body_mass + inverse_foot_mass,
+        inverse_reduced_mass=inverse_body_mass + inverse_foot_mass,
         total_mass=total_mass,
         body_share=body_mass / total_mass,
     )

@@ -22,7 +22,7 @@ static const double beyond = -1e-14;
 
 typedef struct {
     double x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS];
-    double square[SERIES_TERMS], length[SERIES_TERMS], stretch[SERIES_TERMS]; /* r^2, r, w */
+    double square[SERIES_TERMS], length[SERIES_TERMS], length_ratio[SERIES_TERMS]; /* r^2, r, w */
 } stance_series;
 
 tdmf_classic tdmf_classic_default(void) {
@@ -63,11 +63,12 @@ static void expand_stance(const tdmf_classic *slip, tdmf_classic_point start, st
         s->length[k] =
             k == 0 ? sqrt(s->square[0])
                    : 0.5 * (s->square[k] - partial_product(s->length, s->length, 1, k)) / s->length[0];
-        s->stretch[k] = ((k == 0 ? slip->free_length : 0.0) - partial_product(s->stretch, s->length, 0, k)) /
-                        s->length[0];
-        s->vx[k + 1] = rate * (product(s->stretch, s->x, k) - s->x[k]) * divide;
+        s->length_ratio[k] =
+            ((k == 0 ? slip->free_length : 0.0) - partial_product(s->length_ratio, s->length, 0, k)) /
+            s->length[0];
+        s->vx[k + 1] = rate * (product(s->length_ratio, s->x, k) - s->x[k]) * divide;
         s->vy[k + 1] =
-            (rate * (product(s->stretch, s->y, k) - s->y[k]) - (k == 0 ? slip->gravity : 0.0)) * divide;
+            (rate * (product(s->length_ratio, s->y, k) - s->y[k]) - (k == 0 ? slip->gravity : 0.0)) * divide;
         s->x[k + 1] = s->vx[k] * divide;
         s->y[k + 1] = s->vy[k] * divide;
     }
@@ -86,10 +87,11 @@ static void expand_variation(const tdmf_classic *slip, const stance_series *s, t
         const double divide = series_reciprocal[k + 1];
         d->square[k] = 2.0 * (product(s->x, d->x, k) + product(s->y, d->y, k));
         d->length[k] = (0.5 * d->square[k] - partial_product(d->length, s->length, 0, k)) / s->length[0];
-        d->stretch[k] = -(product(s->stretch, d->length, k) + partial_product(d->stretch, s->length, 0, k)) /
-                        s->length[0];
-        const double d_x = product(d->stretch, s->x, k) + product(s->stretch, d->x, k);
-        const double d_y = product(d->stretch, s->y, k) + product(s->stretch, d->y, k);
+        d->length_ratio[k] =
+            -(product(s->length_ratio, d->length, k) + partial_product(d->length_ratio, s->length, 0, k)) /
+            s->length[0];
+        const double d_x = product(d->length_ratio, s->x, k) + product(s->length_ratio, d->x, k);
+        const double d_y = product(d->length_ratio, s->y, k) + product(s->length_ratio, d->y, k);
         d->vx[k + 1] = rate * (d_x - d->x[k]) * divide;
         d->vy[k + 1] = rate * (d_y - d->y[k]) * divide;
         d->x[k + 1] = d->vx[k] * divide;

@@ -29,10 +29,10 @@ static void open_bundle(bundle *bundle, const tdmf_change *changes, int count) {
 
 /* From the apex through the impact. */
 static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex,
-                       const tdmf_motion *motion, const tdmf_side *before) {
-    tdmf_side after = {.mode = motion->mode,
-                       .peak_force = motion->record.open.peak_force,
-                       .peak_vertical_force = motion->record.open.peak_vertical_force};
+                       const tdmf_motion *motion, const tdmf_event_state *before) {
+    tdmf_event_state after = {.mode = motion->mode,
+                              .peak_force = motion->record.open.peak_force,
+                              .peak_vertical_force = motion->record.open.peak_vertical_force};
     memcpy(after.state, motion->state, sizeof after.state);
     tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < bundle->count; ++i) {
@@ -93,8 +93,8 @@ typedef struct {
     const tdmf_model *model;
     const tdmf_inputs *inputs;
     tdmf_motion motion;
-    tdmf_point from;  /* the centre of mass at the apex */
-    tdmf_side before; /* the impact */
+    tdmf_point from;         /* the centre of mass at the apex */
+    tdmf_event_state before; /* the impact */
     double lift_off[TDMF_STATE_COUNT];
     double leg_loss;
     bundle bundle;
@@ -169,7 +169,7 @@ static tdmf_reduced_outcome rise(run *run, tdmf_event_log *log) {
     return risen;
 }
 
-static void note_stride(const run *run, tdmf_reduced_return *result) {
+static void record_stride(const run *run, tdmf_reduced_return *result) {
     const tdmf_record *record = &run->motion.record;
     result->apex[TDMF_REDUCED_COM_HEIGHT] = record->apex.com_height;
     result->apex[TDMF_REDUCED_COM_SPEED] = record->apex.com_speed;
@@ -205,7 +205,7 @@ tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *mode
         result.outcome = rise(&run, solver->log);
     }
     if (result.outcome == TDMF_REDUCED_CLOSED) {
-        note_stride(&run, &result);
+        record_stride(&run, &result);
     }
     return result;
 }

@@ -73,7 +73,7 @@ void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, 
 }
 
 tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
-                                             tdmf_motion *motion, tdmf_side *before) {
+                                             tdmf_motion *motion, tdmf_event_state *before) {
     const tdmf_ground_line *ground = &motion->mode.ground;
     const tdmf_point apex = tdmf_center_of_mass(model, motion->state);
     if (tdmf_foot_over_ground(ground, motion->state).y <= 0.0) {

@@ -17,7 +17,7 @@ void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, 
 /* From an apex through the impact into contact. TDMF_REDUCED_CLOSED where the foot is loaded then. `before`
  * becomes the runner before the impact; it may be NULL. */
 tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
-                                             tdmf_motion *motion, tdmf_side *before);
+                                             tdmf_motion *motion, tdmf_event_state *before);
 
 /* From lift-off to the next apex, which closes the stride. TDMF_REDUCED_CLOSED where there is one. */
 tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,

@@ -55,7 +55,7 @@ static inline void begin_search(event_search *search, int order, mask live, real
 }
 
 /* Notes what lanes have found that ends their step sooner. */
-static inline void note_found(event_search *search, mask lanes, real time, integer end) {
+static inline void record_end(event_search *search, mask lanes, real time, integer end) {
     const mask sooner =
         lanes & ((time < search->time) | ((time == search->time) & (search->end == integer_of(KINK))));
     search->time = select(sooner, time, search->time);
@@ -74,7 +74,7 @@ static inline void search_pending(event_search *search) {
     const mask is_event = found.is_root & (search->pending_guard != integer_of(KINK));
     const mask has_zero = found.zero < found.time;
     const integer guard = select_integer(has_zero, search->pending_guard, search->pending_guard + AT_FLOOR);
-    note_found(search, search->pending, select(is_event, found.zero, found.time),
+    record_end(search, search->pending, select(is_event, found.zero, found.time),
                select_integer(is_event, guard, integer_of(KINK)));
     search->pending = mask_of(false);
 }
@@ -89,37 +89,37 @@ static inline tdmf_guard guard_at_zero(int end) {
 }
 
 /* Least of a guard's partial sums. */
-static inline real least_sum(const event_search *search, const guard_series *g) {
+static inline real min_partial_sum(const event_search *search, const guard_series *g) {
     const real *c = g->series, *power = search->power;
     real sum = g->start;
-    real least = sum;
+    real minimum = sum;
     int k = 1;
     for (; k < g->order; k += 2) {
         const real before = sum + g->factor * c[k] * power[k];
         sum = before + g->factor * c[k + 1] * power[k + 1];
-        least = real_min(real_min(least, before), sum);
+        minimum = real_min(real_min(minimum, before), sum);
     }
     if (k == g->order) {
-        least = real_min(least, sum + g->factor * c[k] * power[k]);
+        minimum = real_min(minimum, sum + g->factor * c[k] * power[k]);
     }
-    return least;
+    return minimum;
 }
 
 /* Within the step a series differs by no more than this from its first coefficient. */
 static inline real largest_deviation(const event_search *search, const real *c, int order) {
     const real *power = search->power;
     real sum = broadcast(0.0);
-    real most = broadcast(0.0);
+    real maximum = broadcast(0.0);
     int k = 1;
     for (; k < order; k += 2) {
         const real before = sum + c[k] * power[k];
         sum = before + c[k + 1] * power[k + 1];
-        most = real_max(real_max(most, real_abs(before)), real_abs(sum));
+        maximum = real_max(real_max(maximum, real_abs(before)), real_abs(sum));
     }
     if (k == order) {
-        most = real_max(most, real_abs(sum + c[k] * power[k]));
+        maximum = real_max(maximum, real_abs(sum + c[k] * power[k]));
     }
-    return most;
+    return maximum;
 }
 
 /* Lanes in which a polynomial stays above its floor: seen from the start of the step, or over the chord from
@@ -172,7 +172,7 @@ static inline void search_closer(event_search *search, int guard, mask near, con
 
 /* The first root of a guard, in the lanes that watch it: where it is down to `floor`, which is below zero. */
 static inline void watch(event_search *search, int guard, mask watching, const guard_series *g, real floor) {
-    const mask near = watching & search->live & mask_not(least_sum(search, g) > 0.0);
+    const mask near = watching & search->live & mask_not(min_partial_sum(search, g) > 0.0);
     if (any(near)) {
         search_closer(search, guard, near, g, floor);
     }

@@ -19,8 +19,8 @@ static inline real lowest_center_of_mass(const event_search *search, const fligh
 }
 
 /* A leg does not drop further than its longest at the angle that brings it nearest to the ground's normal. */
-static inline real most_drop(const event_search *search, const flight_constants *c, const flight_series *f,
-                             real longest, real sine, real cosine) {
+static inline real max_drop(const event_search *search, const flight_constants *c, const flight_series *f,
+                            real longest, real sine, real cosine) {
     const real turn = largest_deviation(search, f->angle, search->order);
     const real change = turn * (real_abs(sine) + 0.5 * turn);
     const real down = c->body_share * longest * real_min(cosine + change, broadcast(1.0));
@@ -32,9 +32,9 @@ static inline real most_drop(const event_search *search, const flight_constants 
 static inline void trust_drop(event_search *search, const flight_constants *c, const real *drop,
                               double tolerance, mask lanes) {
     series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
-    note_remainder(&remainder, drop, search->order, c->mode.length_scale);
+    add_to_remainder(&remainder, drop, search->order, c->mode.length_scale);
     const real trusted = trusted_size(&remainder, broadcast(INFINITY), search->order, broadcast(tolerance));
-    note_found(search, lanes, trusted / search->size, integer_of(KINK));
+    record_end(search, lanes, trusted / search->size, integer_of(KINK));
 }
 
 /* The heights of foot and body: a parabola and a share of the leg's drop. */
@@ -47,7 +47,7 @@ static inline void watch_heights(event_search *search, const flight_constants *c
         return;
     }
     sine_and_cosine(f->angle[0] - c->slope, &sine, &cosine);
-    low &= mask_not(lowest > most_drop(search, c, f, longest, sine, cosine));
+    low &= mask_not(lowest > max_drop(search, c, f, longest, sine, cosine));
     if (!any(low)) {
         return;
     }
@@ -95,7 +95,7 @@ static inline void watch_apex_in_flight(event_search *search, const flight_const
                                         const ballistic *com) {
     const real gravity = c->mode.gravity;
     const real time = real_max(com->rise_rate, broadcast(0.0)) / (gravity * search->size);
-    note_found(search, search->live & (gravity > 0.0) & (time <= 1.0), time, integer_of(TDMF_GUARD_APEX));
+    record_end(search, search->live & (gravity > 0.0) & (time <= 1.0), time, integer_of(TDMF_GUARD_APEX));
 }
 
 /* The same where the push on the body ramps; until the centre of mass rises, for a kink where it begins to.

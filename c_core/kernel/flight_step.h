@@ -55,8 +55,8 @@ static inline real expand_flight_step(const flight_constants *c, const flight_co
     series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     expand_flight_by_case(&c->law, &at->leg, order, forced, f);
     *longest = longest_flight_step(&c->law, at->leg.length, order, forced);
-    note_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
-    note_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
+    add_to_remainder(&remainder, f->length_rate, order - 1, c->mode.speed_scale);
+    add_to_remainder(&remainder, f->angle_rate, order - 1, 1.0 / c->mode.time_scale);
     return size_for_loss(f->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
                          trusted_size(&remainder, *longest, order - 1, broadcast(tolerance)), order - 1,
                          tolerance);

@@ -22,23 +22,23 @@ static const double layer_width = 60.0;
 
 /* In a step, of the speed in v_s, and of its time in 1/kappa: an exponential's series of the least order that
  * steps have is as good as their tolerance up to there. */
-static const double most_change_in_layer = 3.0, most_growth_in_layer = 3.0;
+static const double max_change_in_layer = 3.0, max_growth_in_layer = 3.0;
 
 /* The size of a step that its series may be trusted for, or less. */
 static inline real size_by_layer(const friction_layer *layer, real slip_sign, const ground_series *g,
                                  real size, int order) {
-    const real few = most_change_in_layer * layer->velocity;
+    const real few = max_change_in_layer * layer->velocity;
     const real beyond = slip_sign * g->foot_vx[0] - layer_width * layer->velocity;
-    const real most = real_max(beyond, few);
+    const real maximum = real_max(beyond, few);
     real power[SERIES_TERMS];
     set_powers(power, size, order);
     const real change = largest_change(g->foot_vx, power, order);
-    size = select(change > most, size * most / change, size);
+    size = select(change > maximum, size * maximum / change, size);
     set_powers(power, size, order);
     const real force = real_abs(g->normal_force[0]) + largest_change(g->normal_force, power, order - 1);
     const real growth = size * layer->growth_rate * force;
-    const mask too_long = (beyond < few) & (growth > most_growth_in_layer);
-    return select(too_long, size * most_growth_in_layer / growth, size);
+    const mask too_long = (beyond < few) & (growth > max_growth_in_layer);
+    return select(too_long, size * max_growth_in_layer / growth, size);
 }
 
 #endif

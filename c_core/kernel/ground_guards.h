@@ -43,28 +43,28 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
                                 bool sticks) {
     const int order = search->order - 1;
     real normal = g->normal_force[0], tangential = g->tangential_push[0];
-    real least_normal = normal;
-    real least_room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
+    real min_normal = normal;
+    real min_room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
     for (int k = 1; k <= order; ++k) {
         const real before = normal;
         normal += g->normal_force[k] * search->power[k];
-        least_normal = real_min(least_normal, normal);
+        min_normal = real_min(min_normal, normal);
         if (sticks) {
             tangential += g->tangential_push[k] * search->power[k];
             real room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
             if (INPUTS_RAMP) {
                 room += c->cone_normal_rate * search->size * before;
             }
-            least_room = real_min(least_room, room);
+            min_room = real_min(min_room, room);
         }
     }
-    const mask may_lift = search->live & mask_not(least_normal > 0.0);
+    const mask may_lift = search->live & mask_not(min_normal > 0.0);
     if (any(may_lift)) {
         const guard_series force = {g->normal_force, broadcast(1.0), g->normal_force[0], order};
         search_closer(search, TDMF_GUARD_LIFT_OFF, may_lift, &force,
                       search->beyond_margin * c->mode.force_scale);
     }
-    const mask may_slip = search->live & mask_not(least_room > 0.0);
+    const mask may_slip = search->live & mask_not(min_room > 0.0);
     if (sticks && any(may_slip)) {
         watch_edge(search, c, g, 1.0, may_slip);
         watch_edge(search, c, g, -1.0, may_slip);

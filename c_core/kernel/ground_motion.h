@@ -50,9 +50,10 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
 
 /* As longest_flight_step. */
 static inline real longest_ground_step(const ground_coefficients *c, bool free, int order) {
-    const real mobility = free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
-    const real springs_back = real_sqrt(mobility * c->stiffness);
-    return (double)order / real_max(springs_back, mobility * c->damping);
+    const real inverse_reduced_mass =
+        free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
+    const real springs_back = real_sqrt(inverse_reduced_mass * c->stiffness);
+    return (double)order / real_max(springs_back, inverse_reduced_mass * c->damping);
 }
 
 #endif

@@ -41,10 +41,10 @@ static inline real expand_ground_step(const ground_constants *c, const friction_
                                       double tolerance, ground_series *g, real *longest) {
     series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     expand_ground(&c->law, &at->at, order, is, g);
-    note_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
-    note_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
-    note_remainder(&remainder, g->foot_vx, order - 1,
-                   is.falls ? real_min(c->mode.speed_scale, layer->velocity) : c->mode.speed_scale);
+    add_to_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
+    add_to_remainder(&remainder, g->tangential_push, order - 1, c->mode.force_scale);
+    add_to_remainder(&remainder, g->foot_vx, order - 1,
+                     is.falls ? real_min(c->mode.speed_scale, layer->velocity) : c->mode.speed_scale);
     *longest = longest_ground_step(&c->law, foot_is_free(is), order);
     const real size = size_for_loss(
         g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),

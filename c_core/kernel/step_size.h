@@ -9,7 +9,7 @@
 #include "powers.h"
 
 /* Share of its length by which a leg may change in a step, in either direction. */
-static const double most_change = 0.75;
+static const double max_length_change = 0.75;
 
 /* The last two coefficients, summed over the coordinates in their units, so that one that is not a number
  * shows.
@@ -18,7 +18,7 @@ typedef struct {
     real last, last_but_one;
 } series_remainder;
 
-static inline void note_remainder(series_remainder *remainder, const real *c, int order, real unit) {
+static inline void add_to_remainder(series_remainder *remainder, const real *c, int order, real unit) {
     const real allowed = 1.0 / real_max(unit, real_abs(c[0]));
     remainder->last += real_abs(c[order]) * allowed;
     remainder->last_but_one += real_abs(c[order - 1]) * allowed;
@@ -38,7 +38,7 @@ static inline real trusted_size(const series_remainder *remainder, real longest,
 static inline real size_for_loss(const real *speed_square, real unit, real size, int order,
                                  double tolerance) {
     series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
-    note_remainder(&remainder, speed_square, order, unit);
+    add_to_remainder(&remainder, speed_square, order, unit);
     const mask too_long = remainder.last * power_of(size, order) > tolerance;
     return any(too_long) ? select(too_long, trusted_size(&remainder, size, order, broadcast(tolerance)), size)
                          : size;
@@ -65,15 +65,15 @@ static inline real largest_change(const real *c, const real *power, int order) {
  * step for that, sets its powers and returns how much the length may change in it. */
 static inline real shorten_without_pole(real *size, real power[SERIES_TERMS], const real *length, int order) {
     set_powers(power, *size, order);
-    const real most = most_change * length[0];
+    const real maximum = max_length_change * length[0];
     const real change = largest_change(length, power, order);
-    const mask too_long = change > most;
+    const mask too_long = change > maximum;
     if (!any(too_long)) {
         return change;
     }
-    *size = select(too_long, *size * most / change, *size);
+    *size = select(too_long, *size * maximum / change, *size);
     set_powers(power, *size, order);
-    return select(too_long, most, change);
+    return select(too_long, maximum, change);
 }
 
 #endif

@@ -101,8 +101,8 @@ void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT])
 
 tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     static const tdmf_model unchanged = {0};
-    static const tdmf_inputs inputs_held = {0};
-    static const tdmf_mode held = {0};
+    static const tdmf_inputs zero_rates = {0};
+    static const tdmf_mode zero = {0};
     const accelerations acceleration = accelerate(at);
     const tdmf_leg *leg = &at->leg;
     const tdmf_leg_direction direction = {leg->sine, leg->cosine};
@@ -114,13 +114,13 @@ tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
                                             [TDMF_LEG_ANGLE_RATE] = acceleration.leg.angle};
     const tdmf_leg rate_of_leg =
         tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, leg->rest_length, leg,
-                           &unchanged, &held.ground, rates, 0.0);
-    const double rate_of_torque = tdmf_vary_torque_in(at->model, at->inputs, at->mode, at->state, leg,
-                                                      tdmf_is_upright(leg), tdmf_least_sine(leg), at->torque,
-                                                      &unchanged, &inputs_held, &held, rates, &rate_of_leg);
+                           &unchanged, &zero.ground, rates, 0.0);
+    const double rate_of_torque = tdmf_vary_torque_in(
+        at->model, at->inputs, at->mode, at->state, leg, tdmf_is_upright(leg), tdmf_sine_away_from_zero(leg),
+        at->torque, &unchanged, &zero_rates, &zero, rates, &rate_of_leg);
     return tdmf_vary_force_in(at->model, at->inputs, &at->mode->ground, at->state, leg, at->torque,
                               at->mode->contact, tdmf_sign_of_slip(at->mode), tdmf_friction_falls(at->model),
-                              &unchanged, &inputs_held, &held.ground, rates, &rate_of_leg, rate_of_torque);
+                              &unchanged, &zero_rates, &zero.ground, rates, &rate_of_leg, rate_of_torque);
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

@@ -11,9 +11,9 @@ tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_direc
     const double d_rest_length = tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode);
     d_at.leg = tdmf_vary_leg_with(model, &mode->ground, at->state, direction, leg->rest_length, leg,
                                   &d->model, &d->mode.ground, d->state, d_rest_length);
-    d_at.torque =
-        tdmf_vary_torque_in(model, inputs, mode, at->state, leg, tdmf_is_upright(leg), tdmf_least_sine(leg),
-                            at->torque, &d->model, &d->inputs, &d->mode, d->state, &d_at.leg);
+    d_at.torque = tdmf_vary_torque_in(model, inputs, mode, at->state, leg, tdmf_is_upright(leg),
+                                      tdmf_sine_away_from_zero(leg), at->torque, &d->model, &d->inputs,
+                                      &d->mode, d->state, &d_at.leg);
     d_at.force = tdmf_vary_force_in(model, inputs, &mode->ground, at->state, leg, at->torque, mode->contact,
                                     tdmf_sign_of_slip(mode), tdmf_friction_falls(model), &d->model,
                                     &d->inputs, &d->mode.ground, d->state, &d_at.leg, d_at.torque);

@@ -29,7 +29,7 @@ static inline bool tdmf_is_upright(const tdmf_leg *leg) {
 }
 
 /* What stands for the sine then. */
-static inline double tdmf_least_sine(const tdmf_leg *leg) {
+static inline double tdmf_sine_away_from_zero(const tdmf_leg *leg) {
     return copysign(TDMF_SMALLEST_SINE, leg->ground_sine);
 }
 
@@ -45,7 +45,7 @@ static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const t
     at.state = state;
     at.leg = *leg;
     at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(model, inputs, mode, state, &at.leg, tdmf_is_upright(leg),
-                                                    tdmf_least_sine(leg))
+                                                    tdmf_sine_away_from_zero(leg))
                                    : (double)NAN;
     at.force = tdmf_force_in(model, inputs, &mode->ground, state, &at.leg, at.torque, mode->contact,
                              tdmf_sign_of_slip(mode), tdmf_friction_falls(model));

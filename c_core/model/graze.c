@@ -62,6 +62,6 @@ tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground
 }
 
 tdmf_contact_mode tdmf_contact_after_lift_off(const tdmf_evaluation *off_ground) {
-    const double least = TDMF_NARROWEST_GRAZE * off_ground->model->scales.force;
-    return tdmf_load_in_flight(off_ground) > least ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
+    const double minimum = TDMF_NARROWEST_GRAZE * off_ground->model->scales.force;
+    return tdmf_load_in_flight(off_ground) > minimum ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
 }

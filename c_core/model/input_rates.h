@@ -6,14 +6,14 @@
 
 #include <stdbool.h>
 
-extern const tdmf_inputs tdmf_held_inputs;
+extern const tdmf_inputs tdmf_zero_input_rates;
 
-static inline const tdmf_inputs *tdmf_rates_or_held(const tdmf_inputs *rates) {
-    return rates != NULL ? rates : &tdmf_held_inputs;
+static inline const tdmf_inputs *tdmf_rates_or_zero(const tdmf_inputs *rates) {
+    return rates != NULL ? rates : &tdmf_zero_input_rates;
 }
 
 /* All rates are zero. */
-bool tdmf_are_held(const tdmf_inputs *rates);
+bool tdmf_are_zero_rates(const tdmf_inputs *rates);
 
 /* Finite, and zero for inputs that change at events only. */
 bool tdmf_are_rates(const tdmf_inputs *rates);

@@ -69,7 +69,7 @@ static tdmf_scales scales_of(const tdmf_parameters *p) {
 static void set_mass_constants(tdmf_model *model, const tdmf_mass_constants *constants) {
     model->inverse_body_mass = constants->inverse_body_mass;
     model->inverse_foot_mass = constants->inverse_foot_mass;
-    model->mobility = constants->mobility;
+    model->inverse_reduced_mass = constants->inverse_reduced_mass;
     model->total_mass = constants->total_mass;
     model->body_share = constants->body_share;
 }
@@ -99,7 +99,7 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
 
 tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change) {
     const tdmf_mass_constants constants = {model->inverse_body_mass, model->inverse_foot_mass,
-                                           model->mobility, model->total_mass, model->body_share};
+                                           model->inverse_reduced_mass, model->total_mass, model->body_share};
     tdmf_model varied = {.parameters = *change};
     const tdmf_mass_constants changes = tdmf_vary_mass_constants_of(model, &constants, &varied);
     set_mass_constants(&varied, &changes);
@@ -111,9 +111,9 @@ tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs) {
                           : first_out_of_range(inputs, tdmf_input_ranges, TDMF_INPUT_COUNT);
 }
 
-const tdmf_inputs tdmf_held_inputs = {.ground = {.friction = 0.0}};
+const tdmf_inputs tdmf_zero_input_rates = {.ground = {.friction = 0.0}};
 
-bool tdmf_are_held(const tdmf_inputs *rates) {
+bool tdmf_are_zero_rates(const tdmf_inputs *rates) {
     for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
         if (value_at(rates, tdmf_input_ranges[i].offset) != 0.0) {
             return false;
@@ -133,7 +133,7 @@ bool tdmf_are_rates(const tdmf_inputs *rates) {
 }
 
 tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed) {
-    const tdmf_inputs *given = tdmf_rates_or_held(rates);
+    const tdmf_inputs *given = tdmf_rates_or_zero(rates);
     tdmf_inputs after = *inputs;
     for (size_t i = 0; i < TDMF_INPUT_COUNT; ++i) {
         const size_t offset = tdmf_input_ranges[i].offset;

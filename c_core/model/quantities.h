@@ -48,7 +48,7 @@ typedef struct {
 
 /* The constants of a model that are made of its masses. */
 typedef struct {
-    double inverse_body_mass, inverse_foot_mass, mobility, total_mass, body_share;
+    double inverse_body_mass, inverse_foot_mass, inverse_reduced_mass, total_mass, body_share;
 } tdmf_mass_constants;
 
 #endif

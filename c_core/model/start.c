@@ -35,14 +35,14 @@ static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
 }
 
 /* Up to which a distance from the ground counts as none. */
-static double least_height(const tdmf_model *model, const tdmf_ground_line *ground, double x) {
+static double ground_tolerance(const tdmf_model *model, const tdmf_ground_line *ground, double x) {
     return TDMF_AT_GROUND * model->scales.length + tdmf_rounding_of_height(ground, x);
 }
 
 static bool foot_is_at_ground(const tdmf_model *model, const tdmf_ground_line *ground,
                               const double state[TDMF_STATE_COUNT]) {
     const double x = state[TDMF_FOOT_X];
-    return fabs(tdmf_height_over(ground, x, state[TDMF_FOOT_Y])) <= least_height(model, ground, x);
+    return fabs(tdmf_height_over(ground, x, state[TDMF_FOOT_Y])) <= ground_tolerance(model, ground, x);
 }
 
 /* The velocity of a foot at the ground across it. */
@@ -76,7 +76,7 @@ static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_lin
                                       .bound_by = "leg.min_length"};
         return refusal;
     }
-    if (tdmf_height_over(ground, x, y) < -least_height(model, ground, x)) {
+    if (tdmf_height_over(ground, x, y) < -ground_tolerance(model, ground, x)) {
         return too_low("foot.y", y, tdmf_ground_height_at(ground, x), "the ground");
     }
     if (!(tdmf_height_over(ground, body.x, body.y) > 0.0)) {

@@ -20,8 +20,8 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
     const tdmf_model *model = equations->model;
     const tdmf_inputs *inputs = &equations->inputs;
     const tdmf_hip_law d_law =
-        tdmf_vary_flight_law(model, inputs, &tdmf_held_inputs, mode, equations->place_time, &d->model,
-                             &d->inputs, &tdmf_held_inputs, &d->mode, d->state[TDMF_HIP_PLACE_TIME]);
+        tdmf_vary_flight_law(model, inputs, &tdmf_zero_input_rates, mode, equations->place_time, &d->model,
+                             &d->inputs, &tdmf_zero_input_rates, &d->mode, d->state[TDMF_HIP_PLACE_TIME]);
     flight_coefficients varied = tdmf_vary_flight_coefficients_of(
         model, &equations->law, equations->rest_length, equations->push, &d->model, &d_law,
         tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
@@ -47,10 +47,10 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
 /* Of the law of stance, or in graze of the torque from outside. */
 static tdmf_hip_law vary_law_on_ground(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                        const tdmf_direction *d) {
-    const tdmf_inputs *inputs = &equations->inputs, *held = &tdmf_held_inputs;
-    return tdmf_in_contact(mode) ? tdmf_vary_stance_law(equations->model, inputs, held, mode, &d->model,
-                                                        &d->inputs, held, &d->mode)
-                                 : tdmf_vary_external_law(inputs, held, &d->inputs, held);
+    const tdmf_inputs *inputs = &equations->inputs, *zero = &tdmf_zero_input_rates;
+    return tdmf_in_contact(mode) ? tdmf_vary_stance_law(equations->model, inputs, zero, mode, &d->model,
+                                                        &d->inputs, zero, &d->mode)
+                                 : tdmf_vary_external_law(inputs, zero, &d->inputs, zero);
 }
 
 ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,

@@ -192,7 +192,7 @@ static bool take_events(workspace *space, problem *problem) {
 }
 
 /* Up to which the work of the leg has been integrated. */
-static void note_rest_length(const problem *problem) {
+static void update_rest_length(const problem *problem) {
     tdmf_motion *motion = problem->motion;
     const double elapsed = tdmf_time_between(problem->start, motion->record.now);
     const tdmf_inputs inputs = tdmf_inputs_after(problem->inputs, problem->rates, elapsed);
@@ -227,7 +227,7 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
             flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? end : tdmf_instant_after(problem->restart, time);
         motion->time = motion->record.now.time;
         add_clock(problem, time, space->state, motion->state);
-        note_rest_length(problem);
+        update_rest_length(problem);
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }
@@ -240,7 +240,7 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
 
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
                                 const tdmf_inputs *rates, double until, tdmf_motion *motion) {
-    const tdmf_inputs *given = tdmf_rates_or_held(rates);
+    const tdmf_inputs *given = tdmf_rates_or_zero(rates);
     if (!tdmf_is_sound_request(options, model, inputs, given, until, motion)) {
         return TDMF_REFUSED;
     }

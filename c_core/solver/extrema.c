@@ -34,17 +34,17 @@ static factor derivative_of(const tdmf_step *step, const double *series, int ord
 
 /* The range of the partial sums of a series; see event_search.h. */
 typedef struct {
-    double sum, least, most;
+    double sum, minimum, maximum;
 } partial_sums;
 
 static inline partial_sums with_term(partial_sums sums, double term) {
     const double sum = sums.sum + term;
-    const partial_sums next = {sum, real_min(sums.least, sum), real_max(sums.most, sum)};
+    const partial_sums next = {sum, real_min(sums.minimum, sum), real_max(sums.maximum, sum)};
     return next;
 }
 
 static bool keep_sign(partial_sums sums) {
-    return sums.least > 0.0 || sums.most < 0.0;
+    return sums.minimum > 0.0 || sums.maximum < 0.0;
 }
 
 /* Of a series and of its derivative, times the size of the step. */
@@ -72,7 +72,7 @@ static double next_force_extremum(const tdmf_step *step, const double *force, bo
                                   double to) {
     const tdmf_scales *scales = &step->equations->model->scales;
     const partial_sums slope = sums_of(step, force, step->order - 1).rate;
-    if (rising ? slope.least > 0.0 : slope.most < 0.0) {
+    if (rising ? slope.minimum > 0.0 : slope.maximum < 0.0) {
         return INFINITY;
     }
     factor rate = derivative_of(step, force, step->order - 1, 0.0);
@@ -130,12 +130,12 @@ tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode
 bool tdmf_leg_lengthens(const tdmf_step *step, double end) {
     const double *rate = step->series.ground.length_rate;
     const int order = step->order - 1;
-    double sum = rate[0], most = sum;
+    double sum = rate[0], maximum = sum;
     for (int k = 1; k <= order; ++k) {
         sum += rate[k] * step->search.power[k];
-        most = real_max(most, sum);
+        maximum = real_max(maximum, sum);
     }
-    if (most < 0.0) {
+    if (maximum < 0.0) {
         return false;
     }
     if (series_at(rate, order, end) >= 0.0) {
@@ -164,7 +164,7 @@ static bool has_no_torque(const tdmf_step *step) {
 }
 
 /* A monotone factor changes its sign at most once, and then it shows at the end, a share of the step. */
-static void note_factor(changing_factors *changing, const factor *f, double end) {
+static void add_factor(changing_factors *changing, const factor *f, double end) {
     partial_sums rates = {f->c[1], f->c[1], f->c[1]};
     for (int k = 2; k <= f->order; ++k) {
         rates = with_term(rates, (double)k * f->c[k]);
@@ -190,31 +190,31 @@ static factor torque_in_flight(const tdmf_step *step, double zero) {
     return f;
 }
 
-static void note_factors_in_flight(const tdmf_step *step, double zero, double end,
-                                   changing_factors *changing) {
+static void add_factors_in_flight(const tdmf_step *step, double zero, double end,
+                                  changing_factors *changing) {
     const double *momentum = step->series.flight.momentum;
     const series_sums sums = sums_of(step, momentum, step->order);
     if (!keep_sign(sums.value)) {
         const factor f = factor_of(step, momentum, step->order, zero);
-        note_factor(changing, &f, end);
+        add_factor(changing, &f, end);
     }
     if (step->equations->is_forced || !keep_sign(sums.rate)) {
         const factor f = torque_in_flight(step, zero / step->equations->model->scales.time);
-        note_factor(changing, &f, end);
+        add_factor(changing, &f, end);
     }
 }
 
-static void note_factors_on_ground(const tdmf_step *step, double zero, double end,
-                                   changing_factors *changing) {
+static void add_factors_on_ground(const tdmf_step *step, double zero, double end,
+                                  changing_factors *changing) {
     const ground_series *g = &step->series.ground;
     const int torque_order = step->equations->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
     if (!keep_sign(sums_of(step, g->moment, step->order).value)) {
         const factor f = factor_of(step, g->moment, step->order, zero);
-        note_factor(changing, &f, end);
+        add_factor(changing, &f, end);
     }
     if (!keep_sign(sums_of(step, g->torque, torque_order).value)) {
         const factor f = factor_of(step, g->torque, torque_order, zero / step->equations->model->scales.time);
-        note_factor(changing, &f, end);
+        add_factor(changing, &f, end);
     }
 }
 
@@ -256,9 +256,9 @@ static double split_work(const tdmf_step *step, double end, double total, tdmf_s
     changing_factors changing;
     changing.count = 0;
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        note_factors_in_flight(step, zero, end / step->size, &changing);
+        add_factors_in_flight(step, zero, end / step->size, &changing);
     } else {
-        note_factors_on_ground(step, zero, end / step->size, &changing);
+        add_factors_on_ground(step, zero, end / step->size, &changing);
     }
     if (changing.count == 0) {
         add_span(spans, 0.0, end, total);

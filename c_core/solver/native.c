@@ -188,15 +188,16 @@ static void move_inputs(integration *integration, double elapsed) {
         tdmf_rest_length(integration->model, &integration->inputs, &integration->motion->mode);
 }
 
-static tdmf_side side_of(const integration *integration) {
+static tdmf_event_state event_state_of(const integration *integration) {
     const tdmf_motion *motion = integration->motion;
-    tdmf_side side;
-    memcpy(side.state, motion->state, sizeof side.state);
-    side.mode = motion->mode;
-    side.peak_force = motion->record.open.peak_force;
-    side.peak_vertical_force = motion->record.open.peak_vertical_force;
-    tdmf_derivatives(integration->model, &integration->inputs, &side.mode, side.state, side.derivatives);
-    return side;
+    tdmf_event_state event_state;
+    memcpy(event_state.state, motion->state, sizeof event_state.state);
+    event_state.mode = motion->mode;
+    event_state.peak_force = motion->record.open.peak_force;
+    event_state.peak_vertical_force = motion->record.open.peak_vertical_force;
+    tdmf_derivatives(integration->model, &integration->inputs, &event_state.mode, event_state.state,
+                     event_state.derivatives);
+    return event_state;
 }
 
 static bool stance_is_over(const integration *integration) {
@@ -204,15 +205,15 @@ static bool stance_is_over(const integration *integration) {
 }
 
 /* A stance that is looked at alone has all of its work behind it. */
-static tdmf_side side_after(const integration *integration) {
-    tdmf_side side = side_of(integration);
+static tdmf_event_state event_state_after(const integration *integration) {
+    tdmf_event_state event_state = event_state_of(integration);
     if (stance_is_over(integration)) {
-        side.derivatives[TDMF_HIP_WORK] = 0.0;
+        event_state.derivatives[TDMF_HIP_WORK] = 0.0;
     }
-    return side;
+    return event_state;
 }
 
-static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_side *before,
+static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const tdmf_event_state *before,
                       const tdmf_mode *after) {
     tdmf_event event = {.time = time, .guard = (int)guard, .before = before->mode, .after = *after};
     memcpy(event.state, before->state, sizeof event.state);
@@ -252,11 +253,11 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     if (integration->count == 0 && !integration->solver->log && !integration->measured) {
         return take_transitions(integration, end->reached);
     }
-    const tdmf_side before = side_of(integration);
+    const tdmf_event_state before = event_state_of(integration);
     if (!take_transitions(integration, end->reached)) {
         return false;
     }
-    const tdmf_side after = side_after(integration);
+    const tdmf_event_state after = event_state_after(integration);
     log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
@@ -319,7 +320,7 @@ static tdmf_outcome may_step(const integration *integration) {
     return 2 * integration->events_in_span > TDMF_STIFFNESS_LIMIT ? TDMF_TOO_MANY_EVENTS : TDMF_TOO_STIFF;
 }
 
-static void note_step(integration *integration, double time) {
+static void count_one_step(integration *integration, double time) {
     const double scale = integration->model->scales.time;
     if (span_is_over(&integration->steps, scale)) {
         integration->events_in_span = 0;
@@ -336,7 +337,7 @@ static void add_ramps(const integration *integration, double elapsed, tdmf_mode_
 }
 
 /* A push that grows may have turned a fall in place into a rise. */
-static void note_rise(integration *integration) {
+static void update_rising(integration *integration) {
     tdmf_mode *mode = &integration->motion->mode;
     const double threshold = TDMF_DEAD_BAND * integration->model->scales.speed;
     if (integration->inputs_ramp && mode->contact == TDMF_CONTACT_FLIGHT && !mode->rises) {
@@ -386,7 +387,7 @@ static tdmf_outcome advance_once(integration *integration) {
         return allowed;
     }
     ++integration->solver->steps;
-    note_rise(integration);
+    update_rising(integration);
     open_step(integration);
     tdmf_step_expand(step, integration->order, integration->solver->relative_tolerance);
     integration->solver->evaluations += step->order;
@@ -408,7 +409,7 @@ static tdmf_outcome advance_once(integration *integration) {
     if (!are_finite(&reached)) {
         return TDMF_NO_PROGRESS;
     }
-    note_step(integration, end.time);
+    count_one_step(integration, end.time);
     observe_ground_force(integration, end.time);
     observe_leg(integration, end.time);
     if (integration->measured) {
@@ -438,7 +439,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->end = AT_TIME;
     integration->inputs = *inputs;
     integration->rates = *rates;
-    integration->inputs_ramp = !tdmf_are_held(rates);
+    integration->inputs_ramp = !tdmf_are_zero_rates(rates);
     integration->motion = motion;
     integration->until = until;
     motion->record.now = tdmf_record_instant(&motion->record, motion->time);
@@ -485,7 +486,7 @@ static tdmf_outcome advance(integration *integration) {
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_inputs *rates, double until, tdmf_motion *motion) {
     integration integration;
-    const bool begun = begin(&integration, solver, model, inputs, tdmf_rates_or_held(rates), until, motion);
+    const bool begun = begin(&integration, solver, model, inputs, tdmf_rates_or_zero(rates), until, motion);
     return begun ? advance(&integration) : TDMF_REFUSED;
 }
 
@@ -503,7 +504,7 @@ static const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
     integration integration;
-    return begin(&integration, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)
+    return begin(&integration, solver, model, inputs, tdmf_rates_or_zero(NULL), until, motion)
                ? advance_a_stride(&integration)
                : refused;
 }
@@ -512,7 +513,7 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, const td
                          const tdmf_inputs *inputs, double until, tdmf_motion *motion,
                          const tdmf_change *changes, tdmf_variation *variations, int count) {
     if (!tdmf_are_sound_changes(changes, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
-        !begin(integration, solver, model, inputs, tdmf_rates_or_held(NULL), until, motion)) {
+        !begin(integration, solver, model, inputs, tdmf_rates_or_zero(NULL), until, motion)) {
         return false;
     }
     integration->count = count;

@@ -21,7 +21,8 @@ static inline bool tdmf_are_sound_inputs(const tdmf_inputs *inputs, const tdmf_i
     if (tdmf_check_inputs(inputs).variable != NULL || !tdmf_are_rates(rates)) {
         return false;
     }
-    const tdmf_inputs last = tdmf_are_held(rates) ? *inputs : tdmf_inputs_after(inputs, rates, duration);
+    const tdmf_inputs last =
+        tdmf_are_zero_rates(rates) ? *inputs : tdmf_inputs_after(inputs, rates, duration);
     return tdmf_check_inputs(&last).variable == NULL;
 }
 

@@ -19,8 +19,8 @@
 
 /* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground
  * at another event's time, or without meeting it; or it stands where no friction holds it. */
-static bool is_on_edge(const tdmf_inputs *inputs, bool impact, const tdmf_side *before,
-                       const tdmf_side *after) {
+static bool is_on_edge(const tdmf_inputs *inputs, bool impact, const tdmf_event_state *before,
+                       const tdmf_event_state *after) {
     const bool flew = before->mode.contact == TDMF_CONTACT_FLIGHT;
     const bool landed = flew && (after->state[TDMF_FOOT_VX] != before->state[TDMF_FOOT_VX] ||
                                  after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY]);
@@ -46,7 +46,7 @@ static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at
 
 /* By how much the event shifts in time. */
 static double time_shift(const tdmf_event_kind *event, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_side *before, const tdmf_direction *d) {
+                         const tdmf_event_state *before, const tdmf_direction *d) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, &before->mode, before->state);
     const tdmf_direction motion = tdmf_direction_of_motion(before->derivatives);
     return -vary_guard(event, &at, d) / vary_guard(event, &at, &motion);
@@ -60,9 +60,9 @@ static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
 }
 
 /* No event moves the leg, but many in a row may change its rest length. */
-static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *before,
-                            const tdmf_side *after, const tdmf_direction *d,
-                            const double d_state[TDMF_STATE_COUNT]) {
+static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
+                            const tdmf_event_state *before, const tdmf_event_state *after,
+                            const tdmf_direction *d, const double d_state[TDMF_STATE_COUNT]) {
     return tdmf_vary_leg_work_of_jump(
         model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
         tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
@@ -76,18 +76,18 @@ typedef struct {
     tdmf_evaluation at, d_at;
 } varied_force;
 
-static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *side,
-                               const tdmf_direction *d) {
+static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *inputs,
+                               const tdmf_event_state *event_state, const tdmf_direction *d) {
     varied_force force;
-    force.at = tdmf_evaluate(model, inputs, &side->mode, side->state);
+    force.at = tdmf_evaluate(model, inputs, &event_state->mode, event_state->state);
     force.d_at = tdmf_vary_evaluation(&force.at, d);
     return force;
 }
 
 /* A peak that is met at the event is that of the side with the larger force. */
-static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_side *before,
-                       const tdmf_side *after, const tdmf_direction *d_before, const tdmf_direction *d_after,
-                       tdmf_stance_variation *stance) {
+static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_event_state *before,
+                       const tdmf_event_state *after, const tdmf_direction *d_before,
+                       const tdmf_direction *d_after, tdmf_stance_variation *stance) {
     const varied_force from = vary_force(model, inputs, before, d_before);
     const varied_force to = vary_force(model, inputs, after, d_after);
     if (after->peak_force > before->peak_force) {
@@ -103,7 +103,7 @@ static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const
 }
 
 /* Of the path along the ground up to the foot's place. */
-static double vary_path(const tdmf_side *at, const tdmf_direction *d) {
+static double vary_path(const tdmf_event_state *at, const tdmf_direction *d) {
     return tdmf_vary_path_to(&at->mode.ground, at->state[TDMF_FOOT_X], &d->mode.ground,
                              d->state[TDMF_FOOT_X]);
 }
@@ -111,9 +111,9 @@ static double vary_path(const tdmf_side *at, const tdmf_direction *d) {
 /* What the event, which shifts by dt, makes of the record of a stance; the directions have the state's change
  * where it is met, on either side. */
 static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_side *before, const tdmf_side *after, double dt,
-                                         const tdmf_direction *d_before, const tdmf_direction *d_after,
-                                         tdmf_stance_variation stance) {
+                                         const tdmf_event_state *before, const tdmf_event_state *after,
+                                         double dt, const tdmf_direction *d_before,
+                                         const tdmf_direction *d_after, tdmf_stance_variation stance) {
     const int ends = tdmf_in_contact(&before->mode) - tdmf_in_contact(&after->mode);
     const double slip_ends = tdmf_slip_sign(&before->mode) - tdmf_slip_sign(&after->mode);
     stance.stance_time += ends * dt;
@@ -125,8 +125,9 @@ static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inp
 }
 
 tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                                  const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
-                                  const tdmf_variation *variation, tdmf_met_event *met) {
+                                  const tdmf_event_state *before, const tdmf_event_state *after,
+                                  const tdmf_change *change, const tdmf_variation *variation,
+                                  tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
     if (event->vary_guard == NULL || is_on_edge(inputs, impact, before, after)) {
@@ -160,8 +161,8 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
 }
 
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                              const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
-                              const tdmf_variation *variation) {
+                              const tdmf_event_state *before, const tdmf_event_state *after,
+                              const tdmf_change *change, const tdmf_variation *variation) {
     tdmf_met_event met;
     return tdmf_saltation_met(model, inputs, guard, before, after, change, variation, &met);
 }

@@ -11,7 +11,7 @@ typedef struct {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_mode mode;
     double peak_force, peak_vertical_force; /* of the stride under way, so far */
-} tdmf_side;
+} tdmf_event_state;
 
 /* How a variation meets an event. */
 typedef struct {
@@ -22,12 +22,13 @@ typedef struct {
 
 /* The variation after an event that `guard` has fired, from that before it, each at a fixed time. */
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                              const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
-                              const tdmf_variation *variation);
+                              const tdmf_event_state *before, const tdmf_event_state *after,
+                              const tdmf_change *change, const tdmf_variation *variation);
 
 /* The same, and how it meets the event; not a number where there is no derivative. */
 tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                                  const tdmf_side *before, const tdmf_side *after, const tdmf_change *change,
-                                  const tdmf_variation *variation, tdmf_met_event *met);
+                                  const tdmf_event_state *before, const tdmf_event_state *after,
+                                  const tdmf_change *change, const tdmf_variation *variation,
+                                  tdmf_met_event *met);
 
 #endif

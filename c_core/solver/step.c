@@ -189,9 +189,9 @@ double tdmf_step_leg_work(const tdmf_step *step, double time) {
     const tdmf_mode_equations *equations = step->equations;
     const double *length = flies(step) ? step->series.flight.length : step->series.ground.length;
     const double rate = equations->rest_length_rate;
-    const double stretch = time * (equations->rest_length + 0.5 * time * rate);
+    const double rest_length_integral = time * (equations->rest_length + 0.5 * time * rate);
     return equations->model->parameters.leg.stiffness * rate *
-           (stretch - series_integral(length, step->order, time));
+           (rest_length_integral - series_integral(length, step->order, time));
 }
 
 typedef struct {

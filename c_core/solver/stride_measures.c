@@ -46,7 +46,7 @@ double tdmf_measures_trust(const tdmf_step *step) {
         return INFINITY;
     }
     expand_drop_along(step, drop);
-    note_remainder(&remainder, drop, step->order, step->equations->model->scales.length);
+    add_to_remainder(&remainder, drop, step->order, step->equations->model->scales.length);
     return trusted_size(&remainder, INFINITY, step->order, step->tolerance);
 }
 
@@ -64,7 +64,7 @@ static tdmf_variation variation_along(const tdmf_measured_step *along, int i, do
     return tdmf_variation_in_mode(along->step->equations, state, &along->changes[i], &varied_mode);
 }
 
-static void note_height(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
+static void record_height(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
     const tdmf_model *model = along->step->equations->model;
     double state[TDMF_STATE_COUNT];
     state_along(along, t, state);
@@ -87,7 +87,7 @@ typedef void record_extremum(tdmf_measured *measured, const tdmf_measured_step *
 /* At each zero of a rate, a series in time, and at the end of a step that is no event; its start was an end.
  */
 static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
-                           int order, record_extremum *note) {
+                           int order, record_extremum *record) {
     const tdmf_step *step = along->step;
     double c[SERIES_TERMS], from = 0.0;
     const double end = along->end / step->size;
@@ -102,11 +102,11 @@ static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *al
         if (!extremum.is_root || !(extremum.time > from)) {
             break;
         }
-        note(measured, along, extremum.time * step->size);
+        record(measured, along, extremum.time * step->size);
         from = extremum.time;
     }
     if (!along->ends_at_event) {
-        note(measured, along, along->end);
+        record(measured, along, along->end);
     }
 }
 
@@ -122,13 +122,14 @@ static void measure_height(tdmf_measured *measured, const tdmf_measured_step *al
     rate[0] += com.ground.rate;
     rate[1] -= c->normal_gravity;
     rate[2] += 0.5 * com.normal_jerk;
-    record_extrema(measured, along, rate, step->order - 1, note_height);
+    record_extrema(measured, along, rate, step->order - 1, record_height);
     if (along->ends_at_event) {
-        note_height(measured, along, along->end); /* in flight nothing jumps, and on the ground it is least */
+        record_height(measured, along,
+                      along->end); /* in flight nothing jumps, and on the ground it is least */
     }
 }
 
-static void note_slip(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
+static void record_slip(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
     const tdmf_step *step = along->step;
     const double sign = tdmf_slip_sign(&along->motion->mode);
     const double speed = sign * series_at(step->series.ground.foot_vx, step->order, t);
@@ -148,7 +149,7 @@ static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *alon
     for (int k = 0; k < along->step->order; ++k) {
         rate[k] = (double)(k + 1) * speed[k + 1];
     }
-    record_extrema(measured, along, rate, along->step->order - 1, note_slip);
+    record_extrema(measured, along, rate, along->step->order - 1, record_slip);
 }
 
 /* ---- integrals along a step --------------------------------------------------------------------------- */
@@ -257,8 +258,8 @@ void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_mode
 /* ---- events ------------------------------------------------------------------------------------------- */
 
 static void add_shifts(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                       const tdmf_side *before, const tdmf_side *after, const tdmf_met_event *met,
-                       int count) {
+                       const tdmf_event_state *before, const tdmf_event_state *after,
+                       const tdmf_met_event *met, int count) {
     const double less_power =
         before->derivatives[TDMF_HIP_POSITIVE_WORK] - after->derivatives[TDMF_HIP_POSITIVE_WORK];
     const double less_friction =
@@ -273,8 +274,8 @@ static void add_shifts(tdmf_measured *measured, const tdmf_model *model, const t
 }
 
 /* A thrust of 0 does none, but one that is a little larger does positive work where it begins. */
-static void measure_jump(tdmf_measured *measured, const tdmf_side *before, const tdmf_side *after,
-                         const tdmf_met_event *met, int count) {
+static void measure_jump(tdmf_measured *measured, const tdmf_event_state *before,
+                         const tdmf_event_state *after, const tdmf_met_event *met, int count) {
     const double work = after->state[TDMF_LEG_WORK] - before->state[TDMF_LEG_WORK];
     const bool begins = after->mode.thrusts && !before->mode.thrusts;
     if (work > 0.0 || (work == 0.0 && begins)) {
@@ -286,12 +287,12 @@ static void measure_jump(tdmf_measured *measured, const tdmf_side *before, const
     }
 }
 
-static void note_slip_beside(tdmf_measured *measured, const tdmf_model *model, const tdmf_side *side,
-                             const tdmf_change *changes, const tdmf_met_event *met, bool is_after,
-                             int count) {
-    const double sign = tdmf_slip_sign(&side->mode);
-    const tdmf_ground_line *line = &side->mode.ground;
-    const double vx = side->state[TDMF_FOOT_VX], vy = side->state[TDMF_FOOT_VY];
+static void record_slip_at_event(tdmf_measured *measured, const tdmf_model *model,
+                                 const tdmf_event_state *event_state, const tdmf_change *changes,
+                                 const tdmf_met_event *met, bool is_after, int count) {
+    const double sign = tdmf_slip_sign(&event_state->mode);
+    const tdmf_ground_line *line = &event_state->mode.ground;
+    const double vx = event_state->state[TDMF_FOOT_VX], vy = event_state->state[TDMF_FOOT_VY];
     const double speed = sign * tdmf_velocity_along(line, vx, vy);
     if (!(speed > measured->so_far.greatest_slip_velocity)) {
         return;
@@ -307,10 +308,10 @@ static void note_slip_beside(tdmf_measured *measured, const tdmf_model *model, c
 }
 
 void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_side *before, const tdmf_side *after, const tdmf_change *changes,
-                        const tdmf_met_event *met, int count) {
+                        const tdmf_event_state *before, const tdmf_event_state *after,
+                        const tdmf_change *changes, const tdmf_met_event *met, int count) {
     add_shifts(measured, model, inputs, before, after, met, count);
     measure_jump(measured, before, after, met, count);
-    note_slip_beside(measured, model, before, changes, met, false, count);
-    note_slip_beside(measured, model, after, changes, met, true, count);
+    record_slip_at_event(measured, model, before, changes, met, false, count);
+    record_slip_at_event(measured, model, after, changes, met, true, count);
 }

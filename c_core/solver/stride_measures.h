@@ -36,8 +36,8 @@ void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along)
 
 /* At an event, with what each variation is there. */
 void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_side *before, const tdmf_side *after, const tdmf_change *changes,
-                        const tdmf_met_event *met, int count);
+                        const tdmf_event_state *before, const tdmf_event_state *after,
+                        const tdmf_change *changes, const tdmf_met_event *met, int count);
 
 /* At the apex where the stride closes; the variation of that number meets it later by `shift`. */
 void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion);

@@ -133,7 +133,7 @@ static void run_members(void *self) {
     tdmf_ensemble_end ends[MEMBERS];
     const double roughness = random_uniform(on->source, 0.0, 0.1) * on->model.scales.length;
     const tdmf_ensemble_case only = {
-        &on->model, on->inputs, {.most_strides = STRIDES, .roughness = roughness, .seed = 1}};
+        &on->model, on->inputs, {.max_strides = STRIDES, .roughness = roughness, .seed = 1}};
     if (on->decades > 1.0 || on->has_run_members) {
         return; /* an ensemble's steps cannot be limited, and stiff runners take many */
     }

@@ -396,7 +396,7 @@ static void lanes_follow_the_native_solver(void **state) {
         run.inputs.body.external_fx *= i % 3 == 0 ? 0.0 : 0.1;
         models[i] = run.model;
         cases[i] =
-            (tdmf_ensemble_case){.model = &models[i], .inputs = run.inputs, .rules = {.most_strides = 2}};
+            (tdmf_ensemble_case){.model = &models[i], .inputs = run.inputs, .rules = {.max_strides = 2}};
         case_of[i] = i;
         memcpy(starts[i], section, sizeof section);
     }

@@ -316,7 +316,7 @@ static void a_change_of_a_resting_leg_swings_in_flight(void **state) {
         run run = run_without_losses(foot_masses[i]);
         const tdmf_model *model = &run.model;
         const double until = 60.0;
-        const double pulsation = sqrt(model->parameters.leg.stiffness * model->mobility);
+        const double pulsation = sqrt(model->parameters.leg.stiffness * model->inverse_reduced_mass);
         run.motion.state[TDMF_FOOT_Y] = 10.0;
         run.motion.state[TDMF_FOOT_VY] = 1.0;
         start(&run);
@@ -341,7 +341,8 @@ static void a_change_of_a_placed_leg_swings_in_flight(void **state) {
         parameters.hip.touchdown_angle = 0.5;
         assert_null(tdmf_model_create(&run.model, &parameters).variable);
         const double until = 20.0;
-        const double pulsation = sqrt(parameters.hip.kp * run.model.mobility) / parameters.leg.free_length;
+        const double pulsation =
+            sqrt(parameters.hip.kp * run.model.inverse_reduced_mass) / parameters.leg.free_length;
         run.motion.state[TDMF_FOOT_Y] = 10.0;
         run.motion.state[TDMF_LEG_ANGLE] = 0.5;
         start(&run);

@@ -201,7 +201,7 @@ static void of_strides_in_every_kind_of_lane(void **state) {
                                                     runner.state[TDMF_LEG_ANGLE],
                                                     runner.state[TDMF_LEG_LENGTH_RATE],
                                                     runner.state[TDMF_LEG_ANGLE_RATE]};
-        const tdmf_ensemble_case its_case = {&models[i], runner.inputs, {.most_strides = 1}};
+        const tdmf_ensemble_case its_case = {&models[i], runner.inputs, {.max_strides = 1}};
         models[i] = runner.model;
         cases[i] = its_case;
         case_of[i] = i;

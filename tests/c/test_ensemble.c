@@ -21,7 +21,7 @@ typedef struct {
     int case_of[RUNNERS];
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble ensemble;
-} crowd;
+} population;
 
 static void scale_randomly(random_source *source, double *value, double most) {
     *value *= random_magnitude(source, 1.0 / most, most);
@@ -78,26 +78,26 @@ static uint64_t seed_of(int runner) {
     return number < sizeof seldom / sizeof seldom[0] ? seldom[number] : 20261121 + number;
 }
 
-static crowd *make_crowd(put_runner *place, int most_strides) {
-    crowd *crowd = calloc(1, sizeof *crowd);
-    assert_non_null(crowd);
+static population *make_population(put_runner *place, int max_strides) {
+    population *population = calloc(1, sizeof *population);
+    assert_non_null(population);
     for (int i = 0; i < RUNNERS; ++i) {
         random_source source = {seed_of(i)};
-        crowd->case_of[i] = RUNNERS - 1 - i;
-        tdmf_ensemble_case *its_case = &crowd->cases[crowd->case_of[i]];
-        tdmf_model *model = &crowd->models[i];
-        place(&source, model, its_case, crowd->starts[i]);
+        population->case_of[i] = RUNNERS - 1 - i;
+        tdmf_ensemble_case *its_case = &population->cases[population->case_of[i]];
+        tdmf_model *model = &population->models[i];
+        place(&source, model, its_case, population->starts[i]);
         its_case->model = model;
-        its_case->rules.most_strides = most_strides;
+        its_case->rules.max_strides = max_strides;
     }
-    crowd->ensemble.cases = crowd->cases;
-    crowd->ensemble.case_count = RUNNERS;
-    crowd->ensemble.case_of = crowd->case_of;
-    crowd->ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts;
-    crowd->ensemble.count = RUNNERS;
-    crowd->ensemble.relative_tolerance = tight;
-    crowd->ensemble.threads = 1;
-    return crowd;
+    population->ensemble.cases = population->cases;
+    population->ensemble.case_count = RUNNERS;
+    population->ensemble.case_of = population->case_of;
+    population->ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])population->starts;
+    population->ensemble.count = RUNNERS;
+    population->ensemble.relative_tolerance = tight;
+    population->ensemble.threads = 1;
+    return population;
 }
 
 static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble, tdmf_ensemble_work *work) {
@@ -142,10 +142,10 @@ typedef struct {
     tdmf_ensemble_end *ends, *others[OTHERS];
 } native_ends;
 
-static native_ends run_natively(crowd *crowd) {
+static native_ends run_natively(population *population) {
     native_ends native;
     double starts[RUNNERS][TDMF_SECTION_COUNT];
-    tdmf_ensemble ensemble = crowd->ensemble;
+    tdmf_ensemble ensemble = population->ensemble;
     ensemble.instructions = TDMF_ONE_BY_ONE;
     native.ends = run(&ensemble, NULL);
     ensemble.relative_tolerance = 0.1 * tight;
@@ -153,7 +153,7 @@ static native_ends run_natively(crowd *crowd) {
     for (int other = 0; other < OTHERS; ++other) {
         for (int i = 0; i < RUNNERS; ++i) {
             for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-                starts[i][j] = crowd->starts[i][j] * (1.0 + 1e-14 * other);
+                starts[i][j] = population->starts[i][j] * (1.0 + 1e-14 * other);
             }
         }
         native.others[other] = run(&ensemble, NULL);
@@ -201,19 +201,19 @@ static int instruction_sets(int first) {
     return count;
 }
 
-static void assert_agreement(crowd *crowd, double tolerance) {
-    native_ends native = run_natively(crowd);
+static void assert_agreement(population *population, double tolerance) {
+    native_ends native = run_natively(population);
     int sets = 0;
     for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         if (!tdmf_has_instructions((tdmf_instructions)set)) {
             print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
             continue;
         }
-        crowd->ensemble.instructions = (tdmf_instructions)set;
-        tdmf_ensemble_end *lanes = run(&crowd->ensemble, NULL);
+        population->ensemble.instructions = (tdmf_instructions)set;
+        tdmf_ensemble_end *lanes = run(&population->ensemble, NULL);
         int compared = 0;
         for (int i = 0; i < RUNNERS; ++i) {
-            const tdmf_model *model = &crowd->models[i];
+            const tdmf_model *model = &population->models[i];
             if (way_is_certain(&native, i)) {
                 const double magnified = 100.0 * spread_of(model, &native, i);
                 assert_true(took_the_same_way(&lanes[i], &native.ends[i]));
@@ -228,50 +228,50 @@ static void assert_agreement(crowd *crowd, double tolerance) {
     }
     assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));
     free_native_ends(&native);
-    free(crowd);
+    free(population);
 }
 
 static void runners_near_the_gait_end_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_crowd(place_near_the_gait, 3), 1e-12);
+    assert_agreement(make_population(place_near_the_gait, 3), 1e-12);
 }
 
 static void any_runner_ends_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_crowd(place_anywhere, 2), 1e-12);
+    assert_agreement(make_population(place_anywhere, 2), 1e-12);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
 static void threads_do_not_matter(void **state) {
-    crowd *crowd = make_crowd(place_near_the_gait, 4);
+    population *population = make_population(place_near_the_gait, 4);
     (void)state;
-    tdmf_ensemble_end *alone = run(&crowd->ensemble, NULL);
+    tdmf_ensemble_end *alone = run(&population->ensemble, NULL);
     for (int threads = 2; threads <= 7; threads += 5) {
-        crowd->ensemble.threads = threads;
-        tdmf_ensemble_end *shared = run(&crowd->ensemble, NULL);
+        population->ensemble.threads = threads;
+        tdmf_ensemble_end *shared = run(&population->ensemble, NULL);
         assert_memory_equal(shared, alone, RUNNERS * sizeof *alone);
         free(shared);
     }
     free(alone);
-    free(crowd);
+    free(population);
 }
 
 static void neighbours_do_not_matter(void **state) {
-    crowd *crowd = make_crowd(place_near_the_gait, 4);
+    population *population = make_population(place_near_the_gait, 4);
     (void)state;
-    tdmf_ensemble_end *together = run(&crowd->ensemble, NULL);
-    tdmf_ensemble one = crowd->ensemble;
+    tdmf_ensemble_end *together = run(&population->ensemble, NULL);
+    tdmf_ensemble one = population->ensemble;
     one.count = 1;
     for (int i = 0; i < RUNNERS; i += 7) {
-        one.starts = &crowd->ensemble.starts[i];
-        one.case_of = &crowd->case_of[i];
+        one.starts = &population->ensemble.starts[i];
+        one.case_of = &population->case_of[i];
         tdmf_ensemble_end *alone = run(&one, NULL);
         assert_memory_equal(alone, &together[i], sizeof *alone);
         free(alone);
     }
     free(together);
-    free(crowd);
+    free(population);
 }
 
 /* ---- what becomes of runners -------------------------------------------------------------------------- */
@@ -285,20 +285,20 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
 }
 
 static void energy_is_accounted_for(void **state) {
-    crowd *crowd = make_crowd(place_near_the_gait, 20);
+    population *population = make_population(place_near_the_gait, 20);
     (void)state;
-    tdmf_ensemble_end *ends = run(&crowd->ensemble, NULL);
+    tdmf_ensemble_end *ends = run(&population->ensemble, NULL);
     for (int i = 0; i < RUNNERS; ++i) {
-        const tdmf_model *model = &crowd->models[i];
+        const tdmf_model *model = &population->models[i];
         const tdmf_ensemble_end *end = &ends[i];
         if (end->strides > 0) {
             const double change =
-                mechanical_energy(model, end->apex) - mechanical_energy(model, crowd->starts[i]);
+                mechanical_energy(model, end->apex) - mechanical_energy(model, population->starts[i]);
             assert_close(change, end->work - end->damper_loss - end->friction_loss - end->impact_loss, 1e-8);
         }
     }
     free(ends);
-    free(crowd);
+    free(population);
 }
 
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
@@ -325,7 +325,7 @@ static void runners_settle_fall_or_do_not_start(void **state) {
                                          {.gaits = (const double(*)[TDMF_SECTION_COUNT])gaits,
                                           .gait_count = 2,
                                           .distance = 1e-3,
-                                          .most_strides = 400}};
+                                          .max_strides = 400}};
     tdmf_ensemble ensemble = {.cases = &its_case,
                               .case_count = 1,
                               .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
@@ -364,7 +364,7 @@ static void reference_gaits_are_kept(void **state) {
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     for (int i = 0; i < REFERENCE_GAITS; ++i) {
-        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 1}};
+        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 1}};
         cases[i] = its_case;
         cases[i].inputs.ground.friction = reference_gaits[i].friction;
         case_of[i] = i;
@@ -394,7 +394,7 @@ static void assert_fate(const tdmf_parameters *parameters, tdmf_fate fate) {
     tdmf_model model;
     assert_null(tdmf_model_create(&model, parameters).variable);
     const double start[1][TDMF_SECTION_COUNT] = {{1.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 10}};
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 10}};
     tdmf_ensemble ensemble = {.cases = &its_case,
                               .case_count = 1,
                               .starts = start,
@@ -436,12 +436,12 @@ static void what_the_solver_does_not_get_through_is_no_fall(void **state) {
 }
 
 static void work_is_counted(void **state) {
-    crowd *crowd = make_crowd(place_near_the_gait, 5);
+    population *population = make_population(place_near_the_gait, 5);
     tdmf_ensemble_work work;
     long strides = 0, fallen = 0, closed_none = 0;
     (void)state;
-    crowd->ensemble.threads = 2;
-    tdmf_ensemble_end *ends = run(&crowd->ensemble, &work);
+    population->ensemble.threads = 2;
+    tdmf_ensemble_end *ends = run(&population->ensemble, &work);
     for (int i = 0; i < RUNNERS; ++i) {
         strides += ends[i].strides;
         fallen += ends[i].fate == TDMF_FATE_FELL;
@@ -453,34 +453,34 @@ static void work_is_counted(void **state) {
     assert_true(work.events > 4 * strides && work.steps > work.events);
     assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
     free(ends);
-    free(crowd);
+    free(population);
 }
 
 static void unsound_ensembles_are_refused(void **state) {
-    crowd *crowd = make_crowd(place_near_the_gait, 1);
+    population *population = make_population(place_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
     (void)state;
     const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
-        tdmf_ensemble bad = crowd->ensemble;
+        tdmf_ensemble bad = population->ensemble;
         bad.relative_tolerance = tolerances[i];
         assert_false(tdmf_run_ensemble(&bad, &end, NULL));
     }
-    tdmf_ensemble bad = crowd->ensemble;
+    tdmf_ensemble bad = population->ensemble;
     bad.threads = 0;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));
     static const int no_cases[] = {-1, RUNNERS};
     for (size_t i = 0; i < sizeof no_cases / sizeof no_cases[0]; ++i) {
-        crowd->case_of[RUNNERS - 1] = no_cases[i];
-        assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+        population->case_of[RUNNERS - 1] = no_cases[i];
+        assert_false(tdmf_run_ensemble(&population->ensemble, &end, NULL));
     }
-    bad = crowd->ensemble;
+    bad = population->ensemble;
     bad.instructions = TDMF_INSTRUCTIONS_COUNT;
     assert_false(tdmf_run_ensemble(&bad, &end, NULL));
     assert_int_equal(end.strides, 77);
     assert_true(tdmf_has_instructions(tdmf_best_instructions()));
     assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));
-    free(crowd);
+    free(population);
 }
 
 int main(void) {

@@ -39,9 +39,9 @@ static void the_least_sum_knows_every_term(void **state) {
             shares[term] = -3.0;
             in_time(shares, order, series);
             const guard_series guard = {series, 1.0, 2.0, order};
-            assert_close(least_sum(&search, &guard), -1.0, 1e-15);
+            assert_close(min_partial_sum(&search, &guard), -1.0, 1e-15);
             const guard_series turned = {series, -1.0, -2.0, order};
-            assert_close(least_sum(&search, &turned), -2.0, 1e-15);
+            assert_close(min_partial_sum(&search, &turned), -2.0, 1e-15);
         }
     }
 }
@@ -59,7 +59,7 @@ static void the_least_sum_is_no_higher_than_the_polynomial(void **state) {
         }
         in_time(shares, order, series);
         const guard_series guard = {series, 1.0, series[0], order};
-        const double least = least_sum(&search, &guard);
+        const double least = min_partial_sum(&search, &guard);
         for (int k = 0; k <= 20; ++k) {
             assert_true(expansion_at(shares, order, 0.05 * k).value >= least - 1e-14);
         }

@@ -119,7 +119,7 @@ static void the_clock_of_a_run_goes_with_its_gait(void **state) {
 static void stride_in_lanes(const run *run, const double (*apex)[TDMF_SECTION_COUNT],
                             tdmf_instructions instructions, tdmf_ensemble_end *end) {
     const tdmf_ensemble_case its_case = {
-        .model = &run->model, .inputs = run->inputs, .rules = {.most_strides = 1}};
+        .model = &run->model, .inputs = run->inputs, .rules = {.max_strides = 1}};
     const tdmf_ensemble ensemble = {.cases = &its_case,
                                     .case_count = 1,
                                     .starts = apex,

@@ -119,7 +119,7 @@ static void assert_lanes_come_back(tdmf_instructions instructions) {
     double starts[FURTHER_GAITS][TDMF_SECTION_COUNT];
     tdmf_ensemble_end ends[FURTHER_GAITS];
     for (int i = 0; i < FURTHER_GAITS; ++i) {
-        const tdmf_ensemble_case its_case = {&models[i], tdmf_default_inputs(), {.most_strides = 1}};
+        const tdmf_ensemble_case its_case = {&models[i], tdmf_default_inputs(), {.max_strides = 1}};
         const tdmf_parameters parameters = parameters_of_further_gait(&further_gaits[i]);
         assert_null(tdmf_model_create(&models[i], &parameters).variable);
         cases[i] = its_case;

@@ -24,52 +24,52 @@ typedef struct {
     tdmf_ensemble_stride strides[RUNNERS][STRIDES];
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
-} crowd;
+} population;
 
-static void gather(crowd *crowd, int first) {
+static void gather(population *population, int first) {
     static const double values[RUNNERS][ROWS] = {{0.70, 0.69}, {0.71, 0.72}, {0.73, 0.695}};
     const tdmf_parameters parameters = tdmf_default_parameters();
-    memset(crowd, 0, sizeof *crowd);
-    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
-    crowd->setting = tdmf_setting_of("hip.touchdown_angle");
-    memcpy(crowd->values, values, sizeof values);
-    const tdmf_given_settings given = {1, &crowd->setting, first, ROWS, &crowd->values[0][0]};
-    crowd->given = given;
-    const tdmf_ensemble_case its_case = {&crowd->model, tdmf_default_inputs(), {.most_strides = STRIDES}};
-    crowd->its_case = its_case;
+    memset(population, 0, sizeof *population);
+    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->setting = tdmf_setting_of("hip.touchdown_angle");
+    memcpy(population->values, values, sizeof values);
+    const tdmf_given_settings given = {1, &population->setting, first, ROWS, &population->values[0][0]};
+    population->given = given;
+    const tdmf_ensemble_case its_case = {&population->model, tdmf_default_inputs(), {.max_strides = STRIDES}};
+    population->its_case = its_case;
     for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(crowd->starts[i], &reference_gaits[2].apex, sizeof crowd->starts[i]);
+        memcpy(population->starts[i], &reference_gaits[2].apex, sizeof population->starts[i]);
     }
-    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+    const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-11,
                                     .threads = 1,
-                                    .given = &crowd->given,
-                                    .strides = &crowd->strides[0][0],
+                                    .given = &population->given,
+                                    .strides = &population->strides[0][0],
                                     .stride_count = STRIDES,
-                                    .checkpoints = crowd->checkpoints};
-    crowd->ensemble = ensemble;
+                                    .checkpoints = population->checkpoints};
+    population->ensemble = ensemble;
 }
 
 /* ---- rows --------------------------------------------------------------------------------------------- */
 
-static void assert_strides_by_rows(const crowd *crowd, int number, int first) {
+static void assert_strides_by_rows(const population *population, int number, int first) {
     tdmf_solver solver = tdmf_solver_default();
     double apex[TDMF_SECTION_COUNT];
-    memcpy(apex, crowd->starts[number], sizeof apex);
+    memcpy(apex, population->starts[number], sizeof apex);
     for (int stride = 0; stride < STRIDES; ++stride) {
         const int row = stride < first + 1 ? 0 : 1;
         tdmf_model model;
-        tdmf_parameters parameters = crowd->model.parameters;
-        parameters.hip.touchdown_angle = crowd->values[number][row];
+        tdmf_parameters parameters = population->model.parameters;
+        parameters.hip.touchdown_angle = population->values[number][row];
         assert_null(tdmf_model_create(&model, &parameters).variable);
         const tdmf_return made =
-            tdmf_return_map(&solver, &model, &crowd->its_case.inputs, apex, 1e4, false, NULL, 0);
+            tdmf_return_map(&solver, &model, &population->its_case.inputs, apex, 1e4, false, NULL, 0);
         assert_true(made.outcome.closed);
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-            assert_close(crowd->strides[number][stride].apex[j], made.apex[j], 1e-8);
+            assert_close(population->strides[number][stride].apex[j], made.apex[j], 1e-8);
         }
         memcpy(apex, made.apex, sizeof apex);
     }
@@ -78,26 +78,26 @@ static void assert_strides_by_rows(const crowd *crowd, int number, int first) {
 /* Before the first stride given the first row, after the last one the last row. */
 static void strides_are_made_with_the_rows_that_are_theirs(void **state) {
     (void)state;
-    crowd crowd;
+    population population;
     for (int first = 0; first <= 3; ++first) {
-        gather(&crowd, first);
-        assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+        gather(&population, first);
+        assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
         for (int i = 0; i < RUNNERS; ++i) {
-            assert_int_equal(crowd.ends[i].strides, STRIDES);
-            assert_strides_by_rows(&crowd, i, first);
+            assert_int_equal(population.ends[i].strides, STRIDES);
+            assert_strides_by_rows(&population, i, first);
         }
     }
 }
 
 static void every_row_has_to_be_in_range(void **state) {
     (void)state;
-    crowd crowd;
+    population population;
     for (int i = 0; i < RUNNERS * ROWS; ++i) {
-        gather(&crowd, 0);
-        crowd.values[i / ROWS][i % ROWS] = (double)NAN;
-        crowd.ends[0].strides = 77;
-        assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-        assert_int_equal(crowd.ends[0].strides, 77);
+        gather(&population, 0);
+        population.values[i / ROWS][i % ROWS] = (double)NAN;
+        population.ends[0].strides = 77;
+        assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+        assert_int_equal(population.ends[0].strides, 77);
     }
 }
 
@@ -105,57 +105,57 @@ static void every_row_has_to_be_in_range(void **state) {
 
 static void a_run_that_has_made_its_strides_makes_no_more(void **state) {
     (void)state;
-    crowd crowd;
-    gather(&crowd, 0);
-    crowd.its_case.rules.most_strides = 2;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    population population;
+    gather(&population, 0);
+    population.its_case.rules.max_strides = 2;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
     tdmf_ensemble_end before[RUNNERS];
-    memcpy(before, crowd.ends, sizeof before);
-    crowd.ensemble.goes_on = true;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_memory_equal(crowd.ends, before, sizeof before);
-    assert_true(crowd.checkpoints[0].stands);
-    crowd.its_case.rules.most_strides = 3;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_int_equal(crowd.ends[0].strides, 3);
+    memcpy(before, population.ends, sizeof before);
+    population.ensemble.goes_on = true;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_memory_equal(population.ends, before, sizeof before);
+    assert_true(population.checkpoints[0].stands);
+    population.its_case.rules.max_strides = 3;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_int_equal(population.ends[0].strides, 3);
 }
 
 /* It drops onto a leg that is put upright, or from the second apex on onto one that is almost level. */
-static void make_fall(crowd *crowd, int number, int row) {
-    crowd->values[number][row] = row == 0 ? 0.2 : 1.5;
+static void make_fall(population *population, int number, int row) {
+    population->values[number][row] = row == 0 ? 0.2 : 1.5;
     if (row == 0) {
-        crowd->starts[number][TDMF_SECTION_COM_SPEED] = 0.0;
+        population->starts[number][TDMF_SECTION_COM_SPEED] = 0.0;
     }
 }
 
 static void who_has_fallen_stands_nowhere(void **state) {
     (void)state;
-    crowd crowd;
-    gather(&crowd, 0);
-    make_fall(&crowd, FALLS, 0);
+    population population;
+    gather(&population, 0);
+    make_fall(&population, FALLS, 0);
     for (int i = 0; i < RUNNERS; ++i) {
-        crowd.checkpoints[i].stands = true; /* as an earlier run may have left it */
+        population.checkpoints[i].stands = true; /* as an earlier run may have left it */
     }
-    crowd.its_case.rules.most_strides = 1;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_int_equal(crowd.ends[FALLS].fate, TDMF_FATE_FELL);
-    assert_false(crowd.checkpoints[FALLS].stands);
-    assert_true(crowd.checkpoints[0].stands);
+    population.its_case.rules.max_strides = 1;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_int_equal(population.ends[FALLS].fate, TDMF_FATE_FELL);
+    assert_false(population.checkpoints[FALLS].stands);
+    assert_true(population.checkpoints[0].stands);
 }
 
 static void who_falls_later_stands_nowhere_then(void **state) {
     (void)state;
-    crowd crowd;
-    gather(&crowd, 0);
-    make_fall(&crowd, FALLS, 1);
-    crowd.its_case.rules.most_strides = 1;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_true(crowd.checkpoints[FALLS].stands);
-    crowd.its_case.rules.most_strides = STRIDES;
-    crowd.ensemble.goes_on = true;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_int_equal(crowd.ends[FALLS].fate, TDMF_FATE_FELL);
-    assert_false(crowd.checkpoints[FALLS].stands);
+    population population;
+    gather(&population, 0);
+    make_fall(&population, FALLS, 1);
+    population.its_case.rules.max_strides = 1;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_true(population.checkpoints[FALLS].stands);
+    population.its_case.rules.max_strides = STRIDES;
+    population.ensemble.goes_on = true;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_int_equal(population.ends[FALLS].fate, TDMF_FATE_FELL);
+    assert_false(population.checkpoints[FALLS].stands);
 }
 
 /* ---- at an apex --------------------------------------------------------------------------------------- */
@@ -163,14 +163,14 @@ static void who_falls_later_stands_nowhere_then(void **state) {
 /* They widen a guard's margin; a stride is not to depend on those of the stride before. */
 static void a_stride_begins_without_false_crossings(void **state) {
     (void)state;
-    crowd crowd;
+    population population;
     tdmf_runner runner;
     tdmf_solver solver = tdmf_solver_default();
-    gather(&crowd, 0);
-    assert_true(tdmf_runner_begin(&runner, &crowd.ensemble, 0, &crowd.ends[0]));
+    gather(&population, 0);
+    assert_true(tdmf_runner_begin(&runner, &population.ensemble, 0, &population.ends[0]));
     runner.false_crossings = 5;
     assert_true(tdmf_runner_stride(&runner, &solver));
-    assert_int_equal(crowd.ends[0].strides, 1);
+    assert_int_equal(population.ends[0].strides, 1);
     assert_int_equal(runner.false_crossings, 0);
 }
 

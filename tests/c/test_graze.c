@@ -124,7 +124,7 @@ static tdmf_event_log events_of_stride(tdmf_motion *motion) {
 static void a_stride_in_lanes_passes_upright_in_graze(void **state) {
     tdmf_inputs inputs;
     const tdmf_model model = model_of_stride(&inputs);
-    const tdmf_ensemble_case its_case = {.model = &model, .inputs = inputs, .rules = {.most_strides = 1}};
+    const tdmf_ensemble_case its_case = {.model = &model, .inputs = inputs, .rules = {.max_strides = 1}};
     tdmf_motion motion = {0};
     const tdmf_event_log log = events_of_stride(&motion);
     int instruction_sets = 0, upright_in_graze = 0;

@@ -135,7 +135,7 @@ static void ensembles_keep_running(void **unused) {
     tdmf_model model;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     for (int i = 0; i < FRICTIONS; ++i) {
-        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 20}};
+        const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 20}};
         cases[i] = its_case;
         cases[i].inputs.ground.friction = frictions[i];
     }

@@ -172,9 +172,9 @@ static runner spinning_runner(random_source *source, spinning_fall *fall) {
     p.hip.kp = 0.0;
     p.hip.kd = 0.0;
     assert_null(tdmf_model_create(&runner.model, &p).variable);
-    const double mobility = 1.0 / p.body.mass + 1.0 / p.foot.mass;
+    const double inverse_reduced_mass = 1.0 / p.body.mass + 1.0 / p.foot.mass;
     const double rate = random_uniform(source, 1.2, 2.0) * (random_chance(source, 0.5) ? 1.0 : -1.0);
-    const double stiffness = mobility * p.leg.stiffness;
+    const double stiffness = inverse_reduced_mass * p.leg.stiffness;
     const double length = stiffness * p.leg.free_length / (stiffness - rate * rate);
     const double section[TDMF_SECTION_COUNT] = {random_uniform(source, 2.0, 6.0),  0.0, length,
                                                 random_uniform(source, -3.0, 3.0), 0.0, rate};

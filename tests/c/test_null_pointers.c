@@ -135,7 +135,7 @@ static void a_number_below_zero_is_refused(void **unused) {
 static void an_ensemble_needs_no_more_than_its_runners(void **unused) {
     (void)unused;
     const runner runner = started();
-    const tdmf_ensemble_case its_case = {&runner.model, runner.inputs, {.most_strides = 2}};
+    const tdmf_ensemble_case its_case = {&runner.model, runner.inputs, {.max_strides = 2}};
     double starts[2][TDMF_SECTION_COUNT];
     const int first[2] = {0, 0};
     tdmf_ensemble_end ends[2], others[2];

@@ -103,7 +103,7 @@ static void peaks_on_slopes_are_differentiated(void **state) {
 }
 
 static tdmf_stride stride_in_lanes(const scene *scene, tdmf_instructions instructions) {
-    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.most_strides = 1}};
+    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.max_strides = 1}};
     tdmf_ensemble_stride stride;
     tdmf_ensemble_end end;
     const tdmf_ensemble ensemble = {.cases = &its_case,

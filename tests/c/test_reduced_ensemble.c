@@ -21,7 +21,7 @@ typedef struct {
     int case_of[RUNNERS];
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble ensemble;
-} crowd;
+} population;
 
 static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs) {
     p->foot.mass *= random_magnitude(source, 0.5, 2.0);
@@ -39,33 +39,33 @@ static void vary(random_source *source, tdmf_parameters *p, tdmf_inputs *inputs)
     inputs->hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
 }
 
-static crowd *make_crowd(void) {
-    crowd *crowd = calloc(1, sizeof *crowd);
+static population *make_population(void) {
+    population *population = calloc(1, sizeof *population);
     random_source source = {20261122};
-    assert_non_null(crowd);
+    assert_non_null(population);
     for (int i = 0; i < RUNNERS; ++i) {
-        tdmf_ensemble_case *its_case = &crowd->cases[i];
+        tdmf_ensemble_case *its_case = &population->cases[i];
         tdmf_parameters parameters = tdmf_default_parameters();
         vary(&source, &parameters, &its_case->inputs);
-        assert_null(tdmf_model_create(&crowd->models[i], &parameters).variable);
-        its_case->model = &crowd->models[i];
-        its_case->rules.most_strides = STRIDES;
-        crowd->case_of[i] = i;
+        assert_null(tdmf_model_create(&population->models[i], &parameters).variable);
+        its_case->model = &population->models[i];
+        its_case->rules.max_strides = STRIDES;
+        population->case_of[i] = i;
         const double start[TDMF_SECTION_COUNT] = {random_uniform(&source, 0.6, 2.5),
                                                   random_uniform(&source, 0.0, 1.6), 1.0,
                                                   parameters.hip.touchdown_angle};
-        memcpy(crowd->starts[i], start, sizeof start);
+        memcpy(population->starts[i], start, sizeof start);
     }
-    const tdmf_ensemble ensemble = {.cases = crowd->cases,
+    const tdmf_ensemble ensemble = {.cases = population->cases,
                                     .case_count = RUNNERS,
-                                    .case_of = crowd->case_of,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .case_of = population->case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = tight,
                                     .threads = 1,
                                     .map = TDMF_REDUCED_MAP};
-    crowd->ensemble = ensemble;
-    return crowd;
+    population->ensemble = ensemble;
+    return population;
 }
 
 static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble) {
@@ -139,7 +139,7 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
 }
 
 static void runners_end_where_the_map_takes_them(void **state) {
-    crowd *crowd = make_crowd();
+    population *population = make_population();
     int sets = 0;
     (void)state;
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
@@ -148,10 +148,10 @@ static void runners_end_where_the_map_takes_them(void **state) {
             continue;
         }
         ++sets;
-        crowd->ensemble.instructions = (tdmf_instructions)set;
-        tdmf_ensemble_end *ends = run(&crowd->ensemble);
+        population->ensemble.instructions = (tdmf_instructions)set;
+        tdmf_ensemble_end *ends = run(&population->ensemble);
         for (int i = 0; i < RUNNERS; ++i) {
-            const tdmf_ensemble_end expected = iterate(&crowd->cases[i], crowd->starts[i]);
+            const tdmf_ensemble_end expected = iterate(&population->cases[i], population->starts[i]);
             assert_same_end(&ends[i], &expected);
             ++of_fate[ends[i].fate];
         }
@@ -161,22 +161,22 @@ static void runners_end_where_the_map_takes_them(void **state) {
         free(ends);
     }
     assert_true(sets >= 2);
-    free(crowd);
+    free(population);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
 static void neighbours_and_threads_do_not_matter(void **state) {
-    crowd *crowd = make_crowd();
+    population *population = make_population();
     (void)state;
-    tdmf_ensemble_end *together = run(&crowd->ensemble);
-    crowd->ensemble.threads = 3;
-    tdmf_ensemble_end *shared = run(&crowd->ensemble);
+    tdmf_ensemble_end *together = run(&population->ensemble);
+    population->ensemble.threads = 3;
+    tdmf_ensemble_end *shared = run(&population->ensemble);
     assert_memory_equal(shared, together, RUNNERS * sizeof *together);
     for (int i = 0; i < RUNNERS; i += 3) {
-        tdmf_ensemble one = crowd->ensemble;
-        one.starts = &crowd->ensemble.starts[i];
-        one.case_of = &crowd->case_of[i];
+        tdmf_ensemble one = population->ensemble;
+        one.starts = &population->ensemble.starts[i];
+        one.case_of = &population->case_of[i];
         one.count = 1;
         tdmf_ensemble_end *alone = run(&one);
         assert_memory_equal(alone, &together[i], sizeof *alone);
@@ -184,7 +184,7 @@ static void neighbours_and_threads_do_not_matter(void **state) {
     }
     free(shared);
     free(together);
-    free(crowd);
+    free(population);
 }
 
 /* ---- settling ----------------------------------------------------------------------------------------- */
@@ -203,7 +203,7 @@ static void runners_settle_on_the_gaits_of_the_reference(void **state) {
         const tdmf_ensemble_case its_case = {
             &model,
             inputs_of_reduced_gait(gait),
-            {.gaits = gaits, .gait_count = 1, .distance = 1e-9, .most_strides = 2000}};
+            {.gaits = gaits, .gait_count = 1, .distance = 1e-9, .max_strides = 2000}};
         const tdmf_ensemble ensemble = {.cases = &its_case,
                                         .case_count = 1,
                                         .starts = starts,
@@ -225,13 +225,13 @@ static void runners_settle_on_the_gaits_of_the_reference(void **state) {
 }
 
 static void there_is_no_third_map(void **state) {
-    crowd *crowd = make_crowd();
+    population *population = make_population();
     tdmf_ensemble_end end = {.strides = 77};
     (void)state;
-    crowd->ensemble.map = (tdmf_ensemble_map)2;
-    assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+    population->ensemble.map = (tdmf_ensemble_map)2;
+    assert_false(tdmf_run_ensemble(&population->ensemble, &end, NULL));
     assert_int_equal(end.strides, 77);
-    free(crowd);
+    free(population);
 }
 
 int main(void) {

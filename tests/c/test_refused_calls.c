@@ -295,110 +295,111 @@ typedef struct {
     tdmf_given_settings given;
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
-} crowd;
+} population;
 
-static void gather(crowd *crowd) {
-    memset(crowd, 0, sizeof *crowd);
-    crowd->scene = standing_at_apex();
+static void gather(population *population) {
+    memset(population, 0, sizeof *population);
+    population->scene = standing_at_apex();
     for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(crowd->starts[i], crowd->scene.section, sizeof crowd->starts[i]);
+        memcpy(population->starts[i], population->scene.section, sizeof population->starts[i]);
     }
-    crowd->setting = tdmf_setting_of("ground.friction");
-    crowd->one[0] = 0.6;
+    population->setting = tdmf_setting_of("ground.friction");
+    population->one[0] = 0.6;
     const tdmf_affine_law law = {.count = 1,
-                                 .settings = &crowd->setting,
-                                 .nominal = crowd->one,
-                                 .gain = (const double(*)[TDMF_SECTION_COUNT])crowd->gain,
-                                 .low = crowd->one,
-                                 .high = crowd->one};
-    crowd->law = law;
-    const tdmf_given_settings given = {1, &crowd->setting, 0, 1, NULL};
-    crowd->given = given;
-    const tdmf_ensemble_case its_case = {&crowd->scene.model, crowd->scene.inputs, {.most_strides = STRIDES}};
-    crowd->its_case = its_case;
-    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+                                 .settings = &population->setting,
+                                 .nominal = population->one,
+                                 .gain = (const double(*)[TDMF_SECTION_COUNT])population->gain,
+                                 .low = population->one,
+                                 .high = population->one};
+    population->law = law;
+    const tdmf_given_settings given = {1, &population->setting, 0, 1, NULL};
+    population->given = given;
+    const tdmf_ensemble_case its_case = {
+        &population->scene.model, population->scene.inputs, {.max_strides = STRIDES}};
+    population->its_case = its_case;
+    const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-9,
                                     .threads = 1,
-                                    .strides = crowd->strides,
+                                    .strides = population->strides,
                                     .stride_count = 1,
-                                    .checkpoints = crowd->checkpoints};
-    crowd->ensemble = ensemble;
+                                    .checkpoints = population->checkpoints};
+    population->ensemble = ensemble;
 }
 
-typedef void change(crowd *crowd);
+typedef void change(population *population);
 
-static void no_cases(crowd *c) {
+static void no_cases(population *c) {
     c->ensemble.cases = NULL;
 }
-static void cases_below_zero(crowd *c) {
+static void cases_below_zero(population *c) {
     c->ensemble.case_count = -1;
 }
-static void no_model(crowd *c) {
+static void no_model(population *c) {
     c->its_case.model = NULL;
 }
-static void no_starts(crowd *c) {
+static void no_starts(population *c) {
     c->ensemble.starts = NULL;
 }
-static void runners_below_zero(crowd *c) {
+static void runners_below_zero(population *c) {
     c->ensemble.count = -1;
 }
-static void gaits_without_array(crowd *c) {
+static void gaits_without_array(population *c) {
     c->its_case.rules.gait_count = INT_MAX;
 }
-static void gaits_below_zero(crowd *c) {
+static void gaits_below_zero(population *c) {
     c->its_case.rules.gait_count = -1;
 }
-static void notes_below_zero(crowd *c) {
+static void notes_below_zero(population *c) {
     c->ensemble.stride_count = -1;
 }
-static void notes_from_below_zero(crowd *c) {
+static void notes_from_below_zero(population *c) {
     c->ensemble.first_stride = -1;
 }
-static void goes_on_from_nowhere(crowd *c) {
+static void goes_on_from_nowhere(population *c) {
     c->ensemble.goes_on = true;
     c->ensemble.checkpoints = NULL;
 }
-static void goes_on_in_no_mode(crowd *c) {
+static void goes_on_in_no_mode(population *c) {
     c->ensemble.goes_on = true;
     c->checkpoints[RUNNERS - 1].stands = true;
     c->checkpoints[RUNNERS - 1].motion = c->scene.motion;
     c->checkpoints[RUNNERS - 1].motion.mode.contact = (tdmf_contact_mode)77;
 }
-static void given_no_values(crowd *c) {
+static void given_no_values(population *c) {
     c->ensemble.given = &c->given;
 }
-static void given_no_settings(crowd *c) {
+static void given_no_settings(population *c) {
     c->given.settings = NULL;
     c->given.values = c->one;
     c->ensemble.given = &c->given;
 }
-static void follow_law(crowd *c) {
+static void follow_law(population *c) {
     c->its_case.rules.law = &c->law;
 }
-static void law_without_settings(crowd *c) {
+static void law_without_settings(population *c) {
     follow_law(c);
     c->law.settings = NULL;
 }
-static void law_of_too_many(crowd *c) {
+static void law_of_too_many(population *c) {
     follow_law(c);
     c->law.count = INT_MAX;
 }
-static void law_without_nominal(crowd *c) {
+static void law_without_nominal(population *c) {
     follow_law(c);
     c->law.nominal = NULL;
 }
-static void law_without_gain(crowd *c) {
+static void law_without_gain(population *c) {
     follow_law(c);
     c->law.gain = NULL;
 }
-static void law_without_low(crowd *c) {
+static void law_without_low(population *c) {
     follow_law(c);
     c->law.low = NULL;
 }
-static void law_without_high(crowd *c) {
+static void law_without_high(population *c) {
     follow_law(c);
     c->law.high = NULL;
 }
@@ -424,31 +425,31 @@ static void ensembles_refuse_counts_without_arrays(void **state) {
                                law_without_gain,
                                law_without_low,
                                law_without_high};
-    crowd crowd;
+    population population;
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
-        gather(&crowd);
-        changes[i](&crowd);
-        crowd.ends[0].strides = 77;
-        assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-        assert_int_equal(crowd.ends[0].strides, 77);
+        gather(&population);
+        changes[i](&population);
+        population.ends[0].strides = 77;
+        assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+        assert_int_equal(population.ends[0].strides, 77);
     }
-    gather(&crowd);
-    assert_false(tdmf_run_ensemble(NULL, crowd.ends, NULL));
-    assert_false(tdmf_run_ensemble(&crowd.ensemble, NULL, NULL));
-    follow_law(&crowd);
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    assert_int_equal(crowd.ends[RUNNERS - 1].strides, STRIDES);
+    gather(&population);
+    assert_false(tdmf_run_ensemble(NULL, population.ends, NULL));
+    assert_false(tdmf_run_ensemble(&population.ensemble, NULL, NULL));
+    follow_law(&population);
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    assert_int_equal(population.ends[RUNNERS - 1].strides, STRIDES);
 }
 
 /* So many threads could not even be counted. */
 static void threads_are_no_more_than_runners(void **state) {
     (void)state;
-    crowd crowd;
-    gather(&crowd);
-    crowd.ensemble.threads = INT_MAX;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
-    crowd.ensemble.count = 0;
-    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    population population;
+    gather(&population);
+    population.ensemble.threads = INT_MAX;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
+    population.ensemble.count = 0;
+    assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
 }
 
 /* ---- buffers that are the same ------------------------------------------------------------------------ */

@@ -123,25 +123,25 @@ typedef struct {
     double starts[RUNNERS][TDMF_SECTION_COUNT];
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
-} crowd;
+} population;
 
-static void gather(crowd *crowd) {
+static void gather(population *population) {
     const tdmf_parameters parameters = tdmf_default_parameters();
-    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
-    const tdmf_ensemble_case its_case = {&crowd->model,
+    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    const tdmf_ensemble_case its_case = {&population->model,
                                          tdmf_default_inputs(),
-                                         {.most_strides = STRIDES, .roughness = roughness, .seed = seed}};
-    crowd->its_case = its_case;
+                                         {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
+    population->its_case = its_case;
     for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(crowd->starts[i], &reference_gaits[2].apex, sizeof crowd->starts[i]);
+        memcpy(population->starts[i], &reference_gaits[2].apex, sizeof population->starts[i]);
     }
-    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+    const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-11,
                                     .threads = 1};
-    crowd->ensemble = ensemble;
+    population->ensemble = ensemble;
 }
 
 /* Strides that began with a new line waiting, and those of them in which it came into force. */
@@ -150,21 +150,22 @@ typedef struct {
 } waits;
 
 /* The native solver with the ground set at each apex. Returns the strides made. */
-static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion, waits *seen) {
+static int run_over_steps(const population *population, int number, tdmf_motion *motion, waits *seen) {
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_inputs inputs = crowd->its_case.inputs;
-    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
+    tdmf_inputs inputs = population->its_case.inputs;
+    solver.relative_tolerance = population->ensemble.relative_tolerance;
     motion->time = 0.0;
-    tdmf_section_state(&crowd->model, &inputs, crowd->starts[number], motion->state);
+    tdmf_section_state(&population->model, &inputs, population->starts[number], motion->state);
     assert_null(
-        tdmf_start(&crowd->model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
+        tdmf_start(&population->model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
     for (int stride = 0; stride < STRIDES; ++stride) {
         inputs.ground.height +=
-            crowd->its_case.rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
-        tdmf_resolve(&crowd->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+            population->its_case.rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
+        tdmf_resolve(&population->model, &inputs, motion->time, motion->state, &motion->mode,
+                     &motion->record);
         const bool waits = motion->mode.ground.height != inputs.ground.height;
         seen->waited += waits;
-        if (!tdmf_native_stride(&solver, &crowd->model, &inputs, motion->time + 1e4, motion).closed) {
+        if (!tdmf_native_stride(&solver, &population->model, &inputs, motion->time + 1e4, motion).closed) {
             return stride;
         }
         if (motion->mode.ground.height != inputs.ground.height) {
@@ -190,22 +191,22 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
 /* One by one and in all lanes there are; some of them fall. */
 static void runners_meet_the_steps_of_their_numbers(void **unused) {
     (void)unused;
-    static crowd crowd;
+    static population population;
     static tdmf_motion motions[RUNNERS];
     int strides[RUNNERS];
     int compared = 0, up = 0;
     waits seen = {0};
-    gather(&crowd);
+    gather(&population);
     for (int i = 0; i < RUNNERS; ++i) {
-        strides[i] = run_over_steps(&crowd, i, &motions[i], &seen);
+        strides[i] = run_over_steps(&population, i, &motions[i], &seen);
         up += strides[i] == STRIDES;
     }
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        crowd.ensemble.instructions = (tdmf_instructions)set;
-        if (tdmf_has_instructions(crowd.ensemble.instructions)) {
-            assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+        population.ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(population.ensemble.instructions)) {
+            assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
             for (int i = 0; i < RUNNERS; ++i, ++compared) {
-                assert_same_strides(&crowd.ends[i], &motions[i], strides[i]);
+                assert_same_strides(&population.ends[i], &motions[i], strides[i]);
             }
         }
     }
@@ -214,15 +215,15 @@ static void runners_meet_the_steps_of_their_numbers(void **unused) {
 }
 
 /* From apices at which the foot hangs low, over steps as high as that. */
-static void gather_before_high_steps(crowd *crowd, double push) {
+static void gather_before_high_steps(population *population, double push) {
     random_source source = {11};
-    gather(crowd);
-    crowd->its_case.rules.roughness = 0.6;
-    crowd->its_case.inputs.body.external_fx = 0.1 * push;
-    crowd->its_case.inputs.body.external_fy = push;
+    gather(population);
+    population->its_case.rules.roughness = 0.6;
+    population->its_case.inputs.body.external_fx = 0.1 * push;
+    population->its_case.inputs.body.external_fy = push;
     for (int i = 0; i < RUNNERS; ++i) {
-        crowd->starts[i][TDMF_SECTION_LEG_ANGLE] *= random_uniform(&source, -0.1, 0.6);
-        crowd->starts[i][TDMF_SECTION_COM_HEIGHT] *= random_uniform(&source, 0.75, 1.1);
+        population->starts[i][TDMF_SECTION_LEG_ANGLE] *= random_uniform(&source, -0.1, 0.6);
+        population->starts[i][TDMF_SECTION_COM_HEIGHT] *= random_uniform(&source, 0.75, 1.1);
     }
 }
 
@@ -238,27 +239,27 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
 static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused) {
     (void)unused;
     static const double pushes[] = {0.0, 2e-3, -2e-3};
-    static crowd crowd;
+    static population population;
     static tdmf_motion motions[RUNNERS];
     int strides[RUNNERS];
     for (int push = 0; push < 3; ++push) {
         waits seen = {0};
         int compared = 0;
-        gather_before_high_steps(&crowd, pushes[push]);
+        gather_before_high_steps(&population, pushes[push]);
         for (int i = 0; i < RUNNERS; ++i) {
-            strides[i] = run_over_steps(&crowd, i, &motions[i], &seen);
+            strides[i] = run_over_steps(&population, i, &motions[i], &seen);
         }
         assert_true(seen.waited > RUNNERS / 2 && seen.passed > RUNNERS / 3);
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-            crowd.ensemble.instructions = (tdmf_instructions)set;
-            if (!tdmf_has_instructions(crowd.ensemble.instructions)) {
+            population.ensemble.instructions = (tdmf_instructions)set;
+            if (!tdmf_has_instructions(population.ensemble.instructions)) {
                 continue;
             }
-            assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+            assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
             for (int i = 0; i < RUNNERS; ++i) {
-                assert_same_strides(&crowd.ends[i], &motions[i], strides[i]);
+                assert_same_strides(&population.ends[i], &motions[i], strides[i]);
                 if (strides[i] > 0) {
-                    assert_same_last_apex(&crowd.ends[i], &motions[i]);
+                    assert_same_last_apex(&population.ends[i], &motions[i]);
                     ++compared;
                 }
             }
@@ -271,7 +272,7 @@ static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused)
 static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
     (void)unused;
     enum { FIRST = 113 * RUNNERS / 300, PART = 71 * RUNNERS / 300 };
-    static crowd all, part;
+    static population all, part;
     gather(&all);
     assert_true(tdmf_run_ensemble(&all.ensemble, all.ends, NULL));
     gather(&part);
@@ -284,16 +285,16 @@ static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
 
 static void refuses_a_roughness_that_is_none(void **unused) {
     (void)unused;
-    static crowd crowd;
+    static population population;
     static const double none[] = {-1e-300, NAN, INFINITY};
-    gather(&crowd);
+    gather(&population);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
-        crowd.its_case.rules.roughness = none[i];
-        assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+        population.its_case.rules.roughness = none[i];
+        assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
     }
-    crowd.its_case.rules.roughness = roughness;
-    crowd.ensemble.map = TDMF_REDUCED_MAP;
-    assert_false(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    population.its_case.rules.roughness = roughness;
+    population.ensemble.map = TDMF_REDUCED_MAP;
+    assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
 }
 
 int main(void) {

@@ -16,7 +16,7 @@ static void limits_of_steps_go_along(void **state) {
     (void)state;
     const tdmf_parameters parameters = tdmf_default_parameters();
     assert_null(tdmf_model_create(&model, &parameters).variable);
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 1}};
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 1}};
     double apex[1][TDMF_SECTION_COUNT];
     memcpy(apex, &reference_gaits[2].apex, sizeof apex);
     const tdmf_ensemble ensemble = {

@@ -125,7 +125,7 @@ static void choose_direction(random_source *source, double state[TDMF_STATE_COUN
 
 /* A variation, and the sides of an event that goes on in `after`. */
 typedef struct {
-    tdmf_side before, after;
+    tdmf_event_state before, after;
     tdmf_variation variation;
     tdmf_change change;
 } event;

@@ -94,7 +94,7 @@ static void assert_push(const flight_coefficients *c, const flight_series *f, in
 
 /* Without a push no rest length ramps either. */
 static void assert_flight(const flight_coefficients *c, bool pushed, const flight_series *f, int order) {
-    const double stiffness = c->mobility * c->stiffness, gain = c->mobility * c->gain;
+    const double stiffness = c->inverse_reduced_mass * c->stiffness, gain = c->inverse_reduced_mass * c->gain;
     for (int k = 0; k < order; ++k) {
         balance force = {0.0, 0.0}, torque = {0.0, 0.0};
         if (pushed) {
@@ -110,13 +110,13 @@ static void assert_flight(const flight_coefficients *c, bool pushed, const fligh
         add_product(&force, 1.0, f->length, f->rate_square, k);
         add(&force, stiffness * ramp(k, c->rest_length, pushed ? c->rest_length_rate : 0.0));
         add(&force, -stiffness * f->length[k]);
-        add(&force, -c->mobility * c->damping * f->length_rate[k]);
+        add(&force, -c->inverse_reduced_mass * c->damping * f->length_rate[k]);
         assert_balance(&force);
         add(&torque, -(k + 1) * f->momentum[k + 1]);
         add(&torque, k == 0 ? gain * c->target : 0.0);
         add(&torque, -gain * f->angle[k]);
-        add(&torque, -c->mobility * c->rate_gain * f->angle_rate[k]);
-        add(&torque, c->mobility * ramp(k, c->torque, c->torque_rate));
+        add(&torque, -c->inverse_reduced_mass * c->rate_gain * f->angle_rate[k]);
+        add(&torque, c->inverse_reduced_mass * ramp(k, c->torque, c->torque_rate));
         assert_balance(&torque);
     }
 }
@@ -130,7 +130,7 @@ static void flight_solves_its_equations_at_any_order(void **state) {
             flight_coefficients coefficients;
             flight_start start;
             flight_series f;
-            draw(&source, &coefficients.mobility, FLIGHT_COEFFICIENTS);
+            draw(&source, &coefficients.inverse_reduced_mass, FLIGHT_COEFFICIENTS);
             draw(&source, &start.length, FLIGHT_START);
             expand_flight_by_case(&coefficients, &start, order, false, &f);
             assert_flight(&coefficients, false, &f, order);
@@ -352,15 +352,16 @@ static void flight_varies_as_it_changes(void **state) {
         flight_start start, d_start, moved_start;
         flight_series f, side[SIDES];
         flight_variation t;
-        draw(&source, &c.mobility, FLIGHT_COEFFICIENTS);
-        draw(&source, &d.mobility, FLIGHT_COEFFICIENTS);
+        draw(&source, &c.inverse_reduced_mass, FLIGHT_COEFFICIENTS);
+        draw(&source, &d.inverse_reduced_mass, FLIGHT_COEFFICIENTS);
         draw(&source, &start.length, FLIGHT_START);
         draw(&source, &d_start.length, FLIGHT_START);
         expand_flight_by_case(&c, &start, VARIED_ORDER, pushed, &f);
         vary_flight_by_case(&c, &start, &f, &d, &d_start, VARIED_ORDER, pushed, &t);
         for (int i = 0; i < SIDES; ++i) {
             const double share = sides[i];
-            move(&c.mobility, &d.mobility, share, FLIGHT_COEFFICIENTS, &moved.mobility);
+            move(&c.inverse_reduced_mass, &d.inverse_reduced_mass, share, FLIGHT_COEFFICIENTS,
+                 &moved.inverse_reduced_mass);
             move(&start.length, &d_start.length, share, FLIGHT_START, &moved_start.length);
             expand_flight_by_case(&moved, &moved_start, VARIED_ORDER, pushed, &side[i]);
         }

@@ -183,7 +183,7 @@ static void runners_of_an_ensemble_end_unsolved(void **state) {
     (void)state;
     for (int kind = 0; kind <= STIFF_KINDS; ++kind) {
         const tdmf_parameters p = kind < STIFF_KINDS ? stiff_parameters(kind) : defaults;
-        const tdmf_ensemble_case its_case = {&models[kind], tdmf_default_inputs(), {.most_strides = 3}};
+        const tdmf_ensemble_case its_case = {&models[kind], tdmf_default_inputs(), {.max_strides = 3}};
         assert_null(tdmf_model_create(&models[kind], &p).variable);
         cases[kind] = its_case;
     }

@@ -39,63 +39,64 @@ typedef struct {
     tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble ensemble;
     tdmf_ensemble_end ends[RUNNERS];
-} crowd;
+} population;
 
-static crowd *gather(double roughness) {
-    crowd *crowd = calloc(1, sizeof *crowd);
+static population *gather(double roughness) {
+    population *population = calloc(1, sizeof *population);
     random_source source = {3};
     const tdmf_parameters parameters = tdmf_default_parameters();
-    assert_non_null(crowd);
-    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
+    assert_non_null(population);
+    assert_null(tdmf_model_create(&population->model, &parameters).variable);
     for (int i = 0; i < SETTINGS; ++i) {
-        crowd->settings[i] = tdmf_setting_of(names[i]);
+        population->settings[i] = tdmf_setting_of(names[i]);
     }
     const tdmf_affine_law law = {.count = SETTINGS,
-                                 .settings = crowd->settings,
+                                 .settings = population->settings,
                                  .nominal = nominal,
                                  .gain = gain,
                                  .low = low,
                                  .high = high,
                                  .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
                                  .seed = seed};
-    crowd->law = law;
-    memcpy(crowd->law.apex, &reference_gaits[2].apex, sizeof crowd->law.apex);
-    const tdmf_ensemble_case its_case = {&crowd->model,
+    population->law = law;
+    memcpy(population->law.apex, &reference_gaits[2].apex, sizeof population->law.apex);
+    const tdmf_ensemble_case its_case = {&population->model,
                                          tdmf_default_inputs(),
-                                         {.most_strides = STRIDES, .roughness = roughness, .seed = seed}};
-    crowd->its_case = its_case;
+                                         {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
+    population->its_case = its_case;
     for (int i = 0; i < RUNNERS; ++i) {
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-            crowd->starts[i][j] = crowd->law.apex[j] + random_uniform(&source, -0.05, 0.05);
+            population->starts[i][j] = population->law.apex[j] + random_uniform(&source, -0.05, 0.05);
         }
         for (int stride = 0; stride < STRIDES; ++stride) {
             for (int k = 0; k < SETTINGS; ++k) {
-                crowd->values[i][stride][k] = random_uniform(&source, low[k], high[k]);
+                population->values[i][stride][k] = random_uniform(&source, low[k], high[k]);
             }
         }
     }
-    const tdmf_given_settings given = {SETTINGS, crowd->settings, 0, STRIDES, &crowd->values[0][0][0]};
-    crowd->given = given;
-    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+    const tdmf_given_settings given = {SETTINGS, population->settings, 0, STRIDES,
+                                       &population->values[0][0][0]};
+    population->given = given;
+    const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])population->starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-11,
                                     .threads = 1,
-                                    .strides = &crowd->strides[0][0],
+                                    .strides = &population->strides[0][0],
                                     .stride_count = STRIDES};
-    crowd->ensemble = ensemble;
-    return crowd;
+    population->ensemble = ensemble;
+    return population;
 }
 
-static void give_what_acts_at_once(crowd *crowd) {
+static void give_what_acts_at_once(population *population) {
     random_source source = {5};
-    crowd->acts_at_once = true;
-    crowd->ensemble.given = &crowd->given;
+    population->acts_at_once = true;
+    population->ensemble.given = &population->given;
     for (int k = 0; k < SETTINGS; ++k) {
-        crowd->settings[k] = tdmf_setting_of(at_once[k]);
+        population->settings[k] = tdmf_setting_of(at_once[k]);
         for (int i = 0; i < RUNNERS * STRIDES; ++i) {
-            crowd->values[i / STRIDES][i % STRIDES][k] =
+            population->values[i / STRIDES][i % STRIDES][k] =
                 random_uniform(&source, at_once_low[k], at_once_high[k]);
         }
     }
@@ -104,9 +105,9 @@ static void give_what_acts_at_once(crowd *crowd) {
 /* ---- the same by hand --------------------------------------------------------------------------------- */
 
 /* The law as its formula says. */
-static void follow_law(const crowd *crowd, int number, int stride, const double apex[TDMF_SECTION_COUNT],
-                       double values[SETTINGS]) {
-    const tdmf_affine_law *law = &crowd->law;
+static void follow_law(const population *population, int number, int stride,
+                       const double apex[TDMF_SECTION_COUNT], double values[SETTINGS]) {
+    const tdmf_affine_law *law = &population->law;
     for (int i = 0; i < SETTINGS; ++i) {
         values[i] = nominal[i];
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
@@ -118,9 +119,9 @@ static void follow_law(const crowd *crowd, int number, int stride, const double 
     }
 }
 
-static void set_by_hand(const crowd *crowd, tdmf_parameters *parameters, tdmf_inputs *inputs,
+static void set_by_hand(const population *population, tdmf_parameters *parameters, tdmf_inputs *inputs,
                         const double values[SETTINGS]) {
-    if (crowd->acts_at_once) {
+    if (population->acts_at_once) {
         inputs->ground.height = values[0];
         inputs->leg.extension = values[1];
         inputs->ground.slope = values[2];
@@ -159,27 +160,27 @@ static void assert_noted(const tdmf_ensemble_stride *note, const tdmf_motion *mo
 }
 
 /* By the native solver, with model and inputs set at each apex. Returns the strides that close. */
-static int stride_by_hand(const crowd *crowd, int number) {
-    const tdmf_ensemble_rules *rules = &crowd->its_case.rules;
+static int stride_by_hand(const population *population, int number) {
+    const tdmf_ensemble_rules *rules = &population->its_case.rules;
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_inputs inputs = crowd->its_case.inputs;
-    tdmf_model model = crowd->model;
+    tdmf_inputs inputs = population->its_case.inputs;
+    tdmf_model model = population->model;
     tdmf_parameters parameters = model.parameters;
     tdmf_motion motion = {.time = 0.0};
     double apex[TDMF_SECTION_COUNT], values[SETTINGS];
-    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
-    memcpy(apex, crowd->starts[number], sizeof apex);
-    for (int stride = 0; stride < rules->most_strides; ++stride) {
-        const tdmf_ensemble_stride *note = &crowd->strides[number][stride];
+    solver.relative_tolerance = population->ensemble.relative_tolerance;
+    memcpy(apex, population->starts[number], sizeof apex);
+    for (int stride = 0; stride < rules->max_strides; ++stride) {
+        const tdmf_ensemble_stride *note = &population->strides[number][stride];
         if (rules->law) {
-            follow_law(crowd, number, stride, apex, values);
+            follow_law(population, number, stride, apex, values);
             for (int i = 0; i < SETTINGS; ++i) {
                 assert_close(note->set[i], values[i], 1e-7);
             }
         } else {
-            memcpy(values, crowd->values[number][stride], sizeof values);
+            memcpy(values, population->values[number][stride], sizeof values);
         }
-        set_by_hand(crowd, &parameters, &inputs, values);
+        set_by_hand(population, &parameters, &inputs, values);
         assert_null(tdmf_model_create(&model, &parameters).variable);
         if (stride == 0) {
             tdmf_section_state(&model, &inputs, apex, motion.state);
@@ -199,24 +200,24 @@ static int stride_by_hand(const crowd *crowd, int number) {
             return stride + 1;
         }
     }
-    return rules->most_strides;
+    return rules->max_strides;
 }
 
-static void run_in_all_lanes(crowd *crowd) {
-    const int most = crowd->its_case.rules.most_strides;
+static void run_in_all_lanes(population *population) {
+    const int most = population->its_case.rules.max_strides;
     int closed = 0, sets = 0;
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        crowd->ensemble.instructions = (tdmf_instructions)set;
-        if (!tdmf_has_instructions(crowd->ensemble.instructions)) {
+        population->ensemble.instructions = (tdmf_instructions)set;
+        if (!tdmf_has_instructions(population->ensemble.instructions)) {
             continue;
         }
-        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+        assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
         ++sets;
         for (int i = 0; i < RUNNERS; ++i) {
-            assert_int_equal(crowd->ends[i].strides, stride_by_hand(crowd, i));
-            assert_int_equal(crowd->ends[i].fate,
-                             crowd->ends[i].strides == most ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
-            closed += crowd->ends[i].strides;
+            assert_int_equal(population->ends[i].strides, stride_by_hand(population, i));
+            assert_int_equal(population->ends[i].fate,
+                             population->ends[i].strides == most ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
+            closed += population->ends[i].strides;
         }
     }
     assert_true(sets >= 1 && closed > sets * RUNNERS * most / 2);
@@ -224,80 +225,80 @@ static void run_in_all_lanes(crowd *crowd) {
 
 static void given_settings_are_those_of_the_strides(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    crowd->ensemble.given = &crowd->given;
-    run_in_all_lanes(crowd);
-    free(crowd);
+    population *population = gather(0.0);
+    population->ensemble.given = &population->given;
+    run_in_all_lanes(population);
+    free(population);
 }
 
 static void ground_and_leg_change_at_the_apex_itself(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    give_what_acts_at_once(crowd);
-    run_in_all_lanes(crowd);
-    free(crowd);
+    population *population = gather(0.0);
+    give_what_acts_at_once(population);
+    run_in_all_lanes(population);
+    free(population);
 }
 
 static void a_runner_below_its_ground_for_a_whole_stride_has_fallen(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    give_what_acts_at_once(crowd);
+    population *population = gather(0.0);
+    give_what_acts_at_once(population);
     for (int i = 0; i < RUNNERS * STRIDES; ++i) {
         const double values[SETTINGS] = {i % STRIDES == 0 ? 0.0 : 2.0, 0.0, 0.0};
-        memcpy(crowd->values[i / STRIDES][i % STRIDES], values, sizeof values);
+        memcpy(population->values[i / STRIDES][i % STRIDES], values, sizeof values);
     }
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
     for (int i = 0; i < RUNNERS; ++i) {
-        assert_int_equal(crowd->ends[i].fate, TDMF_FATE_FELL);
-        assert_int_equal(crowd->ends[i].strides, 2);
-        assert_int_equal(crowd->strides[i][1].began, 1);
-        assert_int_equal(crowd->strides[i][2].began, 0);
+        assert_int_equal(population->ends[i].fate, TDMF_FATE_FELL);
+        assert_int_equal(population->ends[i].strides, 2);
+        assert_int_equal(population->strides[i][1].began, 1);
+        assert_int_equal(population->strides[i][2].began, 0);
     }
-    free(crowd);
+    free(population);
 }
 
 /* A leg that is damped as much pushes most when the foot comes down and stays there. */
 static void a_force_that_is_largest_at_touchdown_is_noted(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    tdmf_parameters parameters = crowd->model.parameters;
+    population *population = gather(0.0);
+    tdmf_parameters parameters = population->model.parameters;
     parameters.leg.damping = 2.0;
-    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
-    crowd->ensemble.given = &crowd->given;
-    crowd->its_case.rules.most_strides = 1;
+    assert_null(tdmf_model_create(&population->model, &parameters).variable);
+    population->ensemble.given = &population->given;
+    population->its_case.rules.max_strides = 1;
     for (int i = 0; i < RUNNERS; ++i) {
-        crowd->values[i][0][2] = 10.0; /* the friction */
+        population->values[i][0][2] = 10.0; /* the friction */
     }
-    run_in_all_lanes(crowd);
-    free(crowd);
+    run_in_all_lanes(population);
+    free(population);
 }
 
 static void the_law_sets_at_each_apex_by_what_its_sensor_sees(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    crowd->its_case.rules.law = &crowd->law;
-    run_in_all_lanes(crowd);
-    free(crowd);
+    population *population = gather(0.0);
+    population->its_case.rules.law = &population->law;
+    run_in_all_lanes(population);
+    free(population);
 }
 
 static void the_law_sees_the_height_above_the_ground_before_it_steps(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.1);
-    crowd->its_case.rules.law = &crowd->law;
-    run_in_all_lanes(crowd);
-    free(crowd);
+    population *population = gather(0.1);
+    population->its_case.rules.law = &population->law;
+    run_in_all_lanes(population);
+    free(population);
 }
 
 static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.1);
+    population *population = gather(0.1);
     int inside = 0, lowest = 0, highest = 0;
-    crowd->its_case.rules.law = &crowd->law;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    population->its_case.rules.law = &population->law;
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
     for (int i = 0; i < RUNNERS; ++i) {
-        for (int stride = 0; stride < crowd->ends[i].strides; ++stride) {
+        for (int stride = 0; stride < population->ends[i].strides; ++stride) {
             for (int k = 0; k < SETTINGS; ++k) {
-                const double value = crowd->strides[i][stride].set[k];
+                const double value = population->strides[i][stride].set[k];
                 lowest += value == low[k];
                 highest += value == high[k];
                 inside += value > low[k] && value < high[k];
@@ -308,7 +309,7 @@ static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) 
     assert_true(inside > 100);
     assert_true(lowest > 100);
     assert_true(highest > 100);
-    free(crowd);
+    free(population);
 }
 
 /* ---- bit for bit -------------------------------------------------------------------------------------- */
@@ -316,7 +317,7 @@ static void no_setting_is_beyond_its_limits_and_some_are_at_them(void **unused) 
 static void strides_depend_on_neither_threads_nor_neighbours(void **unused) {
     (void)unused;
     enum { FIRST = 17, PART = 31 };
-    crowd *all = gather(0.1), *part = gather(0.1);
+    population *all = gather(0.1), *part = gather(0.1);
     all->its_case.rules.law = &all->law;
     part->its_case.rules.law = &part->law;
     part->ensemble.threads = 2;
@@ -338,7 +339,7 @@ static void strides_depend_on_neither_threads_nor_neighbours(void **unused) {
 
 static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) {
     (void)unused;
-    crowd *whole = gather(0.1), *parts = gather(0.1);
+    population *whole = gather(0.1), *parts = gather(0.1);
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         whole->ensemble.instructions = parts->ensemble.instructions = (tdmf_instructions)set;
         if (!tdmf_has_instructions(whole->ensemble.instructions)) {
@@ -349,7 +350,7 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
         parts->its_case.rules.law = &parts->law;
         parts->ensemble.checkpoints = parts->checkpoints;
         for (int stride = 0; stride < STRIDES; ++stride) {
-            parts->its_case.rules.most_strides = stride + 1;
+            parts->its_case.rules.max_strides = stride + 1;
             parts->ensemble.goes_on = stride > 0;
             assert_true(tdmf_run_ensemble(&parts->ensemble, parts->ends, NULL));
         }
@@ -364,17 +365,17 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
 
 /* Each stride begins at the last apex, above the ground and with the leg where the settings have them.
  * Returns the strides that closed. */
-static int stride_by_reduced_map(const crowd *crowd, int number) {
+static int stride_by_reduced_map(const population *population, int number) {
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_inputs inputs = crowd->its_case.inputs;
-    tdmf_model model = crowd->model;
-    double apex[TDMF_REDUCED_COUNT] = {crowd->starts[number][0], crowd->starts[number][1]};
+    tdmf_inputs inputs = population->its_case.inputs;
+    tdmf_model model = population->model;
+    double apex[TDMF_REDUCED_COUNT] = {population->starts[number][0], population->starts[number][1]};
     double x = 0.0;
-    solver.relative_tolerance = crowd->ensemble.relative_tolerance;
-    for (int stride = 0; stride < crowd->ends[number].strides; ++stride) {
-        const tdmf_ensemble_stride *note = &crowd->strides[number][stride];
+    solver.relative_tolerance = population->ensemble.relative_tolerance;
+    for (int stride = 0; stride < population->ends[number].strides; ++stride) {
+        const tdmf_ensemble_stride *note = &population->strides[number][stride];
         const double ground_before = inputs.ground.height + x * tan(inputs.ground.slope);
-        set_by_hand(crowd, &model.parameters, &inputs, crowd->values[number][stride]);
+        set_by_hand(population, &model.parameters, &inputs, population->values[number][stride]);
         if (stride > 0) {
             apex[0] += ground_before - (inputs.ground.height + x * tan(inputs.ground.slope));
         }
@@ -392,25 +393,25 @@ static int stride_by_reduced_map(const crowd *crowd, int number) {
         assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
         assert_close(note->friction_loss, found.friction_loss, 1e-7);
     }
-    return crowd->ends[number].strides;
+    return population->ends[number].strides;
 }
 
 static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) {
     (void)unused;
     for (int acts_at_once = 0; acts_at_once < 2; ++acts_at_once) {
-        crowd *crowd = gather(0.0);
+        population *population = gather(0.0);
         int closed = 0;
-        crowd->ensemble.map = TDMF_REDUCED_MAP;
-        crowd->ensemble.given = &crowd->given;
+        population->ensemble.map = TDMF_REDUCED_MAP;
+        population->ensemble.given = &population->given;
         if (acts_at_once) {
-            give_what_acts_at_once(crowd);
+            give_what_acts_at_once(population);
         }
-        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+        assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
         for (int i = 0; i < RUNNERS; ++i) {
-            closed += stride_by_reduced_map(crowd, i);
+            closed += stride_by_reduced_map(population, i);
         }
         assert_true(closed > RUNNERS * STRIDES / 2);
-        free(crowd);
+        free(population);
     }
 }
 
@@ -470,95 +471,95 @@ static void settings_are_what_may_change_at_events(void **unused) {
     }
 }
 
-static void assert_refused(crowd *crowd) {
-    assert_false(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+static void assert_refused(population *population) {
+    assert_false(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
 }
 
 static void refuses_laws_that_are_none(void **unused) {
     (void)unused;
     static const double none[] = {NAN, INFINITY, -INFINITY, 2e100};
-    crowd *crowd = gather(0.0);
-    tdmf_affine_law law = crowd->law;
+    population *population = gather(0.0);
+    tdmf_affine_law law = population->law;
     double numbers[SETTINGS], gains[SETTINGS][TDMF_SECTION_COUNT];
-    crowd->its_case.rules.law = &law;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    population->its_case.rules.law = &law;
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
         memcpy(numbers, nominal, sizeof numbers);
         memcpy(gains, gain, sizeof gains);
         gains[1][2] = none[i];
         law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
-        assert_refused(crowd);
+        assert_refused(population);
         law.gain = gain;
         numbers[2] = none[i];
         law.nominal = numbers;
-        assert_refused(crowd);
+        assert_refused(population);
         law.nominal = nominal;
         law.noise[4] = none[i];
-        assert_refused(crowd);
+        assert_refused(population);
         law.noise[4] = 0.0;
         law.apex[4] = none[i];
-        assert_refused(crowd);
+        assert_refused(population);
         law.apex[4] = 0.0;
     }
     law.noise[4] = -1e-9;
-    assert_refused(crowd);
+    assert_refused(population);
     law.noise[4] = 0.0;
     law.low = high;
     law.high = low;
-    assert_refused(crowd);
+    assert_refused(population);
     law.low = low;
     memcpy(numbers, high, sizeof numbers);
     numbers[2] = -1e-9; /* a friction */
     law.high = numbers;
-    assert_refused(crowd);
+    assert_refused(population);
     law.high = high;
-    crowd->settings[1] = crowd->settings[0];
-    assert_refused(crowd);
-    crowd->settings[1] = -1;
-    assert_refused(crowd);
-    free(crowd);
+    population->settings[1] = population->settings[0];
+    assert_refused(population);
+    population->settings[1] = -1;
+    assert_refused(population);
+    free(population);
 }
 
 static void refuses_settings_that_are_none(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
-    const double angle = crowd->values[3][2][0];
-    crowd->ensemble.given = &crowd->given;
-    crowd->values[3][2][0] = NAN;
-    assert_refused(crowd);
-    crowd->values[3][2][0] = 1e9;
-    assert_refused(crowd);
-    crowd->values[3][2][0] = angle;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
-    crowd->its_case.rules.law = &crowd->law; /* which sets the same */
-    assert_refused(crowd);
-    crowd->its_case.rules.law = NULL;
-    crowd->ensemble.goes_on = true; /* from nowhere */
-    assert_refused(crowd);
-    crowd->ensemble.goes_on = false;
-    crowd->settings[2] = tdmf_setting_of("ground.height");
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
-    crowd->its_case.rules.roughness = 0.1;
-    assert_refused(crowd);
-    free(crowd);
+    population *population = gather(0.0);
+    const double angle = population->values[3][2][0];
+    population->ensemble.given = &population->given;
+    population->values[3][2][0] = NAN;
+    assert_refused(population);
+    population->values[3][2][0] = 1e9;
+    assert_refused(population);
+    population->values[3][2][0] = angle;
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    population->its_case.rules.law = &population->law; /* which sets the same */
+    assert_refused(population);
+    population->its_case.rules.law = NULL;
+    population->ensemble.goes_on = true; /* from nowhere */
+    assert_refused(population);
+    population->ensemble.goes_on = false;
+    population->settings[2] = tdmf_setting_of("ground.height");
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
+    population->its_case.rules.roughness = 0.1;
+    assert_refused(population);
+    free(population);
 }
 
 static void the_reduced_map_measures_height_and_speed_alone(void **unused) {
     (void)unused;
-    crowd *crowd = gather(0.0);
+    population *population = gather(0.0);
     double gains[SETTINGS][TDMF_SECTION_COUNT] = {{0.0}};
-    crowd->ensemble.map = TDMF_REDUCED_MAP;
-    crowd->its_case.rules.law = &crowd->law;
-    crowd->law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
-    memset(&crowd->law.noise[2], 0, 4 * sizeof *crowd->law.noise);
+    population->ensemble.map = TDMF_REDUCED_MAP;
+    population->its_case.rules.law = &population->law;
+    population->law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
+    memset(&population->law.noise[2], 0, 4 * sizeof *population->law.noise);
     gains[0][1] = 0.1;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_true(tdmf_run_ensemble(&population->ensemble, population->ends, NULL));
     gains[0][2] = 0.1;
-    assert_refused(crowd);
+    assert_refused(population);
     gains[0][2] = 0.0;
-    crowd->law.noise[5] = 0.1;
-    assert_refused(crowd);
-    free(crowd);
+    population->law.noise[5] = 0.1;
+    assert_refused(population);
+    free(population);
 }
 
 int main(void) {

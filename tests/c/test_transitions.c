@@ -80,7 +80,7 @@ static void touchdown_upright_is_driven_unless_the_leg_falls(void **unused) {
     }
 }
 
-static tdmf_motion run_from_start(runner *runner, double until, int64_t most_events) {
+static tdmf_motion run_from_start(runner *runner, double until, int64_t max_events) {
     static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     tdmf_solver solver = tdmf_solver_default();
     runner_start(runner);
@@ -88,7 +88,7 @@ static tdmf_motion run_from_start(runner *runner, double until, int64_t most_eve
     memcpy(motion.state, runner->state, sizeof motion.state);
     assert_int_equal(tdmf_native_advance(&solver, &runner->model, &runner->inputs, &held, until, &motion),
                      TDMF_ARRIVED);
-    assert_true(solver.events <= most_events);
+    assert_true(solver.events <= max_events);
     return motion;
 }
 

@@ -249,7 +249,7 @@ static row constants(const tdmf_model *model) {
     row row = {0};
     append(&row, model->inverse_body_mass);
     append(&row, model->inverse_foot_mass);
-    append(&row, model->mobility);
+    append(&row, model->inverse_reduced_mass);
     append(&row, model->total_mass);
     append(&row, model->body_share);
     return row;
@@ -520,7 +520,7 @@ static row coefficients(const tdmf_contact_mode contact, const flight_coefficien
 
 static tdmf_mode_equations chart_of(const runner *at) {
     tdmf_mode_equations equations;
-    tdmf_open_mode(&equations, &at->model, &at->inputs, &tdmf_held_inputs, &at->mode, at->state,
+    tdmf_open_mode(&equations, &at->model, &at->inputs, &tdmf_zero_input_rates, &at->mode, at->state,
                    tdmf_leg_direction_of(at->state));
     return equations;
 }

@@ -77,7 +77,7 @@ static void cvode_has_it(void **state) {
 }
 
 static double in_lanes(const scene *scene, tdmf_instructions instructions, double tolerance) {
-    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.most_strides = 1}};
+    const tdmf_ensemble_case its_case = {&scene->model, scene->inputs, {.max_strides = 1}};
     tdmf_ensemble_stride stride;
     tdmf_ensemble_end end;
     const tdmf_ensemble ensemble = {.cases = &its_case,

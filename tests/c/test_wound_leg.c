@@ -105,7 +105,7 @@ static void lanes_run_wound_legs_too(void **unused) {
             random_uniform(&source, -0.5, 0.5), random_uniform(&source, -100.0, 100.0)};
         memcpy(starts[i], start, sizeof start);
     }
-    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.most_strides = 5}};
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 5}};
     tdmf_ensemble ensemble = {.cases = &its_case,
                               .case_count = 1,
                               .starts = (const double(*)[TDMF_SECTION_COUNT])starts,

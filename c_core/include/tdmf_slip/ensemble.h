@@ -60,7 +60,7 @@ typedef struct {
     const double (*gaits)[TDMF_SECTION_COUNT]; /* their apices */
     int gait_count;                            /* how many */
     double distance;                           /* a pure number */
-    int most_strides;                          /* then the runner is undecided */
+    int max_strides;                           /* then the runner is undecided */
     double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
                          0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
                          whole stride has fallen. Of the return map only */

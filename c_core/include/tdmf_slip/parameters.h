@@ -22,13 +22,13 @@ typedef struct {
 
 /* Accepted parameters with what is derived from them once. Treat as read-only; made by tdmf_model_create. */
 typedef struct {
-    tdmf_parameters parameters; /* as they were accepted */
-    tdmf_scales scales;         /* of its lengths, times, speeds, forces and energies */
-    double inverse_body_mass;   /* 1/m */
-    double inverse_foot_mass;   /* 1/m_f */
-    double mobility;            /* 1/m + 1/m_f */
-    double total_mass;          /* m + m_f */
-    double body_share;          /* m/(m + m_f) */
+    tdmf_parameters parameters;  /* as they were accepted */
+    tdmf_scales scales;          /* of its lengths, times, speeds, forces and energies */
+    double inverse_body_mass;    /* 1/m */
+    double inverse_foot_mass;    /* 1/m_f */
+    double inverse_reduced_mass; /* 1/m + 1/m_f */
+    double total_mass;           /* m + m_f */
+    double body_share;           /* m/(m + m_f) */
 } tdmf_model;
 
 /* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */

@@ -25,13 +25,13 @@ int *live_fates(void) {
 
 /* What becomes of the first `count` starts, which may settle on the gait whose apex is in the section. */
 LIVE_EXPORT(live_run_block)
-bool live_run_block(int count, double tolerance, double distance, int most_strides) {
+bool live_run_block(int count, double tolerance, double distance, int max_strides) {
     const tdmf_ensemble_case runner = {&live.model,
                                        live.inputs,
                                        {.gaits = (const double(*)[TDMF_SECTION_COUNT])live.section,
                                         .gait_count = 1,
                                         .distance = distance,
-                                        .most_strides = most_strides}};
+                                        .max_strides = max_strides}};
     const tdmf_ensemble ensemble = {.cases = &runner,
                                     .case_count = 1,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,

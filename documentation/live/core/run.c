@@ -15,7 +15,7 @@ enum {
     SAMPLE_MODE,
     SAMPLE_SIZE,
     SAMPLE_CAPACITY = 4096,
-    PIECES_IN_A_CALL = 2000
+    ADVANCES_PER_CALL = 2000
 };
 
 static tdmf_motion motion;
@@ -130,7 +130,7 @@ int live_advance(double until, double interval, bool to_event) {
     tdmf_outcome outcome = TDMF_ARRIVED;
     sample_count = 0;
     live.message[0] = '\0';
-    for (int i = 0; i < PIECES_IN_A_CALL && outcome == TDMF_ARRIVED && motion.time < until; ++i) {
+    for (int i = 0; i < ADVANCES_PER_CALL && outcome == TDMF_ARRIVED && motion.time < until; ++i) {
         const bool flies = motion.mode.contact == TDMF_CONTACT_FLIGHT;
         bool event = false;
         outcome = advance_to_event(flies ? until : fmin(until, motion.time + interval), &event);

@@ -100,7 +100,7 @@ def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struc
         c_gaits = ffi.new("double[][6]", apices.tolist())
         its.model, its.inputs = case.runner.model, case.runner.inputs[0]
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
-        its.rules.distance, its.rules.most_strides = near, max_strides
+        its.rules.distance, its.rules.max_strides = near, max_strides
         kept += [c_gaits, case.runner, *case.ground.write(its.rules)]
         if case.law is not None:
             c_law, arrays = case.law.c_law()

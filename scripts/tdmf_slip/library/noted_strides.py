@@ -154,7 +154,7 @@ class _Engine:
         self.ensemble.first_stride, self.ensemble.stride_count = first, count
         self.ensemble.goes_on = first > 0
         for case in self.cases:
-            case.rules.most_strides = first + count
+            case.rules.max_strides = first + count
         run(self.ensemble, self.ends)
         return self._columns(noted, begin, first, given)
 

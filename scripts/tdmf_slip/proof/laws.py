@@ -159,7 +159,7 @@ def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
     axial = axial_force(runner, mode, at)
     across = torque_across(runner, mode, at, axial, inverse)
     flies = mode.contact == "flight"
-    inertia = runner.mobility if flies else runner.inverse_body_mass
+    inertia = runner.inverse_reduced_mass if flies else runner.inverse_body_mass
     along_leg, across_leg = axial * inertia, across * inertia
     if not flies:
         pull_along, pull_off = runner.push_along - runner.gravity_along, runner.push_off - runner.gravity_off

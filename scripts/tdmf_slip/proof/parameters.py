@@ -56,9 +56,9 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
     sine, cosine = slope.sin(), slope.cos()
     body, foot, gravity = of["body.mass"], of["foot.mass"], of["gravity"]
     push_x, push_y = of["body.external_fx"], of["body.external_fy"]
-    mobility = value_of(1 / body + 1 / foot)
+    inverse_reduced_mass = value_of(1 / body + 1 / foot)
     stiffness, damping = value_of(of["leg.stiffness"]), value_of(of["leg.damping"])
-    swing = float((stiffness * mobility).sqrt())
+    swing = float((stiffness * inverse_reduced_mass).sqrt())
     time = float((value_of(body) / value_of(of["leg.stiffness"])).sqrt())
     length = float(value_of(of["leg.free_length"]))
     model = Record(parameters=nested(of))
@@ -72,7 +72,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         foot_weight_along=foot * gravity * sine,
         foot_weight_off=foot * gravity * cosine,
         inverse_body_mass=1 / body,
-        mobility=1 / body + 1 / foot,
+        inverse_reduced_mass=1 / body + 1 / foot,
         total_mass=body + foot,
         body_share=body / (body + foot),
         gravity=gravity,
@@ -89,7 +89,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         retracts=matters("hip.retraction_rate"),
         has_servo=matters("hip.kp") or matters("hip.kd"),
         varied=varied is not None,
-        longest_step=min(LONGEST_STEP * time, MOST_TURNS / (swing + float(damping * mobility))),
+        longest_step=min(LONGEST_STEP * time, MOST_TURNS / (swing + float(damping * inverse_reduced_mass))),
         swing=swing,
         energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
         scales={
