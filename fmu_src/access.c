@@ -23,30 +23,29 @@ double read_double(const void *values, size_t i) {
 
 /* ---- getting ------------------------------------------------------------------------------------------ */
 
-static bool is_stored(const unit_variable *variable) {
+static bool is_stored(const fmu_variable *variable) {
     return variable->storage == STORED_TIME || variable->storage == STORED_PARAMETER ||
            variable->storage == STORED_SETTING || variable->storage == STORED_INPUT ||
            variable->storage == STORED_STATE;
 }
 
 /* A state without a start value, of a run that has not begun: the start calculates it. */
-static bool follows_from_start(const instance *instance, const unit_variable *variable) {
+static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && !variable->settable_before_start &&
-           !unit_has_begun(&instance->unit);
+           !fmu_has_begun(&instance->fmu);
 }
 
 static call_status get_number(instance *instance, const char *call, unsigned types, uint32_t reference,
                               double *value) {
-    const unit_variable *variable = find_variable(instance, call, reference, types);
+    const fmu_variable *variable = find_variable(instance, call, reference, types);
     if (variable == NULL) {
         return CALL_ERROR;
     }
     call_status status = CALL_OK;
     const bool calculated = follows_from_start(instance, variable);
-    const unit_view *view = is_stored(variable) && !calculated ? NULL : current_view(instance, call, &status);
+    const fmu_view *view = is_stored(variable) && !calculated ? NULL : current_view(instance, call, &status);
     if (status == CALL_OK) {
-        *value =
-            calculated ? view->states[variable->place] : unit_get_number(&instance->unit, view, variable);
+        *value = calculated ? view->states[variable->place] : fmu_get_number(&instance->fmu, view, variable);
     }
     return status;
 }
@@ -70,12 +69,12 @@ call_status get_texts(instance *instance, const char *call, const uint32_t refer
     call_status status =
         may_begin(instance, call, ANYWHERE, references, values, count) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
-        const unit_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
+        const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
+        const fmu_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
         if (variable == NULL) {
             status = CALL_ERROR;
         } else if (view != NULL) {
-            values[i] = unit_get_text(view, variable);
+            values[i] = fmu_get_text(view, variable);
         }
     }
     return status;
@@ -83,8 +82,8 @@ call_status get_texts(instance *instance, const char *call, const uint32_t refer
 
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
-static bool is_settable_now(const instance *instance, const unit_variable *variable) {
-    if (unit_is_set_at_events(variable) && (instance->state & (EVENT_MODE | STEP_MODE)) != 0) {
+static bool is_settable_now(const instance *instance, const fmu_variable *variable) {
+    if (fmu_is_set_at_events(variable) && (instance->state & (EVENT_MODE | STEP_MODE)) != 0) {
         return true;
     }
     if (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_CONTINUOUS) {
@@ -99,25 +98,25 @@ static bool is_settable_now(const instance *instance, const unit_variable *varia
     return (instance->state & BEFORE_START) != 0 && variable->settable_before_start;
 }
 
-static const char *when_not_settable(const instance *instance, const unit_variable *variable) {
+static const char *when_not_settable(const instance *instance, const fmu_variable *variable) {
     const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
     return settable_at_times ? name_of_state(instance->state) : "at any time";
 }
 
 /* Some importers' solvers set all inputs wherever they evaluate, and at an event's time those of before it.
  */
-static bool keeps_its_value(const instance *instance, const unit_variable *variable) {
-    return instance->state == CONTINUOUS_TIME_MODE && unit_is_set_at_events(variable);
+static bool keeps_its_value(const instance *instance, const fmu_variable *variable) {
+    return instance->state == CONTINUOUS_TIME_MODE && fmu_is_set_at_events(variable);
 }
 
 /* A state of a run that has begun is a trial value, free to go beyond the range of starts. */
-static bool is_trial(const instance *instance, const unit_variable *variable) {
+static bool is_trial(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
 }
 
 static call_status check_set(const instance *instance, const char *call, unsigned types, uint32_t reference,
                              double value) {
-    const unit_variable *variable = find_variable(instance, call, reference, types);
+    const fmu_variable *variable = find_variable(instance, call, reference, types);
     if (variable == NULL) {
         return CALL_ERROR;
     }
@@ -131,7 +130,7 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     if (is_trial(instance, variable)) {
         return isnan(value) ? discard(instance, call, "%s is not a number", variable->name) : CALL_OK;
     }
-    const tdmf_refusal refusal = unit_refuse_value(variable, value);
+    const tdmf_refusal refusal = fmu_refuse_value(variable, value);
     if (refusal.variable != NULL) {
         char text[256];
         return discard(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
@@ -139,36 +138,36 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     return CALL_OK;
 }
 
-static void try_state(unit *unit, size_t index, double value) {
+static void try_state(fmu *fmu, size_t index, double value) {
     double states[TDMF_STATE_COUNT];
-    memcpy(states, unit->motion.state, sizeof states);
+    memcpy(states, fmu->motion.state, sizeof states);
     states[index] = value;
-    unit_try_state(unit, states);
+    fmu_try_state(fmu, states);
 }
 
 static call_status warn_of_value_kept(const instance *instance, const char *call,
-                                      const unit_variable *variable) {
+                                      const fmu_variable *variable) {
     log_message(instance, CALL_WARNING, LOG_STATUS_WARNING,
                 "%s: %s changes in event mode only, and stays as it is", call, variable->name);
     return CALL_WARNING;
 }
 
 static call_status set_number(instance *instance, const char *call, uint32_t reference, double value) {
-    const unit_variable *variable = &unit_variables[reference];
+    const fmu_variable *variable = &fmu_variables[reference];
     if (keeps_its_value(instance, variable)) {
-        const bool same = unit_get_number(&instance->unit, NULL, variable) == value;
+        const bool same = fmu_get_number(&instance->fmu, NULL, variable) == value;
         return same ? CALL_OK : warn_of_value_kept(instance, call, variable);
     }
     if (is_trial(instance, variable)) {
-        try_state(&instance->unit, variable->place, value);
+        try_state(&instance->fmu, variable->place, value);
     } else {
-        unit_set_number(&instance->unit, variable, value);
+        fmu_set_number(&instance->fmu, variable, value);
     }
     if (variable->variability == VARIABILITY_TUNABLE) {
-        unit_prepare(&instance->unit); /* in force at once; its own range is all that bounds it */
+        fmu_prepare(&instance->fmu); /* in force at once; its own range is all that bounds it */
     }
     if (variable->storage == STORED_INPUT) {
-        unit_set_number_rate(&instance->unit, variable, 0.0);
+        fmu_set_number_rate(&instance->fmu, variable, 0.0);
     }
     forget_view(instance);
     return CALL_OK;
@@ -197,7 +196,7 @@ call_status set_texts(instance *instance, const char *call, const uint32_t refer
         return CALL_ERROR;
     }
     for (size_t i = 0; i < count; ++i) {
-        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
+        const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
         return variable == NULL ? CALL_ERROR
                                 : refuse(instance, call, "%s cannot be set at any time", variable->name);
     }

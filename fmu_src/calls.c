@@ -49,12 +49,12 @@ void forget_view(instance *instance) {
     instance->view_is_current = false;
 }
 
-const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status) {
-    if (unit_has_begun(&instance->unit)) {
-        return &instance->unit;
+const fmu *present_unit(const instance *instance, const char *call, fmu *preview, call_status *status) {
+    if (fmu_has_begun(&instance->fmu)) {
+        return &instance->fmu;
     }
-    *preview = instance->unit;
-    const tdmf_refusal refusal = unit_start(preview);
+    *preview = instance->fmu;
+    const tdmf_refusal refusal = fmu_start(preview);
     if (refusal.variable != NULL) {
         char text[256];
         *status =
@@ -64,20 +64,20 @@ const unit *present_unit(const instance *instance, const char *call, unit *previ
     return preview;
 }
 
-const unit_view *current_view(instance *instance, const char *call, call_status *status) {
+const fmu_view *current_view(instance *instance, const char *call, call_status *status) {
     if (!instance->view_is_current) {
-        unit preview;
-        const unit *present = present_unit(instance, call, &preview, status);
+        fmu preview;
+        const fmu *present = present_unit(instance, call, &preview, status);
         if (present == NULL) {
             return NULL;
         }
-        unit_evaluate(present, &instance->view);
+        fmu_evaluate(present, &instance->view);
         instance->view_is_current = true;
     }
     return &instance->view;
 }
 
-static const char *name_of_type(unit_variable_type type) {
+static const char *name_of_type(fmu_variable_type type) {
     switch (type) {
     case VARIABLE_REAL:
         return "Real (Float64)";
@@ -92,13 +92,13 @@ static const char *name_of_type(unit_variable_type type) {
     }
 }
 
-const unit_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                   unsigned types) {
-    if (reference >= unit_variable_count) {
+const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                  unsigned types) {
+    if (reference >= fmu_variable_count) {
         refuse(instance, call, "there is no value reference %lu", (unsigned long)reference);
         return NULL;
     }
-    const unit_variable *variable = &unit_variables[reference];
+    const fmu_variable *variable = &fmu_variables[reference];
     if ((variable->type & types) == 0) {
         refuse(instance, call, "%s (value reference %lu) is of type %s", variable->name,
                (unsigned long)reference, name_of_type(variable->type));

@@ -15,8 +15,8 @@ call_status step_on(instance *instance, const char *call, double time, double st
     if (!call_is_allowed(instance, call, STEP_MODE)) {
         return CALL_ERROR;
     }
-    unit *unit = &instance->unit;
-    if (!(step > 0.0 && unit_is_time(time + step))) {
+    fmu *fmu = &instance->fmu;
+    if (!(step > 0.0 && fmu_is_time(time + step))) {
         return refuse(instance, call, "the step is not a positive number");
     }
     if (!(time + step > time)) {
@@ -25,18 +25,17 @@ call_status step_on(instance *instance, const char *call, double time, double st
                       time_text(step, length), time_text(time, clock));
     }
     const double allowed = clock_rounding(time, step);
-    if (!(fabs(time - unit->motion.time) <= allowed)) {
+    if (!(fabs(time - fmu->motion.time) <= allowed)) {
         return refuse(instance, call, "the communication point is not where the last step ended");
     }
-    if (time + step > unit->stop_time + allowed) {
+    if (time + step > fmu->stop_time + allowed) {
         char stop[TIME_CAPACITY];
         return refuse(instance, call, "the step goes beyond the stop time, %s s",
-                      time_text(unit->stop_time, stop));
+                      time_text(fmu->stop_time, stop));
     }
-    const unit_observer observer = event_logger(instance);
-    const char *obstacle =
-        (stop_at_event ? unit_advance_to_event : unit_advance)(unit, time + step, &observer);
+    const fmu_observer observer = event_logger(instance);
+    const char *obstacle = (stop_at_event ? fmu_advance_to_event : fmu_advance)(fmu, time + step, &observer);
     forget_view(instance);
-    *event = unit->event_is_pending;
+    *event = fmu->event_is_pending;
     return obstacle == NULL ? CALL_OK : fail(instance, call, "%s", obstacle);
 }

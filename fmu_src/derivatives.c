@@ -9,19 +9,19 @@
 #include <math.h>
 #include <string.h>
 
-static bool is_known(const instance *instance, const unit_variable *variable) {
+static bool is_known(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_INPUT ||
            variable->storage == STORED_TIME || variable->variability == VARIABILITY_TUNABLE ||
-           (variable->settable_before_start && !unit_has_begun(&instance->unit));
+           (variable->settable_before_start && !fmu_has_begun(&instance->fmu));
 }
 
-static bool is_unknown(const unit_variable *variable) {
+static bool is_unknown(const fmu_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
            variable->storage == STORED_OUTPUT;
 }
 
-static const unit_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
-    const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+static const fmu_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
+    const fmu_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable != NULL && !is_known(instance, variable)) {
         refuse(instance, call, "%s is neither a state nor an input nor tunable%s", variable->name,
                variable->settable_before_start ? ", and the run has begun" : "");
@@ -30,8 +30,8 @@ static const unit_variable *find_known(const instance *instance, const char *cal
     return variable;
 }
 
-static const unit_variable *find_unknown(const instance *instance, const char *call, uint32_t reference) {
-    const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+static const fmu_variable *find_unknown(const instance *instance, const char *call, uint32_t reference) {
+    const fmu_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable != NULL && !is_unknown(variable)) {
         refuse(instance, call, "%s is neither an output nor a state derivative", variable->name);
         return NULL;
@@ -41,7 +41,7 @@ static const unit_variable *find_unknown(const instance *instance, const char *c
 
 static call_status check_seed(const instance *instance, const char *call, uint32_t reference, double seed) {
     if (!isfinite(seed)) {
-        return discard(instance, call, "the seed of %s is not finite", unit_variables[reference].name);
+        return discard(instance, call, "the seed of %s is not finite", fmu_variables[reference].name);
     }
     return CALL_OK;
 }
@@ -67,12 +67,12 @@ static bool may_begin(const instance *instance, const char *call, const uint32_t
 }
 
 /* `present` is what present_unit gave. */
-static void differentiate(const instance *instance, const unit *present, unit *direction, unit_view *change) {
-    if (unit_has_begun(&instance->unit)) {
-        unit_differentiate(present, direction, change);
+static void differentiate(const instance *instance, const fmu *present, fmu *direction, fmu_view *change) {
+    if (fmu_has_begun(&instance->fmu)) {
+        fmu_differentiate(present, direction, change);
         return;
     }
-    unit_differentiate_start(&instance->unit, present, direction, change);
+    fmu_differentiate_start(&instance->fmu, present, direction, change);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
         direction->motion.state[i] = change->states[i]; /* calculated at the start */
     }
@@ -86,39 +86,39 @@ call_status directional_derivative(instance *instance, const char *call, const u
         !array_is_given(instance, call, values, unknown_count, unknown_count)) {
         return CALL_ERROR;
     }
-    unit direction, preview;
-    unit_view change;
+    fmu direction, preview;
+    fmu_view change;
     call_status status = CALL_OK;
-    const unit *present = present_unit(instance, call, &preview, &status);
+    const fmu *present = present_unit(instance, call, &preview, &status);
     if (present == NULL) {
         return status;
     }
     memset(&direction, 0, sizeof direction);
     for (size_t i = 0; i < known_count; ++i) {
-        const unit_variable *known = &unit_variables[knowns[i]];
+        const fmu_variable *known = &fmu_variables[knowns[i]];
         if (check_seed(instance, call, knowns[i], seeds[i]) != CALL_OK) {
             return CALL_DISCARD;
         }
-        unit_set_number(&direction, known, unit_get_number(&direction, NULL, known) + seeds[i]);
+        fmu_set_number(&direction, known, fmu_get_number(&direction, NULL, known) + seeds[i]);
     }
     differentiate(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
-        values[i] = unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
+        values[i] = fmu_get_number(&direction, &change, &fmu_variables[unknowns[i]]);
     }
     return CALL_OK;
 }
 
 /* How the unknowns together, weighted by the seeds, change with one known. */
-static double sensitivity(const instance *instance, const unit *present, const uint32_t unknowns[],
+static double sensitivity(const instance *instance, const fmu *present, const uint32_t unknowns[],
                           size_t unknown_count, uint32_t known, const double seeds[]) {
-    unit direction;
-    unit_view change;
+    fmu direction;
+    fmu_view change;
     double sum = 0.0;
     memset(&direction, 0, sizeof direction);
-    unit_set_number(&direction, &unit_variables[known], 1.0);
+    fmu_set_number(&direction, &fmu_variables[known], 1.0);
     differentiate(instance, present, &direction, &change);
     for (size_t i = 0; i < unknown_count; ++i) {
-        sum += seeds[i] * unit_get_number(&direction, &change, &unit_variables[unknowns[i]]);
+        sum += seeds[i] * fmu_get_number(&direction, &change, &fmu_variables[unknowns[i]]);
     }
     return sum;
 }
@@ -136,9 +136,9 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
             return CALL_DISCARD;
         }
     }
-    unit preview;
+    fmu preview;
     call_status status = CALL_OK;
-    const unit *present = present_unit(instance, call, &preview, &status);
+    const fmu *present = present_unit(instance, call, &preview, &status);
     for (size_t i = 0; present != NULL && i < known_count; ++i) {
         values[i] = sensitivity(instance, present, unknowns, unknown_count, knowns[i], seeds);
     }
@@ -153,12 +153,12 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
         !array_is_given(instance, call, values, count, count)) {
         return CALL_ERROR;
     }
-    unit flow;
-    unit_view change;
-    unit_flow(&instance->unit, &flow);
-    unit_differentiate(&instance->unit, &flow, &change);
+    fmu flow;
+    fmu_view change;
+    fmu_flow(&instance->fmu, &flow);
+    fmu_differentiate(&instance->fmu, &flow, &change);
     for (size_t i = 0; i < count; ++i) {
-        const unit_variable *variable = find_variable(instance, call, references[i], VARIABLE_REAL);
+        const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_REAL);
         if (variable == NULL) {
             return CALL_ERROR;
         }
@@ -166,7 +166,7 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
             return refuse(instance, call, "only first derivatives of outputs are given: %s, order %d",
                           variable->name, orders[i]);
         }
-        values[i] = unit_get_number(&flow, &change, variable);
+        values[i] = fmu_get_number(&flow, &change, variable);
     }
     return CALL_OK;
 }

@@ -24,7 +24,7 @@ fmi2Status fmi2CancelStep(fmi2Component component) {
 
 static call_status check_input_rate(instance *instance, const char *call, fmi2ValueReference reference,
                                     fmi2Integer order, double value) {
-    const unit_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+    const fmu_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
     if (variable == NULL) {
         return CALL_ERROR;
     }
@@ -58,7 +58,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueR
         status = check_input_rate(instance, call, references[i], orders[i], values[i]);
     }
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        unit_set_number_rate(&instance->unit, &unit_variables[references[i]], values[i]);
+        fmu_set_number_rate(&instance->fmu, &fmu_variables[references[i]], values[i]);
     }
     return (fmi2Status)status;
 }
@@ -93,7 +93,7 @@ fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind,
     if (!call_is_allowed(component, call, after_steps) || !array_is_given(component, call, value, 1, 1)) {
         return fmi2Error;
     }
-    *value = instance->unit.motion.time;
+    *value = instance->fmu.motion.time;
     return fmi2OK;
 }
 

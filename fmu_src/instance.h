@@ -4,7 +4,7 @@
 #ifndef TDMF_UNIT_INSTANCE_H
 #define TDMF_UNIT_INSTANCE_H
 
-#include "unit.h"
+#include "fmu.h"
 #include "variables.h"
 
 #include <stdint.h>
@@ -41,8 +41,8 @@ typedef enum {
 
 /* First member of each version's own instance, which adds the importer's callbacks. */
 typedef struct instance {
-    unit unit;
-    unit_view view;
+    fmu fmu;
+    fmu_view view;
     bool view_is_current;
     interface_kind interface;
     call_state state;
@@ -79,7 +79,7 @@ enum { TIME_CAPACITY = 32 };
 char *time_text(double time, char text[TIME_CAPACITY]);
 
 /* Logs every event it is told of; tells nothing while the events' category is off. */
-unit_observer event_logger(instance *instance);
+fmu_observer event_logger(instance *instance);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
 
@@ -94,15 +94,15 @@ bool array_is_given(const instance *instance, const char *call, const void *arra
 
 /* The unit or, until its run has begun, what it would be if it started from the values set so far, in
  * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
-const unit *present_unit(const instance *instance, const char *call, unit *preview, call_status *status);
+const fmu *present_unit(const instance *instance, const char *call, fmu *preview, call_status *status);
 
 /* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
  * the start values contradict each other. */
-const unit_view *current_view(instance *instance, const char *call, call_status *status);
+const fmu_view *current_view(instance *instance, const char *call, call_status *status);
 
 /* The variable of a value reference and of one of these types; NULL, after a refusal, if there is none. */
-const unit_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                   unsigned types);
+const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
+                                  unsigned types);
 
 /* Something that outputs or derivatives depend on has changed. */
 void forget_view(instance *instance);

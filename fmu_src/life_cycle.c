@@ -10,14 +10,14 @@ const char *reason_to_refuse(const char *name, const char *identification) {
     if (name == NULL || name[0] == '\0') {
         return "the instance needs a name";
     }
-    if (identification == NULL || strcmp(identification, UNIT_GUID) != 0) {
-        return "the guid or instantiation token is not this unit's, " UNIT_GUID;
+    if (identification == NULL || strcmp(identification, FMU_GUID) != 0) {
+        return "the guid or instantiation token is not this unit's, " FMU_GUID;
     }
     return NULL;
 }
 
 static void begin_again(instance *instance) {
-    unit_reset(&instance->unit);
+    fmu_reset(&instance->fmu);
     forget_view(instance);
     instance->state = INSTANTIATED;
 }
@@ -51,7 +51,7 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     if (!call_is_allowed(instance, call, INSTANTIATED)) {
         return CALL_ERROR;
     }
-    if (!unit_is_time(start_time)) {
+    if (!fmu_is_time(start_time)) {
         return refuse(instance, call, "the start time is not finite or beyond 1e100 s");
     }
     if (stop_time_defined && !(stop_time >= start_time)) {
@@ -60,9 +60,9 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
         return refuse(instance, call, "the tolerance is not a positive number");
     }
-    instance->unit.motion.time = start_time;
-    instance->unit.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
-    instance->unit.stop_time = stop_time_defined ? stop_time : INFINITY;
+    instance->fmu.motion.time = start_time;
+    instance->fmu.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
+    instance->fmu.stop_time = stop_time_defined ? stop_time : INFINITY;
     forget_view(instance);
     return CALL_OK;
 }
@@ -79,11 +79,11 @@ call_status exit_initialization(instance *instance, const char *call) {
     if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
         return CALL_ERROR;
     }
-    const char *obstacle = unit_settings_obstacle(&instance->unit);
+    const char *obstacle = fmu_settings_obstacle(&instance->fmu);
     if (obstacle != NULL) {
         return refuse(instance, call, "%s", obstacle);
     }
-    const tdmf_refusal refusal = unit_start(&instance->unit);
+    const tdmf_refusal refusal = fmu_start(&instance->fmu);
     if (refusal.variable != NULL) {
         char text[256];
         return refuse(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));

@@ -134,10 +134,10 @@ char *time_text(double time, char text[TIME_CAPACITY]) {
 static const char *name_of_guard(int guard) {
     static const char group[] = "guard.";
     size_t i = 0;
-    while (unit_variables[i].storage != STORED_GUARD || unit_variables[i].place != (size_t)guard) {
+    while (fmu_variables[i].storage != STORED_GUARD || fmu_variables[i].place != (size_t)guard) {
         ++i;
     }
-    return unit_variables[i].name + sizeof group - 1;
+    return fmu_variables[i].name + sizeof group - 1;
 }
 
 /* The clamp of the hip torque and the peak of the ground force are the solver's events, not the runner's. */
@@ -154,14 +154,14 @@ static void log_event(void *subject, const tdmf_event *event) {
     if (is_event_of_runner(event)) {
         log_message(instance, CALL_OK, LOG_EVENTS, "%s at %s s: %s, %s -> %s, %s%s",
                     name_of_guard(event->guard), time_text(event->time, time),
-                    unit_contact_mode_names[before->contact - 1], unit_hip_phase_names[before->phase - 1],
-                    unit_contact_mode_names[after->contact - 1], unit_hip_phase_names[after->phase - 1],
+                    fmu_contact_mode_names[before->contact - 1], fmu_hip_phase_names[before->phase - 1],
+                    fmu_contact_mode_names[after->contact - 1], fmu_hip_phase_names[after->phase - 1],
                     after->fallen ? ", fallen" : "");
     }
 }
 
-unit_observer event_logger(instance *instance) {
+fmu_observer event_logger(instance *instance) {
     const bool on = (instance->log_categories & LOG_EVENTS) != 0;
-    const unit_observer observer = {on ? log_event : NULL, instance};
+    const fmu_observer observer = {on ? log_event : NULL, instance};
     return observer;
 }

@@ -11,9 +11,9 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
     if (!call_is_allowed(instance, call, allowed_states)) {
         return CALL_ERROR;
     }
-    unit_observe(&instance->unit);
+    fmu_observe(&instance->fmu);
     if (instance->interface == MODEL_EXCHANGE) {
-        unit_account_for_extension(&instance->unit);
+        fmu_account_for_extension(&instance->fmu);
     }
     instance->state = EVENT_MODE;
     return CALL_OK;
@@ -23,16 +23,16 @@ call_status update_discrete_states(instance *instance, const char *call, discret
     if (!call_is_allowed(instance, call, EVENT_MODE)) {
         return CALL_ERROR;
     }
-    unit *unit = &instance->unit;
-    const unit_observer observer = event_logger(instance);
-    const tdmf_resolution resolution = unit_update(unit, &observer);
+    fmu *fmu = &instance->fmu;
+    const fmu_observer observer = event_logger(instance);
+    const tdmf_resolution resolution = fmu_update(fmu, &observer);
     forget_view(instance);
     if (resolution.unresolved) {
         return fail(instance, call, "the events at this instant do not come to an end");
     }
     update->states_changed = resolution.state_changed;
-    update->terminate = instance->interface == MODEL_EXCHANGE && unit->motion.mode.fallen &&
-                        unit->settings.status.terminate_on_fall;
+    update->terminate = instance->interface == MODEL_EXCHANGE && fmu->motion.mode.fallen &&
+                        fmu->settings.status.terminate_on_fall;
     return CALL_OK;
 }
 
@@ -45,10 +45,10 @@ call_status enter_continuous_time_mode(instance *instance, const char *call) {
 }
 
 bool step_asks_for_event_mode(instance *instance) {
-    if (unit_extension_has_changed(&instance->unit)) {
+    if (fmu_extension_has_changed(&instance->fmu)) {
         return true;
     }
-    unit_account_for_extension(&instance->unit); /* no work, from here on */
+    fmu_account_for_extension(&instance->fmu); /* no work, from here on */
     return false;
 }
 
@@ -56,10 +56,10 @@ call_status set_time(instance *instance, const char *call, double time) {
     if (!call_is_allowed(instance, call, EVENT_MODE | CONTINUOUS_TIME_MODE)) {
         return CALL_ERROR;
     }
-    if (!unit_is_time(time)) {
+    if (!fmu_is_time(time)) {
         return refuse(instance, call, "the time is not finite or beyond 1e100 s");
     }
-    instance->unit.motion.time = time;
+    instance->fmu.motion.time = time;
     return CALL_OK;
 }
 
@@ -68,7 +68,7 @@ call_status set_states(instance *instance, const char *call, const double states
         !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    if (!unit_try_state(&instance->unit, states)) {
+    if (!fmu_try_state(&instance->fmu, states)) {
         return discard(instance, call, "a state is not a number");
     }
     forget_view(instance);
@@ -81,9 +81,9 @@ call_status get_states(instance *instance, const char *call, double states[], si
         return CALL_ERROR;
     }
     call_status status = CALL_OK;
-    const unit_view *view = NULL;
-    memcpy(states, instance->unit.motion.state, sizeof instance->unit.motion.state);
-    if (!unit_has_begun(&instance->unit)) {
+    const fmu_view *view = NULL;
+    memcpy(states, instance->fmu.motion.state, sizeof instance->fmu.motion.state);
+    if (!fmu_has_begun(&instance->fmu)) {
         view = current_view(instance, call, &status);
     }
     if (view != NULL) { /* the start calculates those that have no start value */
@@ -98,11 +98,11 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
         !array_is_given(instance, call, derivatives, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    unit preview;
+    fmu preview;
     call_status status = CALL_OK;
-    const unit *unit = present_unit(instance, call, &preview, &status);
-    if (unit != NULL) {
-        tdmf_derivatives(&unit->model, &unit->inputs, &unit->motion.mode, unit->motion.state, derivatives);
+    const fmu *fmu = present_unit(instance, call, &preview, &status);
+    if (fmu != NULL) {
+        tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, derivatives);
     }
     return status;
 }
@@ -112,11 +112,11 @@ call_status get_indicators(instance *instance, const char *call, double indicato
         !array_is_given(instance, call, indicators, count, TDMF_GUARD_COUNT)) {
         return CALL_ERROR;
     }
-    unit preview;
+    fmu preview;
     call_status status = CALL_OK;
-    const unit *unit = present_unit(instance, call, &preview, &status);
-    if (unit != NULL) {
-        unit_event_indicators(unit, indicators);
+    const fmu *fmu = present_unit(instance, call, &preview, &status);
+    if (fmu != NULL) {
+        fmu_event_indicators(fmu, indicators);
     }
     return status;
 }
@@ -126,10 +126,10 @@ call_status get_nominals(instance *instance, const char *call, double nominals[]
         !array_is_given(instance, call, nominals, count, TDMF_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    unit preview = instance->unit;
-    if (!unit_has_begun(&preview)) {
+    fmu preview = instance->fmu;
+    if (!fmu_has_begun(&preview)) {
         tdmf_model_create(&preview.model, &preview.parameters); /* stays that of the defaults where refused */
     }
-    unit_nominals(&preview, nominals);
+    fmu_nominals(&preview, nominals);
     return CALL_OK;
 }

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Beyond whatever is added up along a run of states below unit_largest_state, and far enough from overflow
+/* Beyond whatever is added up along a run of states below fmu_largest_state, and far enough from overflow
  * for differences and products. */
 static const double largest_sum = 1e200;
 
@@ -67,7 +67,7 @@ static void pass_finite(transfer *bytes, const char *name, double *value) {
 
 static void pass_time(transfer *bytes, const char *name, double *value) {
     if (pass(bytes, value, sizeof *value)) {
-        require(bytes, unit_is_time(*value), name);
+        require(bytes, fmu_is_time(*value), name);
     }
 }
 
@@ -169,7 +169,7 @@ TDMF_STATIC_ASSERT(sizeof(tdmf_motion) == sizeof(passed_motion), every_field_of_
 TDMF_STATIC_ASSERT(sizeof(tdmf_leg_sample) == 3 * sizeof(double), every_field_of_a_leg_sample_is_saved);
 
 static void pass_ground_line(transfer *bytes, tdmf_ground_line *ground) {
-    pass_between(bytes, "the height of the ground", &ground->height, -unit_largest_state, unit_largest_state);
+    pass_between(bytes, "the height of the ground", &ground->height, -fmu_largest_state, fmu_largest_state);
     pass_between(bytes, "the slope of the ground", &ground->slope, -1.0, 1.0);
     *ground = tdmf_ground_line_of(ground->height, ground->slope);
 }
@@ -181,14 +181,14 @@ static void pass_mode(transfer *bytes, tdmf_mode *mode) {
     pass_integer(bytes, "hip.phase", &phase, TDMF_PHASE_DRIVE, TDMF_PHASE_PLACE);
     mode->contact = (tdmf_contact_mode)contact;
     mode->phase = (tdmf_hip_phase)phase;
-    pass_between(bytes, "hip.liftoff_angle", &mode->liftoff_angle, -unit_largest_state, unit_largest_state);
+    pass_between(bytes, "hip.liftoff_angle", &mode->liftoff_angle, -fmu_largest_state, fmu_largest_state);
     pass_flag(bytes, "whether mid-stance is to come", &mode->mid_stance_pending);
     pass_flag(bytes, "whether the clamp is closed", &mode->clamp_closed);
     pass_flag(bytes, "whether the ground force rises", &mode->ground_force_rising);
     pass_flag(bytes, "whether the vertical force rises", &mode->vertical_force_rising);
     pass_flag(bytes, "whether the leg thrusts", &mode->thrusts);
     pass_flag(bytes, "whether the centre of mass rises", &mode->rises);
-    pass_between(bytes, "the rest length", &mode->rest_length, -unit_largest_state, unit_largest_state);
+    pass_between(bytes, "the rest length", &mode->rest_length, -fmu_largest_state, fmu_largest_state);
     pass_ground_line(bytes, &mode->ground);
     pass_flag(bytes, "status.fallen", &mode->fallen);
 }
@@ -257,18 +257,18 @@ static void pass_place(transfer *bytes, tdmf_motion *motion) {
     pass_time(bytes, "time", &motion->time);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         const bool sums = i >= TDMF_MECHANICAL_COUNT && i != TDMF_HIP_PLACE_TIME;
-        const double largest = sums ? largest_sum : unit_largest_state;
+        const double largest = sums ? largest_sum : fmu_largest_state;
         pass_between(bytes, "a continuous state", &motion->state[i], -largest, largest);
     }
 }
 
-static void pass_accounted_leg(transfer *bytes, unit *unit) {
-    pass_time(bytes, "the time of the leg's work", &unit->accounted_leg.time);
-    pass_between(bytes, "the leg of its work", &unit->accounted_leg.length, -unit_largest_state,
-                 unit_largest_state);
-    pass_between(bytes, "the leg's rate of its work", &unit->accounted_leg.length_rate, -unit_largest_state,
-                 unit_largest_state);
-    pass_sum(bytes, "the leg's work to come", &unit->leg_work_due);
+static void pass_accounted_leg(transfer *bytes, fmu *fmu) {
+    pass_time(bytes, "the time of the leg's work", &fmu->accounted_leg.time);
+    pass_between(bytes, "the leg of its work", &fmu->accounted_leg.length, -fmu_largest_state,
+                 fmu_largest_state);
+    pass_between(bytes, "the leg's rate of its work", &fmu->accounted_leg.length_rate, -fmu_largest_state,
+                 fmu_largest_state);
+    pass_sum(bytes, "the leg's work to come", &fmu->leg_work_due);
 }
 
 static void pass_history(transfer *bytes, tdmf_motion *motion) {
@@ -277,57 +277,57 @@ static void pass_history(transfer *bytes, tdmf_motion *motion) {
 }
 
 /* Parameters, settings and inputs, whose ranges the table of variables has. */
-static void pass_variables(transfer *bytes, unit *unit, unsigned storages) {
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        const unit_variable *variable = &unit_variables[i];
+static void pass_variables(transfer *bytes, fmu *fmu, unsigned storages) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *variable = &fmu_variables[i];
         if ((storages & 1U << variable->storage) == 0) {
             continue;
         }
-        double value = unit_get_number(unit, NULL, variable);
+        double value = fmu_get_number(fmu, NULL, variable);
         if (pass(bytes, &value, sizeof value)) {
-            const bool allowed = unit_refuse_value(variable, value).variable == NULL &&
+            const bool allowed = fmu_refuse_value(variable, value).variable == NULL &&
                                  (variable->type == VARIABLE_REAL || value == floor(value));
             require(bytes, allowed, variable->name);
-            unit_set_number(unit, variable, allowed ? value : variable->start);
+            fmu_set_number(fmu, variable, allowed ? value : variable->start);
         }
     }
 }
 
 /* Of an input that changes at events only it is 0. */
-static void pass_rate(transfer *bytes, unit *unit, const unit_variable *input) {
+static void pass_rate(transfer *bytes, fmu *fmu, const fmu_variable *input) {
     const double largest = input->variability == VARIABILITY_CONTINUOUS ? DBL_MAX : 0.0;
-    double rate = unit_get_number_rate(unit, input);
+    double rate = fmu_get_number_rate(fmu, input);
     pass_between(bytes, "the rate of an input", &rate, -largest, largest);
-    unit_set_number_rate(unit, input, rate);
+    fmu_set_number_rate(fmu, input, rate);
 }
 
-static void pass_surroundings(transfer *bytes, unit *unit) {
-    pass_variables(bytes, unit, 1U << STORED_PARAMETER | 1U << STORED_SETTING | 1U << STORED_INPUT);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (unit_variables[i].storage == STORED_INPUT) {
-            pass_rate(bytes, unit, &unit_variables[i]);
+static void pass_surroundings(transfer *bytes, fmu *fmu) {
+    pass_variables(bytes, fmu, 1U << STORED_PARAMETER | 1U << STORED_SETTING | 1U << STORED_INPUT);
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_variables[i].storage == STORED_INPUT) {
+            pass_rate(bytes, fmu, &fmu_variables[i]);
         }
     }
-    pass_between(bytes, "the importer's tolerance", &unit->importer_tolerance, DBL_MIN * DBL_EPSILON,
+    pass_between(bytes, "the importer's tolerance", &fmu->importer_tolerance, DBL_MIN * DBL_EPSILON,
                  INFINITY);
-    pass_between(bytes, "the stop time", &unit->stop_time, -DBL_MAX, INFINITY);
-    pass_work(bytes, "the steps done", &unit->solver.steps);
-    pass_work(bytes, "the events found", &unit->solver.events);
-    pass_work(bytes, "the evaluations done", &unit->solver.evaluations);
+    pass_between(bytes, "the stop time", &fmu->stop_time, -DBL_MAX, INFINITY);
+    pass_work(bytes, "the steps done", &fmu->solver.steps);
+    pass_work(bytes, "the events found", &fmu->solver.events);
+    pass_work(bytes, "the evaluations done", &fmu->solver.evaluations);
 }
 
 /* Parameters and inputs are read and checked as those of a unit. Nobody need have told which guard fired. */
-static void pass_pending_event(transfer *bytes, unit *unit) {
-    struct unit at_event = *unit;
-    at_event.parameters = unit->event_parameters;
-    at_event.inputs = unit->event_inputs;
-    pass_between(bytes, "how far before its event the run stands", &unit->event_lead, 0.0, DBL_MAX);
-    pass_integer(bytes, "the guard of its event", &unit->event_guard, -1, TDMF_GUARD_COUNT - 1);
+static void pass_pending_event(transfer *bytes, fmu *fmu) {
+    struct fmu at_event = *fmu;
+    at_event.parameters = fmu->event_parameters;
+    at_event.inputs = fmu->event_inputs;
+    pass_between(bytes, "how far before its event the run stands", &fmu->event_lead, 0.0, DBL_MAX);
+    pass_integer(bytes, "the guard of its event", &fmu->event_guard, -1, TDMF_GUARD_COUNT - 1);
     pass_variables(bytes, &at_event, 1U << STORED_PARAMETER | 1U << STORED_INPUT);
-    pass_place(bytes, &unit->after_event);
-    pass_history(bytes, &unit->after_event);
-    unit->event_parameters = at_event.parameters;
-    unit->event_inputs = at_event.inputs;
+    pass_place(bytes, &fmu->after_event);
+    pass_history(bytes, &fmu->after_event);
+    fmu->event_parameters = at_event.parameters;
+    fmu->event_inputs = at_event.inputs;
 }
 
 /* Reserves its room in the bytes also where there is nothing to tell: before the start no history, and mostly
@@ -335,21 +335,21 @@ static void pass_pending_event(transfer *bytes, unit *unit) {
 static void pass_run(transfer *bytes, saved_run *run) {
     int interface = (int)run->interface;
     int state = (int)run->state;
-    bool begun = unit_has_begun(&run->unit);
+    bool begun = fmu_has_begun(&run->fmu);
     pass_integer(bytes, "the interface", &interface, MODEL_EXCHANGE, CO_SIMULATION_WITH_EVENT_MODE);
     pass_integer(bytes, "the state of the call sequence", &state, INSTANTIATED, ANYWHERE);
     run->interface = (interface_kind)interface;
     run->state = (call_state)state;
     pass_flag(bytes, "whether the run has begun", &begun);
-    pass_flag(bytes, "the pending event", &run->unit.event_is_pending);
-    pass_surroundings(bytes, &run->unit);
-    pass_place(bytes, &run->unit.motion);
+    pass_flag(bytes, "the pending event", &run->fmu.event_is_pending);
+    pass_surroundings(bytes, &run->fmu);
+    pass_place(bytes, &run->fmu.motion);
     if (begun) {
-        pass_history(bytes, &run->unit.motion);
-        pass_accounted_leg(bytes, &run->unit);
+        pass_history(bytes, &run->fmu.motion);
+        pass_accounted_leg(bytes, &run->fmu);
     }
-    if (run->unit.event_is_pending) {
-        pass_pending_event(bytes, &run->unit);
+    if (run->fmu.event_is_pending) {
+        pass_pending_event(bytes, &run->fmu);
     }
 }
 
@@ -372,11 +372,11 @@ static unsigned states_of(interface_kind interface, bool begun) {
 
 static bool call_state_suits_run(const saved_run *run) {
     const unsigned state = run->state;
-    return (state & (state - 1)) == 0 && (state & states_of(run->interface, unit_has_begun(&run->unit))) != 0;
+    return (state & (state - 1)) == 0 && (state & states_of(run->interface, fmu_has_begun(&run->fmu))) != 0;
 }
 
 static bool event_may_be_pending(const saved_run *run) {
-    return run->interface == CO_SIMULATION_WITH_EVENT_MODE && unit_has_begun(&run->unit);
+    return run->interface == CO_SIMULATION_WITH_EVENT_MODE && fmu_has_begun(&run->fmu);
 }
 
 static bool phase_suits_contact(const tdmf_mode *mode) {
@@ -421,7 +421,7 @@ static bool is_past(const tdmf_model *model, double time, double now) {
 }
 
 static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_motion *motion) {
-    const tdmf_model *model = &run->unit.model;
+    const tdmf_model *model = &run->fmu.model;
     const tdmf_record *record = &motion->record;
     require(bytes, phase_suits_contact(&motion->mode), "hip.phase");
     require(bytes, code_suits_word(&record->stride), "stride.word_code");
@@ -437,16 +437,16 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
 
 static void require_agreement_of_calls(transfer *bytes, const saved_run *run) {
     require(bytes, call_state_suits_run(run), "the state of the call sequence");
-    require(bytes, !run->unit.event_is_pending || event_may_be_pending(run), "the pending event");
+    require(bytes, !run->fmu.event_is_pending || event_may_be_pending(run), "the pending event");
 }
 
 static void require_agreement_of_unit(transfer *bytes, const saved_run *run) {
-    const unit *unit = &run->unit;
-    require(bytes, unit_settings_obstacle(unit) == NULL, "solver.method");
-    require_agreement(bytes, run, &unit->motion);
-    if (unit->event_is_pending) {
-        require(bytes, unit->after_event.time == unit->motion.time, "the pending event");
-        require_agreement(bytes, run, &unit->after_event);
+    const fmu *fmu = &run->fmu;
+    require(bytes, fmu_settings_obstacle(fmu) == NULL, "solver.method");
+    require_agreement(bytes, run, &fmu->motion);
+    if (fmu->event_is_pending) {
+        require(bytes, fmu->after_event.time == fmu->motion.time, "the pending event");
+        require_agreement(bytes, run, &fmu->after_event);
     }
 }
 
@@ -455,8 +455,8 @@ static void require_agreement_of_unit(transfer *bytes, const saved_run *run) {
 size_t saved_run_size(void) {
     saved_run run = {.interface = CO_SIMULATION_WITH_EVENT_MODE, .state = EVENT_MODE};
     transfer bytes = {0};
-    run.unit.motion.mode.contact = TDMF_CONTACT_FLIGHT;
-    run.unit.event_is_pending = true;
+    run.fmu.motion.mode.contact = TDMF_CONTACT_FLIGHT;
+    run.fmu.event_is_pending = true;
     pass_run(&bytes, &run);
     return bytes.place;
 }
@@ -469,11 +469,11 @@ void write_saved_run(saved_run *run, unsigned char *bytes) {
 
 const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *reason, size_t capacity) {
     transfer source = {.source = bytes};
-    unit_reset(&run->unit);
+    fmu_reset(&run->fmu);
     pass_run(&source, run);
     require_agreement_of_calls(&source, run);
-    if (source.refused == NULL && unit_has_begun(&run->unit)) {
-        const tdmf_refusal refusal = unit_prepare(&run->unit);
+    if (source.refused == NULL && fmu_has_begun(&run->fmu)) {
+        const tdmf_refusal refusal = fmu_prepare(&run->fmu);
         if (refusal.variable != NULL) {
             return tdmf_refusal_text(&refusal, reason, capacity);
         }

@@ -8,7 +8,7 @@
 typedef struct {
     interface_kind interface;
     call_state state;
-    unit unit;
+    fmu fmu;
 } saved_run;
 
 /* How many bytes every run takes. */

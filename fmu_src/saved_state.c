@@ -39,7 +39,7 @@ static uint64_t checksum_of(const void *state) {
 static header header_of(const void *state) {
     header header;
     memset(&header, 0, sizeof header);
-    memcpy(header.guid, UNIT_GUID, sizeof UNIT_GUID);
+    memcpy(header.guid, FMU_GUID, sizeof FMU_GUID);
     header.byte_order = byte_order;
     header.size = (uint32_t)saved_size();
     header.checksum = checksum_of(state);
@@ -64,7 +64,7 @@ static const char *read_state(const void *state, saved_run *run, char *reason, s
 }
 
 static void write_state(const instance *instance, unsigned char *state) {
-    saved_run run = {instance->interface, instance->state, instance->unit};
+    saved_run run = {instance->interface, instance->state, instance->fmu};
     write_saved_run(&run, state + sizeof(header));
     const header header = header_of(state);
     memcpy(state, &header, sizeof header);
@@ -104,7 +104,7 @@ call_status restore_state(instance *instance, const char *call, const void *stat
     if (reason != NULL) {
         return discard(instance, call, "the state is refused: %s", reason);
     }
-    instance->unit = run.unit;
+    instance->fmu = run.fmu;
     instance->state = run.state;
     forget_view(instance);
     return CALL_OK;

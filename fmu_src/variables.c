@@ -3,18 +3,18 @@
 
 #include <string.h>
 
-static const void *storage_of(const unit *unit, const unit_view *view, unit_storage storage) {
+static const void *storage_of(const fmu *fmu, const fmu_view *view, fmu_storage storage) {
     switch (storage) {
     case STORED_TIME:
-        return &unit->motion.time;
+        return &fmu->motion.time;
     case STORED_PARAMETER:
-        return &unit->parameters;
+        return &fmu->parameters;
     case STORED_SETTING:
-        return &unit->settings;
+        return &fmu->settings;
     case STORED_INPUT:
-        return &unit->inputs;
+        return &fmu->inputs;
     case STORED_STATE:
-        return unit->motion.state;
+        return fmu->motion.state;
     case STORED_DERIVATIVE:
         return view->derivatives;
     case STORED_GUARD:
@@ -27,18 +27,18 @@ static const void *storage_of(const unit *unit, const unit_view *view, unit_stor
 }
 
 /* Vectors are indexed by element, structs by byte. */
-static size_t byte_offset(const unit_variable *variable) {
+static size_t byte_offset(const fmu_variable *variable) {
     const bool indexed = variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
                          variable->storage == STORED_GUARD;
     return indexed ? variable->place * sizeof(double) : variable->place;
 }
 
-bool unit_is_set_at_events(const unit_variable *variable) {
+bool fmu_is_set_at_events(const fmu_variable *variable) {
     return variable->variability == VARIABILITY_TUNABLE ||
            (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
 }
 
-tdmf_refusal unit_refuse_value(const unit_variable *variable, double value) {
+tdmf_refusal fmu_refuse_value(const fmu_variable *variable, double value) {
     tdmf_refusal refusal = {
         .unit = variable->unit, .value = value, .minimum = variable->minimum, .maximum = variable->maximum};
     const bool allowed = value >= variable->minimum && value <= variable->maximum;
@@ -46,8 +46,8 @@ tdmf_refusal unit_refuse_value(const unit_variable *variable, double value) {
     return refusal;
 }
 
-double unit_get_number(const unit *unit, const unit_view *view, const unit_variable *variable) {
-    const char *place = (const char *)storage_of(unit, view, variable->storage) + byte_offset(variable);
+double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {
+    const char *place = (const char *)storage_of(fmu, view, variable->storage) + byte_offset(variable);
     if (variable->type == VARIABLE_REAL) {
         double value;
         memcpy(&value, place, sizeof value);
@@ -58,13 +58,13 @@ double unit_get_number(const unit *unit, const unit_view *view, const unit_varia
     return value;
 }
 
-const char *unit_get_text(const unit_view *view, const unit_variable *variable) {
+const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
     return (const char *)&view->outputs + variable->place;
 }
 
-void unit_set_number(unit *unit, const unit_variable *variable, double value) {
+void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     /* Settable variables live in the unit; the view is never written through here. */
-    char *place = (char *)(size_t)storage_of(unit, NULL, variable->storage) + byte_offset(variable);
+    char *place = (char *)(size_t)storage_of(fmu, NULL, variable->storage) + byte_offset(variable);
     if (variable->type == VARIABLE_REAL) {
         memcpy(place, &value, sizeof value);
     } else {
@@ -73,12 +73,12 @@ void unit_set_number(unit *unit, const unit_variable *variable, double value) {
     }
 }
 
-double unit_get_number_rate(const unit *unit, const unit_variable *input) {
+double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input) {
     double rate;
-    memcpy(&rate, (const char *)&unit->input_rates + byte_offset(input), sizeof rate);
+    memcpy(&rate, (const char *)&fmu->input_rates + byte_offset(input), sizeof rate);
     return rate;
 }
 
-void unit_set_number_rate(unit *unit, const unit_variable *input, double rate) {
-    memcpy((char *)&unit->input_rates + byte_offset(input), &rate, sizeof rate);
+void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate) {
+    memcpy((char *)&fmu->input_rates + byte_offset(input), &rate, sizeof rate);
 }

@@ -3,7 +3,7 @@
 #ifndef TDMF_UNIT_VARIABLES_H
 #define TDMF_UNIT_VARIABLES_H
 
-#include "unit.h"
+#include "fmu.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,64 +15,64 @@ typedef enum {
     VARIABLE_ENUMERATION = 1 << 2,
     VARIABLE_BOOLEAN = 1 << 3,
     VARIABLE_STRING = 1 << 4
-} unit_variable_type;
+} fmu_variable_type;
 
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,  /* offset in tdmf_parameters */
-    STORED_SETTING,    /* offset in unit_settings */
+    STORED_SETTING,    /* offset in fmu_settings */
     STORED_INPUT,      /* offset in tdmf_inputs */
     STORED_STATE,      /* index in the state vector */
     STORED_DERIVATIVE, /* index in the state vector */
     STORED_OUTPUT,     /* offset in tdmf_outputs */
     STORED_GUARD,      /* tdmf_guard */
-    STORED_WORK        /* offset in unit_work */
-} unit_storage;
+    STORED_WORK        /* offset in fmu_work */
+} fmu_storage;
 
 typedef enum {
     VARIABILITY_FIXED,
     VARIABILITY_TUNABLE,
     VARIABILITY_DISCRETE,
     VARIABILITY_CONTINUOUS
-} unit_variability;
+} fmu_variability;
 
 typedef struct {
     const char *name;
     const char *unit;
-    unit_variable_type type;
-    unit_storage storage;
+    fmu_variable_type type;
+    fmu_storage storage;
     size_t place;
-    unit_variability variability;
+    fmu_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */
     double minimum, maximum, start;
-} unit_variable;
+} fmu_variable;
 
-extern const unit_variable unit_variables[];
-extern const size_t unit_variable_count;
+extern const fmu_variable fmu_variables[];
+extern const size_t fmu_variable_count;
 
 /* Whether the importer may change it in a run, but at events only: a tunable parameter or a discrete input.
  */
-bool unit_is_set_at_events(const unit_variable *variable);
+bool fmu_is_set_at_events(const fmu_variable *variable);
 
 /* Names of the enumerations' items, from value 1 on. */
-extern const char *const unit_contact_mode_names[];
-extern const char *const unit_hip_phase_names[];
+extern const char *const fmu_contact_mode_names[];
+extern const char *const fmu_hip_phase_names[];
 
 /* Why the variable may not have this value; `.variable` is NULL where it may. */
-tdmf_refusal unit_refuse_value(const unit_variable *variable, double value);
+tdmf_refusal fmu_refuse_value(const fmu_variable *variable, double value);
 
 /* A numeric variable's value; outputs and derivatives are read from `view`. */
-double unit_get_number(const unit *unit, const unit_view *view, const unit_variable *variable);
+double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable);
 
 /* The text of a String variable, owned by `view`. */
-const char *unit_get_text(const unit_view *view, const unit_variable *variable);
+const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable);
 
 /* Stores a value that was checked. */
-void unit_set_number(unit *unit, const unit_variable *variable, double value);
+void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value);
 
 /* How fast an input changes, per second. */
-double unit_get_number_rate(const unit *unit, const unit_variable *input);
-void unit_set_number_rate(unit *unit, const unit_variable *input, double rate);
+double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input);
+void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double rate);
 
 #endif

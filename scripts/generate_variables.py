@@ -243,17 +243,17 @@ def storage(variable, table):
         return "GUARD", variable.constant
     if variable.causality == "parameter":
         if variable.group in UNIT_GROUPS:
-            return "SETTING", f"offsetof(unit_settings, {variable.name})"
+            return "SETTING", f"offsetof(fmu_settings, {variable.name})"
         return "PARAMETER", f"offsetof(tdmf_parameters, {variable.name})"
     if variable.causality == "input":
         return "INPUT", f"offsetof(tdmf_inputs, {variable.name})"
     if variable.group == "solver":
-        return "WORK", f"offsetof(unit_work, {variable.name})"
+        return "WORK", f"offsetof(fmu_work, {variable.name})"
     return "OUTPUT", f"offsetof(tdmf_outputs, {variable.name})"
 
 
 def variable_row(variable, table):
-    """A row of `unit_variable`."""
+    """A row of `fmu_variable`."""
     kind, place = storage(variable, table)
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     settable_before_start = (
@@ -293,7 +293,7 @@ def agreements(table):
 def item_names(table, name):
     """The names of an enumeration's items as a C array."""
     names = ", ".join(f'"{item.get("name")}"' for item in table.by_name[name].items)
-    return f"const char *const unit_{name.replace('.', '_')}_names[] = {{{names}}};"
+    return f"const char *const fmu_{name.replace('.', '_')}_names[] = {{{names}}};"
 
 
 def variables(table):
@@ -307,10 +307,10 @@ def variables(table):
             "/* What C and XML must agree on. */",
             *agreements(table),
             "",
-            "const unit_variable unit_variables[] = {",
+            "const fmu_variable fmu_variables[] = {",
             *[variable_row(v, table) for v in table.variables],
             "};",
-            "const size_t unit_variable_count = sizeof unit_variables / sizeof unit_variables[0];",
+            "const size_t fmu_variable_count = sizeof fmu_variables / sizeof fmu_variables[0];",
             "",
             item_names(table, "contact.mode"),
             item_names(table, "hip.phase"),
@@ -603,7 +603,7 @@ def page(table, template):
 
 def guid(source, version):
     """The C header with the guid."""
-    return generated([f'#define UNIT_GUID "{guid_of(source, version)}"'])
+    return generated([f'#define FMU_GUID "{guid_of(source, version)}"'])
 
 
 def main():

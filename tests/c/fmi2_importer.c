@@ -29,7 +29,7 @@ const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
 static fmi2Component new_of_type(fmi2Type type) {
     forget_messages();
     fmi2Component component =
-        fmi2Instantiate("runner", type, UNIT_GUID, NULL, &importer_callbacks, fmi2False, fmi2True);
+        fmi2Instantiate("runner", type, FMU_GUID, NULL, &importer_callbacks, fmi2False, fmi2True);
     assert_non_null(component);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, events_category), fmi2OK);
     return component;

@@ -26,7 +26,7 @@ double random_value(random_source *source) {
     return random_uniform(source, -1.0, 1.0) * random_magnitude(source, 1e-6, 1e6);
 }
 
-double tame_value(random_source *source, const unit_variable *variable) {
+double tame_value(random_source *source, const fmu_variable *variable) {
     if (variable->start != 0.0) {
         return variable->start * random_uniform(source, 0.7, 1.4);
     }
@@ -36,9 +36,9 @@ double tame_value(random_source *source, const unit_variable *variable) {
 uint32_t random_setting(random_source *source, bool at_event) {
     uint32_t settings[64];
     size_t count = 0;
-    for (uint32_t i = 0; i < unit_variable_count; ++i) {
-        const bool waits = unit_is_set_at_events(&unit_variables[i]);
-        if (waits ? at_event : unit_variables[i].storage == STORED_INPUT) {
+    for (uint32_t i = 0; i < fmu_variable_count; ++i) {
+        const bool waits = fmu_is_set_at_events(&fmu_variables[i]);
+        if (waits ? at_event : fmu_variables[i].storage == STORED_INPUT) {
             settings[count++] = i;
         }
     }
@@ -46,7 +46,7 @@ uint32_t random_setting(random_source *source, bool at_event) {
 }
 
 uint32_t random_reference(random_source *source) {
-    return (uint32_t)pick(source, unit_variable_count + 2);
+    return (uint32_t)pick(source, fmu_variable_count + 2);
 }
 
 void forge(random_source *source, unsigned char *bytes, size_t size) {

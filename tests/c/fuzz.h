@@ -19,7 +19,7 @@ size_t pick(random_source *source, size_t count);
 double random_value(random_source *source);
 
 /* A value near the variable's own start, or within its range some hundredths off 0: these instances run. */
-double tame_value(random_source *source, const unit_variable *variable);
+double tame_value(random_source *source, const fmu_variable *variable);
 
 /* A variable that may be set in a run: a continuous input, or also what is set at events only. */
 uint32_t random_setting(random_source *source, bool at_event);

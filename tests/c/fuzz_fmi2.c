@@ -40,10 +40,10 @@ static void get_any(void *self) {
 
 static void get_all(void *self) {
     subject *on = self;
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
         double real = 0.0;
-        if (unit_variables[i].type == VARIABLE_REAL) {
+        if (fmu_variables[i].type == VARIABLE_REAL) {
             expect_numbers((int)fmi2GetReal(on->component, &reference, 1, &real), &real, 1);
         }
     }
@@ -53,13 +53,13 @@ static void set_any(void *self) {
     subject *on = self;
     const fmi2ValueReference reference =
         on->careful ? random_setting(on->source, on->type == fmi2CoSimulation) : random_reference(on->source);
-    const bool tame = reference < unit_variable_count && random_chance(on->source, 0.7);
-    const double real = tame ? tame_value(on->source, &unit_variables[reference]) : random_value(on->source);
+    const bool tame = reference < fmu_variable_count && random_chance(on->source, 0.7);
+    const double real = tame ? tame_value(on->source, &fmu_variables[reference]) : random_value(on->source);
     const int integer = (int)pick(on->source, 5) - 1;
     const char *text = "x";
-    if (reference >= unit_variable_count || unit_variables[reference].type == VARIABLE_REAL) {
+    if (reference >= fmu_variable_count || fmu_variables[reference].type == VARIABLE_REAL) {
         fmi2SetReal(on->component, &reference, 1, &real);
-    } else if (unit_variables[reference].type == VARIABLE_BOOLEAN) {
+    } else if (fmu_variables[reference].type == VARIABLE_BOOLEAN) {
         fmi2SetBoolean(on->component, &reference, 1, &integer);
     } else if (random_chance(on->source, 0.1)) {
         fmi2SetString(on->component, &reference, 1, &text);
@@ -109,8 +109,8 @@ static void change_mode(void *self) {
 /* Before the start any variable may be set; most of these runners run. */
 static void set_before_start(subject *on) {
     for (int i = 0; i < 5; ++i) {
-        const fmi2ValueReference reference = (fmi2ValueReference)pick(on->source, unit_variable_count);
-        const unit_variable *variable = &unit_variables[reference];
+        const fmi2ValueReference reference = (fmi2ValueReference)pick(on->source, fmu_variable_count);
+        const fmu_variable *variable = &fmu_variables[reference];
         const bool settable = variable->settable_before_start && variable->type == VARIABLE_REAL;
         const double value =
             random_chance(on->source, 0.9) ? tame_value(on->source, variable) : random_value(on->source);
@@ -138,7 +138,7 @@ static void handle_event(void *self) {
     subject *on = self;
     fmi2EventInfo info;
     const fmi2ValueReference reference = random_setting(on->source, true);
-    const double value = tame_value(on->source, &unit_variables[reference]);
+    const double value = tame_value(on->source, &fmu_variables[reference]);
     if (on->type == fmi2ModelExchange) {
         fmi2EnterEventMode(on->component);
         fmi2SetReal(on->component, &reference, 1, &value);
@@ -185,7 +185,7 @@ static void differentiate(void *self) {
 }
 
 static void limit_steps(subject *on) {
-    tdmf_solver *solver = &((struct instance *)on->component)->unit.solver;
+    tdmf_solver *solver = &((struct instance *)on->component)->fmu.solver;
     solver->step_limit = STEPS_OF_A_CALL;
     solver->event_limit = STEPS_OF_A_CALL;
 }

@@ -50,10 +50,10 @@ static void get_any(void *self) {
 
 static void get_all(void *self) {
     subject *on = self;
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const uint32_t reference = (uint32_t)i;
         double real = 0.0;
-        if (unit_variables[i].type == VARIABLE_REAL) {
+        if (fmu_variables[i].type == VARIABLE_REAL) {
             expect_numbers((int)fmi3GetFloat64(on->instance, &reference, 1, &real, 1), &real, 1);
         }
     }
@@ -63,14 +63,14 @@ static void set_any(void *self) {
     subject *on = self;
     const uint32_t reference =
         on->careful ? random_setting(on->source, on->kind == STEPS) : random_reference(on->source);
-    const bool is_there = reference < unit_variable_count;
+    const bool is_there = reference < fmu_variable_count;
     const double real = is_there && random_chance(on->source, 0.7)
-                            ? tame_value(on->source, &unit_variables[reference])
+                            ? tame_value(on->source, &fmu_variables[reference])
                             : random_value(on->source);
     const fmi3Int64 item = (fmi3Int64)pick(on->source, 5) - 1;
     const fmi3Boolean truth = random_chance(on->source, 0.5);
     const char *text = "x";
-    switch (is_there ? unit_variables[reference].type : VARIABLE_REAL) {
+    switch (is_there ? fmu_variables[reference].type : VARIABLE_REAL) {
     case VARIABLE_BOOLEAN:
         fmi3SetBoolean(on->instance, &reference, 1, &truth, 1);
         break;
@@ -130,8 +130,8 @@ static void change_mode(void *self) {
 /* Before the start any variable may be set; most of these runners run. */
 static void set_before_start(subject *on) {
     for (int i = 0; i < 5; ++i) {
-        const uint32_t reference = (uint32_t)pick(on->source, unit_variable_count);
-        const unit_variable *variable = &unit_variables[reference];
+        const uint32_t reference = (uint32_t)pick(on->source, fmu_variable_count);
+        const fmu_variable *variable = &fmu_variables[reference];
         const double value =
             random_chance(on->source, 0.9) ? tame_value(on->source, variable) : random_value(on->source);
         if (variable->settable_before_start && variable->type == VARIABLE_REAL) {
@@ -145,7 +145,7 @@ static void handle_event(subject *on) {
     update_answer answer;
     if (random_chance(on->source, 0.5)) {
         const uint32_t reference = random_setting(on->source, true);
-        const double value = tame_value(on->source, &unit_variables[reference]);
+        const double value = tame_value(on->source, &fmu_variables[reference]);
         fmi3SetFloat64(on->instance, &reference, 1, &value, 1);
     }
     update(on->instance, &answer);
@@ -205,7 +205,7 @@ static void differentiate(void *self) {
 }
 
 static void limit_steps(subject *on) {
-    tdmf_solver *solver = &((struct instance *)on->instance)->unit.solver;
+    tdmf_solver *solver = &((struct instance *)on->instance)->fmu.solver;
     solver->step_limit = STEPS_OF_A_CALL;
     solver->event_limit = STEPS_OF_A_CALL;
 }

@@ -20,7 +20,7 @@ static fmi3Instance new_of_kind(kind kind) {
 }
 
 static void limit_steps(fmi3Instance instance) {
-    tdmf_solver *solver = &((struct instance *)instance)->unit.solver;
+    tdmf_solver *solver = &((struct instance *)instance)->fmu.solver;
     solver->step_limit = STEPS_OF_A_CALL;
     solver->event_limit = STEPS_OF_A_CALL;
 }
@@ -52,7 +52,7 @@ static void begin(random_source *source, fmi3Instance instance, kind kind) {
     update_answer answer;
     for (int i = 0; i < 3; ++i) {
         const uint32_t reference = random_setting(source, true);
-        const double value = tame_value(source, &unit_variables[reference]);
+        const double value = tame_value(source, &fmu_variables[reference]);
         fmi3SetFloat64(instance, &reference, 1, &value, 1);
     }
     if (random_chance(source, 0.1)) {
@@ -73,9 +73,9 @@ static void begin(random_source *source, fmi3Instance instance, kind kind) {
 }
 
 static void look(fmi3Instance instance) {
-    for (uint32_t i = 0; i < unit_variable_count; ++i) {
+    for (uint32_t i = 0; i < fmu_variable_count; ++i) {
         double value = 0.0;
-        if (unit_variables[i].type == VARIABLE_REAL) {
+        if (fmu_variables[i].type == VARIABLE_REAL) {
             expect_numbers((int)fmi3GetFloat64(instance, &i, 1, &value, 1), &value, 1);
         }
     }
@@ -84,7 +84,7 @@ static void look(fmi3Instance instance) {
 static void go_on(fmi3Instance instance, double length) {
     step_answer step = {false, false, false, 0.0};
     update_answer answer;
-    const double time = ((struct instance *)instance)->unit.motion.time;
+    const double time = ((struct instance *)instance)->fmu.motion.time;
     limit_steps(instance);
     look(instance);
     do_step(instance, time, length, &step);

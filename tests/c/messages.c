@@ -29,8 +29,8 @@ void note_message(const char *category, const char *text) {
 }
 
 uint32_t reference_of(const char *name) {
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (strcmp(unit_variables[i].name, name) == 0) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (strcmp(fmu_variables[i].name, name) == 0) {
             return (uint32_t)i;
         }
     }

@@ -14,7 +14,7 @@ size_t random_bytes_left(void) {
     return drawn_left;
 }
 
-static double unit_from_bytes(void) {
+static double fmu_from_bytes(void) {
     double unit = 0.0;
     for (int i = 0; i < 2 && drawn_left > 0; ++i) {
         unit = (unit + *drawn++) / 256.0;
@@ -32,7 +32,7 @@ static uint64_t next(random_source *source) {
 }
 
 double random_uniform(random_source *source, double from, double to) {
-    const double unit = drawn != NULL ? unit_from_bytes() : ldexp((double)(next(source) >> 11), -53);
+    const double unit = drawn != NULL ? fmu_from_bytes() : ldexp((double)(next(source) >> 11), -53);
     return from + (to - from) * unit;
 }
 

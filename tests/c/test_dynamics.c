@@ -110,7 +110,7 @@ static long double lagrangian_on_path(long double t, const void *context) {
 
 typedef long double equation[UNKNOWNS + 1]; /* coefficients of the unknowns, then the right-hand side */
 
-static void unit_direction(int i, long double direction[FREEDOMS]) {
+static void fmu_direction(int i, long double direction[FREEDOMS]) {
     memset(direction, 0, FREEDOMS * sizeof *direction);
     direction[i] = 1.0L;
 }
@@ -119,10 +119,10 @@ static void unit_direction(int i, long double direction[FREEDOMS]) {
 static void equation_of_motion(motion motion, int i, equation row) {
     long double along[FREEDOMS];
     for (int j = 0; j < FREEDOMS; ++j) {
-        unit_direction(j, along);
+        fmu_direction(j, along);
         row[j] = momentum(&motion, along, i);
     }
-    unit_direction(i, along);
+    fmu_direction(i, along);
     row[FX] = -speed_of(motion, along, FOOT_ALONG_X);
     row[FY] = -speed_of(motion, along, FOOT_ALONG_Y);
     row[TAU] = i == THETA ? -1.0L : 0.0L;

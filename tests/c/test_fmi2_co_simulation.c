@@ -3,8 +3,8 @@
 #include "extended_strides.h"
 #include "fmi2_importer.h"
 
+#include "fmu.h"
 #include "tdmf_slip/cvode.h"
-#include "unit.h"
 
 #include <float.h>
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
 
-#include "unit.h"
+#include "fmu.h"
 #include "variables.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ static void start_values_are_read_before_initialization(void **state) {
     (void)state;
     fmi2Component component = new_instance();
     fmi3Instance instance = new_exchange();
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        const unit_variable *variable = &unit_variables[i];
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *variable = &fmu_variables[i];
         if (variable->settable_before_start && variable->type == VARIABLE_REAL) {
             assert_true(get_real(component, variable->name) == variable->start);
             assert_true(get_float(instance, variable->name) == variable->start);
@@ -40,13 +40,13 @@ static void what_follows_from_start_values_is_read_before_initialization(void **
     int read = 0;
     (void)state;
     fmi2Component component = new_instance();
-    assert_true(unit_variable_count <= 256);
+    assert_true(fmu_variable_count <= 256);
     assert_int_equal(set_real(component, "gravity", 0.02), fmi2OK);
     assert_int_equal(set_real(component, "foot.vy", -0.1), fmi2OK);
     for (int pass = 0; pass < 2; ++pass) {
-        for (size_t i = 0; i < unit_variable_count; ++i) {
-            if (unit_variables[i].type == VARIABLE_REAL) {
-                const double value = get_real(component, unit_variables[i].name);
+        for (size_t i = 0; i < fmu_variable_count; ++i) {
+            if (fmu_variables[i].type == VARIABLE_REAL) {
+                const double value = get_real(component, fmu_variables[i].name);
                 before[i] = pass == 0 ? value : before[i];
                 assert_true(value == before[i]);
                 ++read;
@@ -206,9 +206,9 @@ static void event_mode_takes_states_that_no_event_changes(void **state) {
     fmi3Instance exchange = new_exchange(), stepper = new_stepper(true, true);
     initialize3(exchange);
     initialize3(stepper);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (unit_variables[i].storage == STORED_STATE) {
-            const char *name = unit_variables[i].name;
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_variables[i].storage == STORED_STATE) {
+            const char *name = fmu_variables[i].name;
             const bool reinit = strcmp(name, "foot.y") == 0 || strcmp(name, "foot.vx") == 0 ||
                                 strcmp(name, "foot.vy") == 0 || strcmp(name, "leg.length_rate") == 0 ||
                                 strcmp(name, "leg.angle_rate") == 0 || strcmp(name, "hip.place_time") == 0 ||

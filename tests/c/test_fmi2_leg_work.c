@@ -3,7 +3,7 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 
-#include "unit.h"
+#include "fmu.h"
 
 #include <math.h>
 #include <string.h>

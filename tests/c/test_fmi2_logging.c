@@ -3,9 +3,9 @@
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
 
+#include "fmu.h"
 #include "guid.h"
 #include "tdmf_slip/cvode.h"
-#include "unit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@ static const char *const discards_category[] = {"logStatusDiscard"};
 static fmi2Component logging_instance(fmi2Boolean logging) {
     forget_messages();
     fmi2Component component =
-        fmi2Instantiate("runner", fmi2CoSimulation, UNIT_GUID, NULL, &importer_callbacks, fmi2False, logging);
+        fmi2Instantiate("runner", fmi2CoSimulation, FMU_GUID, NULL, &importer_callbacks, fmi2False, logging);
     assert_non_null(component);
     return component;
 }
@@ -60,7 +60,7 @@ static void an_instance_made_without_logging_is_silent(void **state) {
     assert_heard(component, false, false, false);
     fmi2FreeInstance(component);
     fmi3Instance instance =
-        fmi3InstantiateModelExchange("runner", UNIT_GUID, NULL, false, false, NULL, importer_logger);
+        fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, false, NULL, importer_logger);
     assert_int_equal(fmi3SetTime(instance, 0.0), fmi3Error);
     assert_int_equal(set_float(instance, "body.mass", -1.0), fmi3Discard);
     assert_int_equal(message_count, 0);

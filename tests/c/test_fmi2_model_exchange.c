@@ -1,8 +1,8 @@
 /* The unit's FMI 2.0 calls: what they refuse, with which words, and what stays as it was. */
 #include "fmi2_importer.h"
 
+#include "fmu.h"
 #include "guid.h"
-#include "unit.h"
 
 #include <float.h>
 #include <math.h>
@@ -37,17 +37,17 @@ static void assert_not_made(const char *name, fmi2Type type, const char *guid, c
 
 static void refuses_wrong_name_guid_and_type(void **state) {
     (void)state;
-    assert_not_made("", fmi2ModelExchange, UNIT_GUID, "name");
-    assert_not_made(NULL, fmi2ModelExchange, UNIT_GUID, "name");
+    assert_not_made("", fmi2ModelExchange, FMU_GUID, "name");
+    assert_not_made(NULL, fmi2ModelExchange, FMU_GUID, "name");
     assert_not_made("runner", fmi2ModelExchange, "{another}", "guid");
     assert_not_made("runner", fmi2ModelExchange, NULL, "guid");
-    assert_not_made("runner", (fmi2Type)7, UNIT_GUID, "neither");
+    assert_not_made("runner", (fmi2Type)7, FMU_GUID, "neither");
 }
 
 static void runs_without_logger_and_callbacks(void **state) {
     (void)state;
     fmi2Component component =
-        fmi2Instantiate("runner", fmi2ModelExchange, UNIT_GUID, NULL, NULL, fmi2False, fmi2True);
+        fmi2Instantiate("runner", fmi2ModelExchange, FMU_GUID, NULL, NULL, fmi2False, fmi2True);
     assert_non_null(component);
     start_running(component);
     assert_int_equal(fmi2SetTime(component, NAN), fmi2Error);

@@ -3,8 +3,8 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 
+#include "fmu.h"
 #include "tdmf_slip/cvode.h"
-#include "unit.h"
 #include "variables.h"
 
 #include <math.h>
@@ -15,11 +15,11 @@ enum { TUNABLE_PARAMETERS = 7, DISCRETE_INPUTS = 5, EITHER = TUNABLE_PARAMETERS 
 /* Their value references; asserts how many there are. */
 static void list_settings(fmi2ValueReference found[EITHER]) {
     int parameters = 0, count = 0;
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (unit_is_set_at_events(&unit_variables[i])) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_is_set_at_events(&fmu_variables[i])) {
             assert_true(count < EITHER);
             found[count++] = (fmi2ValueReference)i;
-            parameters += unit_variables[i].storage == STORED_PARAMETER ? 1 : 0;
+            parameters += fmu_variables[i].storage == STORED_PARAMETER ? 1 : 0;
         }
     }
     assert_int_equal(count, EITHER);
@@ -40,7 +40,7 @@ static void assert_all_are_set(fmi2Component component) {
     fmi2ValueReference settings[EITHER];
     list_settings(settings);
     for (int i = 0; i < EITHER; ++i) {
-        const unit_variable *variable = &unit_variables[settings[i]];
+        const fmu_variable *variable = &fmu_variables[settings[i]];
         const fmi2ValueReference pair[] = {settings[(i + 1) % EITHER], settings[i]};
         const double other = value_of(component, pair[0]);
         const double wrong[] = {nextafter(variable->maximum, INFINITY),
@@ -92,7 +92,7 @@ static void in_continuous_time_mode_they_keep_their_values(void **state) {
         const double changed = value + 0.01;
         assert_int_equal(fmi2SetReal(component, &settings[i], 1, &value), fmi2OK);
         assert_int_equal(fmi2SetReal(component, &settings[i], 1, &changed), fmi2Warning);
-        assert_non_null(strstr(last_message, unit_variables[settings[i]].name));
+        assert_non_null(strstr(last_message, fmu_variables[settings[i]].name));
         assert_true(value_of(component, settings[i]) == value);
     }
     fmi2FreeInstance(component);
@@ -114,10 +114,10 @@ static void only_continuous_inputs_have_rates(void **state) {
     int continuous = 0, discrete = 0;
     (void)state;
     initialize(component);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
-        const bool ramps = unit_variables[i].variability == VARIABILITY_CONTINUOUS;
-        if (unit_variables[i].storage == STORED_INPUT) {
+        const bool ramps = fmu_variables[i].variability == VARIABILITY_CONTINUOUS;
+        if (fmu_variables[i].storage == STORED_INPUT) {
             assert_int_equal(fmi2SetRealInputDerivatives(component, &reference, 1, &first, &rate),
                              ramps ? fmi2OK : fmi2Error);
             *(ramps ? &continuous : &discrete) += 1;
@@ -139,13 +139,13 @@ static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
     assert_null(tdmf_model_create(&model, &parameters).variable);
     tdmf_default_state(motion.state);
     assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        const unit_variable *input = &unit_variables[i];
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *input = &fmu_variables[i];
         if (input->storage == STORED_INPUT) {
             tdmf_solver solver = tdmf_solver_default();
             tdmf_motion run = motion, other = motion;
-            unit ramping = {.input_rates = {.ground = {.friction = 0.0}}};
-            unit_set_number_rate(&ramping, input, 1e-3);
+            fmu ramping = {.input_rates = {.ground = {.friction = 0.0}}};
+            fmu_set_number_rate(&ramping, input, 1e-3);
             const tdmf_outcome expected =
                 input->variability == VARIABILITY_CONTINUOUS ? TDMF_ARRIVED : TDMF_REFUSED;
             const tdmf_inputs *rates = &ramping.input_rates;

@@ -4,7 +4,7 @@
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
 
-#include "unit.h"
+#include "fmu.h"
 #include "variables.h"
 
 #include <math.h>
@@ -127,12 +127,12 @@ static bool is_edge(const start *start, const char *given) {
     return false;
 }
 
-static bool is_known(const unit_variable *variable) {
+static bool is_known(const fmu_variable *variable) {
     return variable->type == VARIABLE_REAL && variable->settable_before_start;
 }
 
 /* Real states, derivatives and outputs. */
-static bool is_unknown(const unit_variable *variable) {
+static bool is_unknown(const fmu_variable *variable) {
     return variable->type == VARIABLE_REAL &&
            (variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
             variable->storage == STORED_OUTPUT);
@@ -154,9 +154,9 @@ static fmi2Component begun(const start *start, double time) {
 }
 
 static void read_unknowns(fmi2Component component, double values[MOST_VARIABLES]) {
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
-        if (is_unknown(&unit_variables[i])) {
+        if (is_unknown(&fmu_variables[i])) {
             assert_int_equal(fmi2GetReal(component, &reference, 1, &values[i]), fmi2OK);
         }
     }
@@ -175,8 +175,8 @@ static void differences(fmi2Component component, const char *known, double value
         double found[MOST_VARIABLES];
         assert_int_equal(set_real(component, known, at + places[k] * step), fmi2OK);
         read_unknowns(component, found);
-        for (size_t i = 0; i < unit_variable_count; ++i) {
-            if (is_unknown(&unit_variables[i])) {
+        for (size_t i = 0; i < fmu_variable_count; ++i) {
+            if (is_unknown(&fmu_variables[i])) {
                 values[i] += weights[k] * found[i] / step;
                 noise[i] = fmax(noise[i], fabs(found[i]) / step);
             }
@@ -193,26 +193,26 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
     const double power = get_real(component, "der(hip.work)");
     int nonzero = 0;
     double largest = 0.0;
-    differences(component, unit_variables[known].name, values, noise);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (unit_variables[i].storage == STORED_DERIVATIVE) {
+    differences(component, fmu_variables[known].name, values, noise);
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_variables[i].storage == STORED_DERIVATIVE) {
             largest = fmax(largest, noise[i]); /* of large forces in balance on a light foot */
         }
     }
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference unknown = (fmi2ValueReference)i;
         const double one = 1.0;
         double exact = 0.0;
-        if (!is_unknown(&unit_variables[i]) || (unknown == positive_power && power == 0.0)) {
+        if (!is_unknown(&fmu_variables[i]) || (unknown == positive_power && power == 0.0)) {
             continue;
         }
         assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &exact),
                          fmi2OK);
-        const double rounding = unit_variables[i].storage == STORED_DERIVATIVE ? largest : noise[i];
+        const double rounding = fmu_variables[i].storage == STORED_DERIVATIVE ? largest : noise[i];
         const double tolerance = 1e-8 * fabs(exact) + 1e-13 * rounding;
         if (!(fabs(values[i] - exact) <= tolerance)) {
-            fail_msg("%s: %s by %s is %.12g, by differences %.12g", start->what, unit_variables[i].name,
-                     unit_variables[known].name, exact, values[i]);
+            fail_msg("%s: %s by %s is %.12g, by differences %.12g", start->what, fmu_variables[i].name,
+                     fmu_variables[known].name, exact, values[i]);
         }
         nonzero += exact != 0.0 ? 1 : 0;
     }
@@ -221,14 +221,14 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
 
 static void they_are_those_of_the_start_values(void **state) {
     (void)state;
-    assert_true(unit_variable_count <= MOST_VARIABLES);
+    assert_true(fmu_variable_count <= MOST_VARIABLES);
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         fmi2Component component = begun(&starts[k], 0.0);
         int columns = 0, nonzero = 0, edges = 0;
-        for (size_t j = 0; j < unit_variable_count; ++j) {
-            if (is_known(&unit_variables[j]) && is_edge(&starts[k], unit_variables[j].name)) {
+        for (size_t j = 0; j < fmu_variable_count; ++j) {
+            if (is_known(&fmu_variables[j]) && is_edge(&starts[k], fmu_variables[j].name)) {
                 ++edges;
-            } else if (is_known(&unit_variables[j])) {
+            } else if (is_known(&fmu_variables[j])) {
                 nonzero += compare_column(component, &starts[k], (fmi2ValueReference)j);
                 ++columns;
             }
@@ -252,10 +252,10 @@ static void by_time_they_are_those_of_the_instants(void **state) {
             fmi2FreeInstance(component);
         }
         fmi2Component component = begun(&starts[k], 1.0);
-        for (size_t i = 0; i < unit_variable_count; ++i) {
+        for (size_t i = 0; i < fmu_variable_count; ++i) {
             const fmi2ValueReference unknown = (fmi2ValueReference)i;
             double exact = 0.0;
-            if (is_unknown(&unit_variables[i])) {
+            if (is_unknown(&fmu_variables[i])) {
                 assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &time, 1, &one, &exact),
                                  fmi2OK);
                 assert_close(exact, (values[1][i] - values[0][i]) / 4.0, 1e-13);
@@ -275,10 +275,10 @@ static void by_time_nothing_changes_in_a_run(void **state) {
     (void)state;
     fmi2Component component = new_instance();
     start_running(component);
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference unknown = (fmi2ValueReference)i;
         double exact = 1.0;
-        if (is_unknown(&unit_variables[i])) {
+        if (is_unknown(&fmu_variables[i])) {
             assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &time, 1, &one, &exact),
                              fmi2OK);
             assert_true(exact == 0.0);
@@ -307,12 +307,12 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
                              fmi3OK);
         }
         assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
-        for (size_t i = 0; i < unit_variable_count; ++i) {
-            if (is_known(&unit_variables[i]) || unit_variables[i].storage == STORED_TIME) {
+        for (size_t i = 0; i < fmu_variable_count; ++i) {
+            if (is_known(&fmu_variables[i]) || fmu_variables[i].storage == STORED_TIME) {
                 seeds[known_count] = sin((double)i);
                 knowns[known_count++] = (fmi3ValueReference)i;
             }
-            if (is_unknown(&unit_variables[i])) {
+            if (is_unknown(&fmu_variables[i])) {
                 weights[unknown_count] = cos((double)i);
                 unknowns[unknown_count++] = (fmi3ValueReference)i;
             }

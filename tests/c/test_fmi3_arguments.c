@@ -98,7 +98,7 @@ static void output_derivatives_want_values_for_each(void **state) {
 }
 
 static void the_reference_after_the_last_is_unknown(void **state) {
-    const fmi2ValueReference beyond = (fmi2ValueReference)unit_variable_count, known = reference_of("foot.x");
+    const fmi2ValueReference beyond = (fmi2ValueReference)fmu_variable_count, known = reference_of("foot.x");
     const double one = 1.0;
     double value = 77.0;
     (void)state;
@@ -169,8 +169,8 @@ static void counts_of_work_end_at_the_largest_integer(void **state) {
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
     assert_true(get_integer(component, "solver.steps") > 0);
-    inside->unit.solver.steps = (int64_t)INT_MAX + 1;
-    inside->unit.solver.evaluations = INT64_MAX;
+    inside->fmu.solver.steps = (int64_t)INT_MAX + 1;
+    inside->fmu.solver.evaluations = INT64_MAX;
     forget_view(inside);
     assert_int_equal(get_integer(component, "solver.steps"), INT_MAX);
     assert_int_equal(get_integer(component, "solver.evaluations"), INT_MAX);
@@ -218,7 +218,7 @@ static void event_mode_is_entered_with_the_force_noted(void **state) {
     assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
     assert_int_equal(set_real(component, "hip.external_torque", 1.0), fmi2OK);
     assert_true(get_real(component, "contact.fy") < force);
-    assert_true(inside->unit.motion.record.open.peak_force == force);
+    assert_true(inside->fmu.motion.record.open.peak_force == force);
     fmi2FreeInstance(component);
 }
 

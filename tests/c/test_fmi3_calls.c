@@ -3,8 +3,8 @@
 #include "compare.h"
 #include "fmi3_importer.h"
 
+#include "fmu.h"
 #include "guid.h"
-#include "unit.h"
 #include "variables.h"
 
 #include <math.h>
@@ -25,8 +25,8 @@ static void assert_not_made(const char *name, const char *token, const char *rea
 
 static void refuses_wrong_name_and_token(void **state) {
     (void)state;
-    assert_not_made("", UNIT_GUID, "name");
-    assert_not_made(NULL, UNIT_GUID, "name");
+    assert_not_made("", FMU_GUID, "name");
+    assert_not_made(NULL, FMU_GUID, "name");
     assert_not_made("runner", "{another}", "token");
     assert_not_made("runner", NULL, "token");
 }
@@ -34,7 +34,7 @@ static void refuses_wrong_name_and_token(void **state) {
 static void refuses_an_interface_it_does_not_have(void **state) {
     (void)state;
     forget_messages();
-    assert_null(fmi3InstantiateScheduledExecution("runner", UNIT_GUID, NULL, false, false, NULL,
+    assert_null(fmi3InstantiateScheduledExecution("runner", FMU_GUID, NULL, false, false, NULL,
                                                   importer_logger, NULL, NULL, NULL));
     assert_non_null(strstr(last_message, "Scheduled Execution"));
 }
@@ -63,7 +63,7 @@ static void an_importer_that_offers_intermediate_updates_is_never_called_back(vo
         double places[2];
         for (int offers = 0; offers < 2; ++offers) {
             fmi3Instance instance = fmi3InstantiateCoSimulation(
-                "runner", UNIT_GUID, NULL, false, false, event_mode, early_return, offers ? wanted : NULL,
+                "runner", FMU_GUID, NULL, false, false, event_mode, early_return, offers ? wanted : NULL,
                 offers ? 2 : 0, NULL, importer_logger, offers ? called_back : NULL);
             step_answer answer;
             update_answer updated;
@@ -112,7 +112,7 @@ static void refuses_null_instances(void **state) {
 
 static void runs_without_logger(void **state) {
     (void)state;
-    fmi3Instance instance = fmi3InstantiateModelExchange("runner", UNIT_GUID, NULL, false, true, NULL, NULL);
+    fmi3Instance instance = fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, true, NULL, NULL);
     assert_non_null(instance);
     initialize3(instance);
     assert_int_equal(fmi3SetTime(instance, NAN), fmi3Error);
@@ -351,21 +351,21 @@ static void refuses_what_the_unit_does_not_have(void **state) {
 static void every_variable_is_read_by_its_own_type_only(void **state) {
     fmi3Instance instance = instance_at(ME_EVENT);
     (void)state;
-    for (size_t i = 0; i < unit_variable_count; ++i) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi3ValueReference reference = (fmi3ValueReference)i;
         double real;
         fmi3Int32 integer;
         fmi3Int64 item;
         fmi3Boolean truth;
         fmi3String text;
-        const unit_variable_type type = unit_variables[i].type;
+        const fmu_variable_type type = fmu_variables[i].type;
         const fmi3Status found[] = {fmi3GetFloat64(instance, &reference, 1, &real, 1),
                                     fmi3GetInt32(instance, &reference, 1, &integer, 1),
                                     fmi3GetInt64(instance, &reference, 1, &item, 1),
                                     fmi3GetBoolean(instance, &reference, 1, &truth, 1),
                                     fmi3GetString(instance, &reference, 1, &text, 1)};
-        static const unit_variable_type types[] = {VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_ENUMERATION,
-                                                   VARIABLE_BOOLEAN, VARIABLE_STRING};
+        static const fmu_variable_type types[] = {VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_ENUMERATION,
+                                                  VARIABLE_BOOLEAN, VARIABLE_STRING};
         for (size_t j = 0; j < sizeof types / sizeof types[0]; ++j) {
             assert_int_equal(found[j], types[j] == type ? fmi3OK : fmi3Error);
         }
@@ -573,14 +573,14 @@ static double difference(fmi3Instance instance, const char *unknown, const char 
     for (int i = 0; i < 2; ++i) {
         const double shift = i == 0 ? -delta : delta;
         const fmi3ValueReference reference = reference_of(known);
-        if (unit_variables[reference].storage == STORED_INPUT) {
+        if (fmu_variables[reference].storage == STORED_INPUT) {
             assert_int_equal(set_float(instance, known, shift), fmi3OK);
             values[i] = get_float(instance, unknown);
             assert_int_equal(set_float(instance, known, 0.0), fmi3OK);
         } else {
             double moved[TDMF_STATE_COUNT];
             memcpy(moved, states, sizeof moved);
-            moved[unit_variables[reference].place] += shift;
+            moved[fmu_variables[reference].place] += shift;
             assert_int_equal(fmi3SetContinuousStates(instance, moved, TDMF_STATE_COUNT), fmi3OK);
             values[i] = get_float(instance, unknown);
             assert_int_equal(fmi3SetContinuousStates(instance, states, TDMF_STATE_COUNT), fmi3OK);

@@ -70,9 +70,9 @@ static void assert_unchanged(fmi3Instance instance, const serialized *before) {
 }
 
 static void assert_numbers(fmi3Instance instance) {
-    for (uint32_t i = 0; i < unit_variable_count; ++i) {
+    for (uint32_t i = 0; i < fmu_variable_count; ++i) {
         double value = 0.0;
-        if (unit_variables[i].type == VARIABLE_REAL && fmi3GetFloat64(instance, &i, 1, &value, 1) == fmi3OK) {
+        if (fmu_variables[i].type == VARIABLE_REAL && fmi3GetFloat64(instance, &i, 1, &value, 1) == fmi3OK) {
             assert_true(!isnan(value));
         }
     }
@@ -80,7 +80,7 @@ static void assert_numbers(fmi3Instance instance) {
 
 /* Forged parameters may be as stiff as they like. */
 static void limit_steps(fmi3Instance instance) {
-    ((struct instance *)instance)->unit.solver.step_limit = 200;
+    ((struct instance *)instance)->fmu.solver.step_limit = 200;
 }
 
 /* Goes on a little, wherever the state says that the instance stands. */
@@ -242,21 +242,21 @@ static void a_rate_of_a_discrete_input_is_refused(void **unused) {
     const double rate = 0.015625;
     int refused = 0, accepted = 0;
     fmi3Instance instance = new_on_its_way(STEPS);
-    ((struct instance *)instance)->unit.input_rates.ground.friction = rate;
+    ((struct instance *)instance)->fmu.input_rates.ground.friction = rate;
     serialize(instance, &state);
     size_t place = place_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
-    for (size_t i = 0; i < unit_variable_count; ++i) {
-        if (unit_variables[i].storage == STORED_INPUT) {
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        if (fmu_variables[i].storage == STORED_INPUT) {
             serialized forged = state;
             memcpy(forged.bytes + place, &rate, sizeof rate);
             forge_checksum(forged.bytes, forged.size);
             place += sizeof rate;
-            if (unit_variables[i].variability == VARIABILITY_DISCRETE) {
+            if (fmu_variables[i].variability == VARIABILITY_DISCRETE) {
                 assert_refused(STEPS, &forged, "the rate of an input");
                 ++refused;
             } else {
                 assert_int_equal(restore(instance, &forged), fmi3OK);
-                assert_true(unit_get_number_rate(&((struct instance *)instance)->unit, &unit_variables[i]) ==
+                assert_true(fmu_get_number_rate(&((struct instance *)instance)->fmu, &fmu_variables[i]) ==
                             rate);
                 ++accepted;
             }
@@ -282,7 +282,7 @@ static void a_clock_of_no_phase_is_refused(void **unused) {
     assert_refused(STEPS, &state, "hip.place_time");
     while (phase != TDMF_PHASE_COAST) {
         assert_int_equal(do_step(instance, get_float(instance, "time"), 0.01, &step), fmi3OK);
-        phase = (int)((struct instance *)instance)->unit.motion.mode.phase;
+        phase = (int)((struct instance *)instance)->fmu.motion.mode.phase;
     }
     serialize(instance, &landed);
     const double work = get_float(instance, "hip.work");

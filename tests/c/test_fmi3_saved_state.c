@@ -150,10 +150,10 @@ static void a_saved_state_holds_all_of_a_unit(void **unused) {
             take_event(straight, kind);
             go_on(straight, kind, 0.2);
             restore(restored, bytes, serialize3(straight, bytes));
-            const unit *a = &((const instance *)straight)->unit, *b = &((const instance *)restored)->unit;
+            const fmu *a = &((const instance *)straight)->fmu, *b = &((const instance *)restored)->fmu;
             assert_int_equal(a->event_is_pending, kind == STEPS_WITH_EVENTS);
             pending += a->event_is_pending;
-            assert_memory_equal(a, b, a->event_is_pending ? sizeof *a : offsetof(unit, event_is_pending));
+            assert_memory_equal(a, b, a->event_is_pending ? sizeof *a : offsetof(fmu, event_is_pending));
             fmi3FreeInstance(restored);
         }
         fmi3FreeInstance(straight);

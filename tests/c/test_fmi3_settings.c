@@ -3,7 +3,7 @@
 #include "compare.h"
 #include "fmi3_importer.h"
 
-#include "unit.h"
+#include "fmu.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 /* The seam between the physics and FMI: a runner with its settings, whatever FMI version drives it. Plain
  * data, so that copying a unit copies the whole run; what of it a saved state holds is in saved_fields.c. */
-#ifndef TDMF_UNIT_H
-#define TDMF_UNIT_H
+#ifndef TDMF_FMU_H
+#define TDMF_FMU_H
 
 #include "tdmf_slip/tdmf_slip.h"
 
@@ -16,10 +16,10 @@ typedef struct {
         int method; /* solver_method */
         double relative_tolerance;
     } solver;
-} unit_settings;
+} fmu_settings;
 
-typedef struct unit {
-    unit_settings settings;
+typedef struct fmu {
+    fmu_settings settings;
     tdmf_parameters parameters;
     tdmf_inputs inputs;
     tdmf_inputs input_rates;   /* Co-Simulation: how the inputs go on from the communication point */
@@ -40,13 +40,13 @@ typedef struct unit {
     tdmf_parameters event_parameters;
     tdmf_inputs event_inputs;
     tdmf_motion after_event;
-} unit;
+} fmu;
 
 /* Told of every event that the unit takes, if an observer is given. */
 typedef struct {
     void (*note)(void *subject, const tdmf_event *event); /* or NULL */
     void *subject;
-} unit_observer;
+} fmu_observer;
 
 /* What the solver of Co-Simulation has done; stops counting at the largest Integer. */
 typedef struct {
@@ -54,78 +54,78 @@ typedef struct {
         int steps;
         int evaluations;
     } solver;
-} unit_work;
+} fmu_work;
 
 /* What follows from a unit and is computed when it is asked for. */
 typedef struct {
     tdmf_outputs outputs;
-    unit_work work;
+    fmu_work work;
     double states[TDMF_STATE_COUNT]; /* of a run that has not begun: those that it would begin with */
     double derivatives[TDMF_STATE_COUNT];
     double guards[TDMF_GUARD_COUNT];
-} unit_view;
+} fmu_view;
 
 /* Back to the start values of modelDescription.xml, at time 0. */
-void unit_reset(unit *unit);
+void fmu_reset(fmu *fmu);
 
 /* Makes model and solver of the parameters, settings and tolerances set; on refusal the unit is left as it
  * was. */
-tdmf_refusal unit_prepare(unit *unit);
+tdmf_refusal fmu_prepare(fmu *fmu);
 
-/* Begins the run at unit->motion.time from the values set so far; on refusal the unit is left as it was. */
-tdmf_refusal unit_start(unit *unit);
+/* Begins the run at fmu->motion.time from the values set so far; on refusal the unit is left as it was. */
+tdmf_refusal fmu_start(fmu *fmu);
 
-bool unit_has_begun(const unit *unit);
+bool fmu_has_begun(const fmu *fmu);
 
-void unit_evaluate(const unit *unit, unit_view *view);
+void fmu_evaluate(const fmu *fmu, fmu_view *view);
 
 /* How all that follows from states, inputs and settings changes along a direction: a unit whose states,
  * inputs and parameters are the seed. Discrete outputs do not change, nor does the ground in force. */
-void unit_differentiate(const unit *unit, const struct unit *direction, unit_view *change);
+void fmu_differentiate(const fmu *fmu, const struct fmu *direction, fmu_view *change);
 
 /* The same at the start of a run, for all that a start follows from: the seed is in the direction's
- * parameters, inputs, states and time. `given` is the unit before unit_start, `started` the one after. */
-void unit_differentiate_start(const unit *given, const struct unit *started, const struct unit *direction,
-                              unit_view *change);
+ * parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one after. */
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *direction,
+                             fmu_view *change);
 
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
-void unit_flow(const unit *unit, struct unit *direction);
+void fmu_flow(const fmu *fmu, struct fmu *direction);
 
 /* Far beyond any motion, and far enough from overflow for every product of the equations. */
-extern const double unit_largest_state;
+extern const double fmu_largest_state;
 
 /* Whether a clock may show this time: differences, sums and ratios of such times are numbers. */
-bool unit_is_time(double time);
+bool fmu_is_time(double time);
 
 /* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
  * false, and nothing taken, if one is not a number. */
-bool unit_try_state(unit *unit, const double state[TDMF_STATE_COUNT]);
+bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]);
 
-void unit_event_indicators(const unit *unit, double indicators[TDMF_GUARD_COUNT]);
+void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]);
 
 /* Typical magnitudes of the states, from the parameters; importers make absolute tolerances of them. */
-void unit_nominals(const unit *unit, double nominals[TDMF_STATE_COUNT]);
+void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]);
 
 /* To be called before an input may jump. */
-void unit_observe(unit *unit);
+void fmu_observe(fmu *fmu);
 
 /* Model Exchange: leg.extension has no rate, and may change between events all the same. An update accounts
- * for the leg's work up to where unit_account_for_extension was called last, before inputs may jump there. */
-bool unit_extension_has_changed(const unit *unit);
-void unit_account_for_extension(unit *unit);
+ * for the leg's work up to where fmu_account_for_extension was called last, before inputs may jump there. */
+bool fmu_extension_has_changed(const fmu *fmu);
+void fmu_account_for_extension(fmu *fmu);
 
-/* Takes a pending event and resolves whatever else is due at unit->motion.time. */
-tdmf_resolution unit_update(unit *unit, const unit_observer *observer);
+/* Takes a pending event and resolves whatever else is due at fmu->motion.time. */
+tdmf_resolution fmu_update(fmu *fmu, const fmu_observer *observer);
 
 /* Co-Simulation: moves the run on to `until` by the solver chosen. A run that fell stays readable, frozen.
- * Returns NULL, or why it got no farther than unit->motion.time. */
-const char *unit_advance(unit *unit, double until, const unit_observer *observer);
+ * Returns NULL, or why it got no farther than fmu->motion.time. */
+const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer);
 
 /* The same, but stops at the first event on the way (a change of contact mode, hip phase or stride count, an
- * impact, a fall): at its exact time, before it is taken, with unit->event_is_pending. */
-const char *unit_advance_to_event(unit *unit, double until, const unit_observer *observer);
+ * impact, a fall): at its exact time, before it is taken, with fmu->event_is_pending. */
+const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer);
 
 /* Why the settings cannot be met by this build, or NULL. */
-const char *unit_settings_obstacle(const unit *unit);
+const char *fmu_settings_obstacle(const fmu *fmu);
 
 #endif

@@ -1,0 +1,407 @@
+/* A runner with its settings, FMI left out. */
+#include "fmu.h"
+
+#include "tdmf_slip/cvode.h"
+#include "variables.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+enum { NO_GUARD = -1 };
+
+/* Where events are counted from. */
+typedef struct {
+    int event_count; /* which ends at the largest int */
+    double event_time;
+    bool fallen;
+} fmu_mark;
+
+const double fmu_largest_state = 1e60;
+static const double largest_time = 1e100;
+
+void fmu_reset(fmu *fmu) {
+    memset(fmu, 0, sizeof *fmu);
+    for (size_t i = 0; i < fmu_variable_count; ++i) {
+        const fmu_variable *variable = &fmu_variables[i];
+        if (variable->settable_before_start) {
+            fmu_set_number(fmu, variable, variable->start);
+        }
+    }
+    tdmf_model_create(&fmu->model, &fmu->parameters);
+    fmu->importer_tolerance = INFINITY;
+    fmu->stop_time = INFINITY;
+    fmu->solver = tdmf_solver_default();
+}
+
+tdmf_refusal fmu_prepare(fmu *fmu) {
+    const tdmf_refusal refusal = tdmf_model_create(&fmu->model, &fmu->parameters);
+    if (refusal.variable == NULL) {
+        fmu->solver.relative_tolerance =
+            fmin(fmu->settings.solver.relative_tolerance, fmu->importer_tolerance);
+    }
+    return refusal;
+}
+
+tdmf_refusal fmu_start(fmu *fmu) {
+    struct fmu ready = *fmu;
+    tdmf_refusal refusal = fmu_prepare(&ready);
+    if (refusal.variable == NULL) {
+        refusal = tdmf_start(&ready.model, &ready.inputs, ready.motion.time, ready.motion.state,
+                             &ready.motion.mode, &ready.motion.record);
+    }
+    if (refusal.variable == NULL) {
+        ready.accounted_leg = tdmf_leg_sample_of(ready.motion.time, ready.motion.state);
+        *fmu = ready;
+    }
+    return refusal;
+}
+
+bool fmu_has_begun(const fmu *fmu) {
+    return fmu->motion.mode.contact != 0;
+}
+
+static int as_integer(int64_t count) {
+    return count < INT_MAX ? (int)count : INT_MAX;
+}
+
+void fmu_evaluate(const fmu *fmu, fmu_view *view) {
+    tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, view->derivatives);
+    view->outputs =
+        tdmf_outputs_of(&fmu->model, &fmu->inputs, &fmu->motion.mode, &fmu->motion.record, fmu->motion.state);
+    fmu_event_indicators(fmu, view->guards);
+    view->work.solver.steps = as_integer(fmu->solver.steps);
+    view->work.solver.evaluations = as_integer(fmu->solver.evaluations);
+    memcpy(view->states, fmu->motion.state, sizeof view->states);
+}
+
+static void differentiate(const fmu *fmu, const tdmf_change *change, const tdmf_variation *variation,
+                          fmu_view *view) {
+    const tdmf_motion *motion = &fmu->motion;
+    const tdmf_tangent tangent =
+        tdmf_tangent_along(&fmu->model, &fmu->inputs, &motion->mode, motion->state, change, variation);
+    memset(view, 0, sizeof *view);
+    memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
+    memcpy(view->states, variation->state, sizeof view->states);
+    view->outputs.body.x = tangent.body.x;
+    view->outputs.body.y = tangent.body.y;
+    view->outputs.body.vx = tangent.body.vx;
+    view->outputs.body.vy = tangent.body.vy;
+    view->outputs.com.x = tangent.com.x;
+    view->outputs.com.y = tangent.com.y;
+    view->outputs.com.vx = tangent.com.vx;
+    view->outputs.com.vy = tangent.com.vy;
+    view->outputs.contact.fx = tangent.contact_fx;
+    view->outputs.contact.fy = tangent.contact_fy;
+    view->outputs.contact.normal = tangent.contact.normal;
+    view->outputs.contact.tangential = tangent.contact.tangential;
+    view->outputs.leg.force = tangent.leg_force;
+    view->outputs.hip.torque = tangent.torque;
+    view->outputs.energy.kinetic = tangent.energy.kinetic;
+    view->outputs.energy.potential = tangent.energy.potential;
+    view->outputs.energy.elastic = tangent.energy.elastic;
+    view->outputs.energy.total = tangent.energy.total;
+}
+
+void fmu_differentiate(const fmu *fmu, const struct fmu *direction, fmu_view *change) {
+    tdmf_change along = {direction->parameters, direction->inputs};
+    tdmf_variation variation = {.liftoff_angle = 0.0};
+    memcpy(variation.state, direction->motion.state, sizeof variation.state);
+    along.inputs.ground.height = 0.0; /* a new line is in force from an event on */
+    along.inputs.ground.slope = 0.0;
+    differentiate(fmu, &along, &variation, change);
+}
+
+/* Where the run starts at an apex, the section is latched. */
+static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double com_height, double time,
+                               tdmf_outputs *change) {
+    change->apex.time = time;
+    change->apex.com_height = com_height;
+    change->apex.com_speed = change->com.vx;
+    change->apex.leg_length = variation[TDMF_LEG_LENGTH];
+    change->apex.leg_angle = variation[TDMF_LEG_ANGLE];
+    change->apex.leg_length_rate = variation[TDMF_LEG_LENGTH_RATE];
+    change->apex.leg_angle_rate = variation[TDMF_LEG_ANGLE_RATE];
+}
+
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *direction,
+                             fmu_view *change) {
+    const tdmf_change along = {direction->parameters, direction->inputs};
+    const tdmf_start_variation varied =
+        tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state,
+                        &started->motion.mode, &along, direction->motion.state);
+    differentiate(started, &along, &varied.variation, change);
+    change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
+    change->outputs.energy.impact_loss = varied.impact_loss;
+    change->outputs.event.last_time = direction->motion.time;
+    if (started->motion.record.open.began_at_apex) {
+        differentiate_apex(varied.variation.state, varied.com_height, direction->motion.time,
+                           &change->outputs);
+    }
+}
+
+void fmu_flow(const fmu *fmu, struct fmu *direction) {
+    memset(direction, 0, sizeof *direction);
+    tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state,
+                     direction->motion.state);
+    direction->inputs = fmu->input_rates;
+}
+
+bool fmu_is_time(double time) {
+    return fabs(time) <= largest_time;
+}
+
+static double within_largest(double value) {
+    const double bounded = value < fmu_largest_state ? value : fmu_largest_state;
+    return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
+}
+
+bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        if (isnan(state[i])) {
+            return false;
+        }
+    }
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        fmu->motion.state[i] = within_largest(state[i]);
+    }
+    return true;
+}
+
+void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]) {
+    tdmf_guards(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, indicators);
+}
+
+void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]) {
+    tdmf_state_scales(&fmu->model, nominals);
+}
+
+void fmu_observe(fmu *fmu) {
+    tdmf_observe(&fmu->model, &fmu->inputs, fmu->motion.state, &fmu->motion.mode, &fmu->motion.record);
+}
+
+bool fmu_extension_has_changed(const fmu *fmu) {
+    return !tdmf_rest_length_is_accounted_for(&fmu->model, &fmu->inputs, &fmu->motion.mode);
+}
+
+void fmu_account_for_extension(fmu *fmu) {
+    const tdmf_leg_sample leg = tdmf_leg_sample_of(fmu->motion.time, fmu->motion.state);
+    fmu->leg_work_due +=
+        tdmf_account_for_extension(&fmu->model, &fmu->inputs, &fmu->accounted_leg, &leg, &fmu->motion.mode);
+    fmu->accounted_leg = leg;
+}
+
+const char *fmu_settings_obstacle(const fmu *fmu) {
+    if (fmu->settings.solver.method == SOLVER_CVODE && !tdmf_cvode_is_available()) {
+        return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
+    }
+    return NULL;
+}
+
+/* Set by the importer, time may be elsewhere than where the solver left off. */
+static tdmf_instant instant_of(const fmu *fmu) {
+    const tdmf_instant set = {fmu->motion.time, 0.0};
+    return fmu->motion.record.now.time == set.time ? fmu->motion.record.now : set;
+}
+
+static tdmf_outcome advance(fmu *fmu, double until) {
+    const tdmf_instant start = instant_of(fmu);
+    const bool by_cvode = fmu->settings.solver.method == SOLVER_CVODE;
+    const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
+        &fmu->solver, &fmu->model, &fmu->inputs, &fmu->input_rates, until, &fmu->motion);
+    fmu->inputs =
+        tdmf_inputs_after(&fmu->inputs, &fmu->input_rates, tdmf_time_between(start, instant_of(fmu)));
+    return outcome;
+}
+
+/* The same, and tells of every event. */
+static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer *observer) {
+    const long limit = fmu->solver.event_limit;
+    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    tdmf_event_log log;
+    fmu->solver.event_limit = TDMF_EVENT_CAPACITY;
+    fmu->solver.log = &log;
+    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS; i += TDMF_EVENT_CAPACITY) {
+        log.count = 0;
+        outcome = advance(fmu, until);
+        for (int j = 0; j < log.count; ++j) {
+            observer->note(observer->subject, &log.events[j]);
+        }
+    }
+    fmu->solver.event_limit = limit;
+    fmu->solver.log = NULL;
+    return outcome;
+}
+
+/* What remains to be done where a run has got to. */
+static const char *conclude(fmu *fmu, tdmf_outcome outcome, double until) {
+    if (outcome == TDMF_FELL) {
+        fmu->inputs = tdmf_inputs_after(&fmu->inputs, &fmu->input_rates, until - fmu->motion.time);
+        fmu->motion.time = until;
+    }
+    return outcome == TDMF_ARRIVED || outcome == TDMF_FELL ? NULL : tdmf_outcome_text(outcome);
+}
+
+/* ---- up to the first event ---------------------------------------------------------------------------- */
+
+static fmu_mark mark_of(const fmu *fmu) {
+    const tdmf_motion *motion = &fmu->motion;
+    const fmu_mark mark = {motion->record.event_count, motion->record.last_event_time, motion->mode.fallen};
+    return mark;
+}
+
+static bool event_has_happened(const fmu *fmu, const fmu_mark *since) {
+    const fmu_mark now = mark_of(fmu);
+    return now.event_count != since->event_count || now.event_time != since->event_time ||
+           now.fallen != since->fallen;
+}
+
+/* Advances until an event has been taken, and notes its guard; the clamp, which is none of FMI's business,
+ * counts with the solver's events only. */
+static tdmf_outcome advance_through_event(fmu *fmu, double until, const fmu_mark *since) {
+    const long limit = fmu->solver.event_limit;
+    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    tdmf_event_log log;
+    log.count = 0;
+    fmu->solver.event_limit = 1;
+    fmu->solver.log = &log;
+    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS && !event_has_happened(fmu, since); ++i) {
+        log.count = 0;
+        outcome = advance(fmu, until);
+    }
+    fmu->solver.event_limit = limit;
+    fmu->solver.log = NULL;
+    fmu->event_guard = log.count > 0 ? log.events[0].guard : NO_GUARD;
+    return outcome;
+}
+
+/* Up to when an event that is due at `time` is seen to be: a little after its guard's zero. */
+static double time_seen_due(const fmu *fmu, double time) {
+    const double after = fmax(2.0 * fmu->event_lead, 1e-10 * fmu->model.scales.time);
+    return fmax(time + after, nextafter(time, INFINITY));
+}
+
+/* The event, under inputs or settings that were set since it was found: it may be another one by now, or
+ * none. */
+static bool take_event_anew(fmu *fmu) {
+    const tdmf_motion before = fmu->motion;
+    const double time = before.time;
+    const tdmf_inputs inputs = fmu->inputs;
+    const fmu_mark mark = mark_of(fmu);
+    tdmf_record *record = &fmu->motion.record;
+    advance_through_event(fmu, time_seen_due(fmu, time), &mark);
+    if (!event_has_happened(fmu, &mark)) {
+        fmu->motion = before;
+    }
+    fmu->motion.time = time;
+    record->last_event_time = fmin(record->last_event_time, time);
+    record->apex.time = fmin(record->apex.time, time);
+    fmu->inputs = inputs;
+    return event_has_happened(fmu, &mark);
+}
+
+/* True if there was one. */
+static bool take_pending_event(fmu *fmu) {
+    if (!fmu->event_is_pending) {
+        return false;
+    }
+    fmu->event_is_pending = false;
+    if (memcmp(&fmu->parameters, &fmu->event_parameters, sizeof fmu->parameters) != 0 ||
+        memcmp(&fmu->inputs, &fmu->event_inputs, sizeof fmu->inputs) != 0) {
+        return take_event_anew(fmu);
+    }
+    fmu->motion = fmu->after_event;
+    return true;
+}
+
+/* The guard by which the automaton takes its next transition now, or NO_GUARD. */
+static int first_due(const fmu *fmu) {
+    const tdmf_guard guard = tdmf_first_due(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state);
+    return guard == TDMF_GUARD_COUNT ? NO_GUARD : (int)guard;
+}
+
+static tdmf_resolution resolve(fmu *fmu) {
+    const bool was_pending = take_pending_event(fmu);
+    const double leg_work = fmu->leg_work_due;
+    fmu->motion.state[TDMF_LEG_WORK] += leg_work;
+    fmu->leg_work_due = 0.0;
+    tdmf_resolution resolution = tdmf_resolve(&fmu->model, &fmu->inputs, fmu->motion.time, fmu->motion.state,
+                                              &fmu->motion.mode, &fmu->motion.record);
+    resolution.state_changed |= was_pending || leg_work != 0.0;
+    resolution.mode_changed |= was_pending;
+    return resolution;
+}
+
+tdmf_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
+    const fmu_mark mark = mark_of(fmu);
+    const bool pending = fmu->event_is_pending;
+    tdmf_event event = {.guard = first_due(fmu), .before = fmu->motion.mode};
+    memcpy(event.state, fmu->motion.state, sizeof event.state);
+    const tdmf_resolution resolution = resolve(fmu);
+    event.time = fmu->motion.time;
+    event.after = fmu->motion.mode;
+    if (pending) {
+        event.guard = fmu->event_guard;
+    }
+    if (observer->note != NULL && event.guard != NO_GUARD && event_has_happened(fmu, &mark)) {
+        observer->note(observer->subject, &event);
+    }
+    return resolution;
+}
+
+const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer) {
+    const bool observed = observer->note != NULL;
+    if (observed || fmu->event_is_pending) {
+        fmu_update(fmu, observer); /* an input may have jumped; unseen, that is the solver's to find */
+    }
+    return conclude(fmu, observed ? advance_observed(fmu, until, observer) : advance(fmu, until), until);
+}
+
+/* Integrates for a time that the clock may be too coarse for: it is set to 0 for that, which no event takes
+ * note of as long as there is none. */
+static void advance_by(fmu *fmu, double duration) {
+    static const tdmf_instant zero = {0.0, 0.0};
+    fmu->motion.time = zero.time;
+    fmu->motion.record.now = zero;
+    advance(fmu, duration);
+}
+
+/* Leaves `unit`, which is at the start, where an event is about to happen. Integrating up to the event's very
+ * time might take it, so the last bit before it is left out: some rounding errors, or what it takes. */
+static void stand_before_event(fmu *fmu, tdmf_instant event, const fmu_mark *since) {
+    const struct fmu start = *fmu;
+    const double ahead = tdmf_time_between(instant_of(fmu), event);
+    double gap = 1e-13 * fmax(ahead, fmu->model.scales.time);
+    while (gap < ahead) {
+        advance_by(fmu, ahead - gap);
+        if (!event_has_happened(fmu, since)) {
+            break;
+        }
+        fmu->motion = start.motion;
+        fmu->inputs = start.inputs;
+        gap *= 8.0;
+    }
+    fmu->event_lead = gap;
+    fmu->motion.time = event.time;
+    fmu->motion.record.now = event;
+}
+
+const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer) {
+    fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
+    const fmu_mark mark = mark_of(fmu);
+    struct fmu ahead = *fmu;
+    const tdmf_outcome outcome = advance_through_event(&ahead, until, &mark);
+    if (!event_has_happened(&ahead, &mark)) {
+        *fmu = ahead;
+        return conclude(fmu, outcome, until);
+    }
+    fmu->solver = ahead.solver;
+    stand_before_event(fmu, instant_of(&ahead), &mark);
+    fmu->inputs = ahead.inputs;
+    fmu->event_guard = ahead.event_guard;
+    fmu->event_parameters = ahead.parameters;
+    fmu->event_inputs = ahead.inputs;
+    fmu->after_event = ahead.motion;
+    fmu->event_is_pending = true;
+    return NULL;
+}
