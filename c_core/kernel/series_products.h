@@ -74,17 +74,17 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
 
 /* Of sin(a) and cos(a), by themselves up to k - 1 and the rate of a. */
 static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
-    real rise = broadcast(0.0), fall = broadcast(0.0);
+    real sum_with_cosine = broadcast(0.0), sum_with_sine = broadcast(0.0);
     if (k == 0) {
         sine_and_cosine(a[0], &sine[0], &cosine[0]);
         return;
     }
     for (int i = 0; i < k; ++i) {
-        rise += rate[i] * cosine[k - 1 - i];
-        fall += rate[i] * sine[k - 1 - i];
+        sum_with_cosine += rate[i] * cosine[k - 1 - i];
+        sum_with_sine += rate[i] * sine[k - 1 - i];
     }
-    sine[k] = rise * series_reciprocal[k];
-    cosine[k] = -fall * series_reciprocal[k];
+    sine[k] = sum_with_cosine * series_reciprocal[k];
+    cosine[k] = -sum_with_sine * series_reciprocal[k];
 }
 
 /* Of exp(a), by itself up to k - 1. */
