@@ -56,7 +56,9 @@ def leg_acceleration(model, leg, torque, free_body, foot):
     )
 
 
-def rates(model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, place_rate, external_power):
+def rates(
+    model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, place_rate, external_power
+):
     """The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
 
     The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg

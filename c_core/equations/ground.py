@@ -33,7 +33,8 @@ def length_rate(x, y, vx, vy, length):
 def motion(c, s, contact, has_torque, falls=False):
     """Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
 
-    `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with speed.
+    `has_torque` is whether a torque turns the leg, as it does in graze, `falls` whether friction falls with
+    speed.
     """
     square = s.x * s.x + s.y * s.y
     length = sqrt(square)

@@ -150,14 +150,14 @@ def test_controllability_is_told_in_numbers(gaits):
     assert (alone.rank, alone.strides) == (3, 3) and (both.rank, both.strides) == (3, 2)
     assert alone.controllable and alone.stabilizable and not len(alone.unmovable)
     # The touchdown angle hardly moves the mode of the speed; the torque does.
-    assert both.inverse_reduced_mass[0, 0] < 0.2 * both.inverse_reduced_mass[0, 1] and both.conditioning > 5 * alone.conditioning
+    assert both.mobility[0, 0] < 0.2 * both.mobility[0, 1] and both.conditioning > 5 * alone.conditioning
     assert set(both.as_json()) == {
         "settings",
         "eigenvalues",
         "forgotten",
         "rank",
         "singular_values",
-        "inverse_reduced_mass",
+        "mobility",
         "unmovable",
         "strides",
     }
@@ -170,7 +170,7 @@ def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
     order = np.argsort(-np.abs(values))[:3]
     left = left[:, order] / np.linalg.norm(left[:, order], axis=0)
     told = controllability(gaits[1.0], [ANGLE, TORQUE])
-    assert told.inverse_reduced_mass == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
+    assert told.mobility == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
 
 
 def test_a_mode_that_no_setting_moves_is_named():

@@ -94,7 +94,9 @@ def guard_series() -> str:
 FILES = {
     "guard_series.h": guard_series,
     "ground_series.h": partial(of_cases, "ground", GROUND, [], []),
-    "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_with_torque"], ["stick_with_torque"]),
+    "stick_series.h": partial(
+        of_cases, "stick", GROUND, ["stick", "stick_with_torque"], ["stick_with_torque"]
+    ),
     "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_with_torque"], ["slip_with_torque"]),
     "falling_slip_series.h": partial(of_cases, "falling_slip", GROUND, ["falling_slip"], ["falling_slip"]),
     "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),
