@@ -33,8 +33,8 @@ from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
 
 FELL = FATES.index("fell")
 UNDECIDED = FATES.index("undecided")
-PLACE = ffi.sizeof("tdmf_ensemble_place")
-COUNT = ffi.offsetof("tdmf_ensemble_place", "motion", "record", "stride", "count")
+PLACE = ffi.sizeof("tdmf_ensemble_checkpoint")
+COUNT = ffi.offsetof("tdmf_ensemble_checkpoint", "motion", "record", "stride", "count")
 """Strides that a runner's record has; those of its end are to be as many."""
 AHEAD = 6
 """Strides within which a fall counts when the score is learned."""
@@ -143,7 +143,7 @@ class RoughRunner:
         ground = RoughGround(self.roughness, seed)
         cases, kept = c_cases([Case(self.runner, ground=ground, law=self.law)], time + 1, 1.0)
         request.cases, request.case_count = cases, 1
-        request.places = ffi.cast("tdmf_ensemble_place *", ffi.from_buffer(places))
+        request.places = ffi.cast("tdmf_ensemble_checkpoint *", ffi.from_buffer(places))
         request.goes_on = goes_on
         run(request, ends)
         del kept
