@@ -143,7 +143,7 @@ class RoughRunner:
         ground = RoughGround(self.roughness, seed)
         cases, kept = c_cases([Case(self.runner, ground=ground, law=self.law)], time + 1, 1.0)
         request.cases, request.case_count = cases, 1
-        request.places = ffi.cast("tdmf_ensemble_checkpoint *", ffi.from_buffer(places))
+        request.checkpoints = ffi.cast("tdmf_ensemble_checkpoint *", ffi.from_buffer(places))
         request.goes_on = goes_on
         run(request, ends)
         del kept
