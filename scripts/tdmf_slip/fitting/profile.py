@@ -56,7 +56,6 @@ class Profile:
         bounds: Bounds,
         robust: bool,
         covariance: NDArray[np.float64],
-        rise: float,
     ) -> None:
         """Whose, around which values.
 
@@ -72,21 +71,32 @@ class Profile:
             As in `search.searched`.
         covariance : ndarray of float
             Of the unknowns, by the linear fit.
-        rise : float
-            Of the loss, at an interval's end.
         """
         self.problem, self.best, self.bounds, self.robust = problem, best, bounds, robust
-        self.covariance, self.root = covariance, float(np.sqrt(rise))
+        self.covariance, self.root = covariance, np.nan
         self._apexes = problem.apexes()
 
-    def interval(self, number: int) -> tuple[End, End]:
+    def interval(self, number: int, rise: float) -> tuple[End, End]:
         """Both ends of the interval of a parameter.
+
+        Parameters
+        ----------
+        number : int
+            Of the parameter.
+        rise : float
+            Of the loss, at the ends.
+
+        Returns
+        -------
+        pair of End
+            The lower and the upper one.
 
         Raises
         ------
         BetterFitError
             The fit was none.
         """
+        self.root = float(np.sqrt(rise))
         low, high = (self._end(number, side) for side in (-1.0, 1.0))
         self.problem.restart(self.best.at, self._apexes)
         return low, high
@@ -154,9 +164,6 @@ class Profile:
             begin = seen + share * moved * along
             begin[number] = value
             begin = np.clip(begin, *self.bounds)
-            inside = 1e-9 * np.maximum(1.0, np.abs(begin))
-            others = np.arange(len(begin)) != number
-            begin[others] = np.clip(begin, self.bounds[0] + inside, self.bounds[1] - inside)[others]
             try:
                 found = searched(self.problem, begin, self.bounds, self.robust, number, CHANGE)
             except RunError:

@@ -1,18 +1,19 @@
 """The search for the least sum of squares, or of a loss that a datum far off changes little."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from .problem import Problem
 
 MOST_STEPS = 60
 """Tries of the search."""
 CHANGE = 1e-9
 """Of the sum of squares, of the unknowns, and of the slope: where the search ends."""
+INSIDE = 1e-9
+"""Of an unknown: how far within its bounds a search begins, lest SciPy moves it there itself, unasked."""
 HUBER = 1.345
 """Errors up to which Huber's loss is the square: of normal data it then tells 95 % of what squares do."""
 STATIONARY, ROUNDING = 1e-2, 1e-4
@@ -20,6 +21,18 @@ STATIONARY, ROUNDING = 1e-2, 1e-4
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Least and greatest values of the unknowns."""
+
+
+class Residuals(Protocol):
+    """What is made least."""
+
+    def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Infinite where there are none."""
+        ...
+
+    def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of the residuals."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +56,7 @@ class Ended(ByContents):
 
 
 def searched(
-    problem: Problem,
+    problem: Residuals,
     begin: NDArray[np.float64],
     bounds: Bounds,
     robust: bool,
@@ -54,8 +67,8 @@ def searched(
 
     Parameters
     ----------
-    problem : Problem
-        Whose residuals.
+    problem : Residuals
+        Whose.
     begin : ndarray of float
         Unknowns to begin with.
     bounds : pair of ndarray of float
@@ -75,23 +88,25 @@ def searched(
     from scipy.optimize import least_squares  # slow to load
 
     free = np.arange(len(begin)) != (-1 if fixed is None else fixed)
-    at = begin.copy()
+    inside = INSIDE * np.maximum(1.0, np.abs(begin))
+    at = np.where(free, np.clip(begin, bounds[0] + inside, bounds[1] - inside), begin)
+    first = at.copy()
 
-    def all_of(part: NDArray[np.float64]) -> NDArray[np.float64]:
-        at[free] = part
-        return at
+    def all_of(step: NDArray[np.float64]) -> NDArray[np.float64]:
+        at[free] = first[free] + step  # from zero, where SciPy's first step is no longer than one
+        return np.clip(at, *bounds)
 
     def none(tries: int) -> Ended:
         residuals = problem.residuals(begin)
         return Ended(begin, residuals, loss_of(residuals, robust), np.zeros(len(begin), int), tries, True)
 
-    if not free.any() or not np.isfinite(problem.residuals(begin)).all():
+    if not free.any() or not np.isfinite(problem.residuals(first)).all():
         return none(0)
     found: Any = least_squares(
-        lambda part: problem.residuals(all_of(part)),
-        begin[free],
-        lambda part: problem.jacobian(all_of(part))[:, free],
-        bounds=(bounds[0][free], bounds[1][free]),
+        lambda step: problem.residuals(all_of(step)),
+        np.zeros(int(free.sum())),
+        lambda step: problem.jacobian(all_of(step))[:, free],
+        bounds=(bounds[0][free] - first[free], bounds[1][free] - first[free]),
         method="trf",
         x_scale=1.0,
         ftol=change,
