@@ -117,7 +117,7 @@ def test_calibrated_intervals_end_where_the_profile_has_risen_by_what_is_told():
     """By fits with the parameter held; data sets of this fit ask for more than the quantile of chi square."""
     model, runners, names, error, free, each = SCENARIOS["weak"]
     random = np.random.default_rng(1)
-    rows = tuple(disturbed(measured(find_orbit(r, model=model), names, error), random) for r in runners)
+    rows = tuple(disturbed(measured(find_gait(r, model=model), names, error), random) for r in runners)
     data = Measurements(rows, "weak")
     asked = {"free_each": each, "runner": FIRST, "model": model, "profile": free}
     plain, found = (fit(data, free, **asked, calibrate=n) for n in (0, 40))
@@ -133,10 +133,10 @@ def test_calibrated_intervals_end_where_the_profile_has_risen_by_what_is_told():
 
 def test_the_mean_ratio_of_one_parameter_is_that_of_its_normal_errors():
     """Of precise data residuals are straight lines: errors z have a likelihood ratio of (j z)^2 / j^2."""
-    gait, names, error = find_orbit({"ground.friction": 0.6}), PRECISE, 1e-5
+    gait, names, error = find_gait({"ground.friction": 0.6}), PRECISE, 1e-5
     row = measured(gait, names, error)
     above, below = (
-        quantities_of(find_orbit({"ground.friction": 0.6, "leg.stiffness": k}), names)
+        quantities_of(find_gait({"ground.friction": 0.6, "leg.stiffness": k}), names)
         for k in (1 + 1e-6, 1 - 1e-6)
     )
     slopes = np.array([(above[name] - below[name]) / row[name].error for name in names])
@@ -152,7 +152,7 @@ def test_the_mean_ratio_of_one_parameter_is_that_of_its_normal_errors():
 
 
 def test_data_sets_have_errors_that_are_known():
-    row = measured(find_orbit({"ground.friction": 0.6}), PRECISE, 1e-3)
+    row = measured(find_gait({"ground.friction": 0.6}), PRECISE, 1e-3)
     with pytest.raises(InputError, match="calibrate: data sets are made with errors that are known"):
         fit(one_row(row), ["leg.stiffness"], calibrate=5, scale_errors=True)
     with pytest.raises(InputError, match="calibrate = -1 is not allowed"):

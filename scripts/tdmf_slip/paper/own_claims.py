@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ..contents import ByContents
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from .own_statements import CLAIMS
+from .statements.table import CLAIMS
 
 
 @dataclass(frozen=True)
