@@ -10,6 +10,11 @@ def identity(size: int) -> arb_mat:
     return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
 
 
+def middle(matrix: arb_mat) -> arb_mat:
+    """Its midpoints."""
+    return arb_mat(matrix.nrows(), matrix.ncols(), [x.mid() for x in matrix.entries()])
+
+
 def greatest(values: list[arb]) -> arb:
     """The greatest of upper bounds."""
     found = arb(0)

@@ -13,6 +13,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .exact import Exact
+from .given import KNOWN
 from .range_proof import Piece, RangeProof
 from .range_prover import RangeProver
 from .workers import side_by_side
@@ -21,6 +22,8 @@ PARTS = 32
 """Into which a range is cut, to be proved side by side; each is written to a file as it is done."""
 WIDE = 1e-4
 """A range of less is not cut."""
+NONE = "0"
+"""A parameter's value with which what it is about is not there."""
 
 
 def prove_pieces(
@@ -95,7 +98,12 @@ def prove_range(
 
 
 def _told(values: Mapping[str, Exact], name: str) -> dict[str, str]:
-    return {of: str(value) for of, value in values.items() if of != name}
+    """What the proof rests on: a parameter that it does not know of has no part in it, nor one that is 0.
+
+    So a file stays valid as the model gets further laws, as long as they are without effect.
+    """
+    of_proof = {of: str(value) for of, value in values.items() if of in KNOWN and of != name}
+    return {of: value for of, value in of_proof.items() if value != NONE}
 
 
 def _done(output: Path | None, head: Mapping[str, object]) -> dict[tuple[Fraction, Fraction], list[Piece]]:
@@ -104,7 +112,7 @@ def _done(output: Path | None, head: Mapping[str, object]) -> dict[tuple[Fractio
         return {}
     lines = output.read_text(encoding="utf-8").splitlines()
     rows = [row for line in lines if (row := _row(line)) is not None]
-    if not rows or rows[0] != head:
+    if not rows or not _is_of(head, rows[0]):
         raise InputError(
             f"{output}: is not of this range and runner; allowed: a new file, or one of the same"
         )
@@ -112,6 +120,14 @@ def _done(output: Path | None, head: Mapping[str, object]) -> dict[tuple[Fractio
         (Fraction(row["part"][0]), Fraction(row["part"][1])): [Piece.of_row(piece) for piece in row["pieces"]]
         for row in rows[1:]
     }
+
+
+def _is_of(head: Mapping[str, object], read: Any) -> bool:
+    """Whether a file is of this range and runner; one that was written before may have zeros, too."""
+    if not isinstance(read, dict) or not isinstance(read.get("parameters"), dict):
+        return False
+    parameters = {of: value for of, value in read["parameters"].items() if value != NONE}
+    return {**read, "parameters": parameters} == head
 
 
 def _row(line: str) -> Any:

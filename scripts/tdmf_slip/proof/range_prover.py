@@ -39,7 +39,7 @@ RECOVERY = Fraction(103, 100)
 FULL = 0.6
 """Of its size, what the operator leaves of a box that is as wide as is worth while: 1 proves nothing."""
 TRIES = 4
-WIDEST_BOX = 3.0
+WIDEST_BOX = 1.5
 """Of xi, in units of the piece's width: a wider one bends the stride more than the parameter does."""
 SPLITS = 3
 """How often a piece whose gaits are proved, but not their stability, is cut in two for its sake."""
@@ -53,7 +53,7 @@ class RangeProver:
         self.runner, self.name = runner, name
         self.parameters = Parameters(values, name)
         self.fine = Fineness(BITS)
-        self.bend: list[float] = [1e3] * 6
+        self.bend: list[float] = [1.0] * 6
         self.growth = 1.0
 
     def pieces(self, begin: Fraction, end: Fraction) -> Iterator[Piece]:

@@ -1,13 +1,21 @@
 """Derivatives of the motion by the start of a stride: products of those of steps and events, enclosed.
 
-A plain product of enclosures widens at each turn of the motion. Beside it the product is kept as Q W with a
-point matrix Q that is made orthogonal at each step (Lohner), and both are intersected.
+A product of enclosures, one after the other, widens at each turn of the motion, far more than the true
+derivative varies over the set. For any matrices L_0, ..., L_n with L_n = 1 the product of A_1, ..., A_n is
+
+    A_n ... A_1 V = L_0 V + sum of (L_k A_k - L_(k-1)) A_(k-1) ... A_1 V.
+
+With L_(k-1) near the middle of L_k A_k, taken from the end to the beginning, each bracket is a small ball
+around zero, which is as wide as one factor and no more; what was enclosed before serves as A_(k-1) ... A_1 V.
 """
 
 import numpy as np
 from flint import arb, arb_mat
 
-from .matrices import identity
+from .matrices import identity, middle
+
+OFTEN = 8
+"""After so many factors the sum is taken, and at each event."""
 
 
 class Spread:
@@ -15,23 +23,34 @@ class Spread:
 
     def __init__(self, first: arb_mat) -> None:
         """The derivative at the start."""
-        self.product = first
-        self._frame, self._inside = identity(first.nrows()), first
+        self.product = self._first = first
+        self._factors: list[tuple[arb_mat, arb_mat]] = []
+        """Each A_k, and what was enclosed before it."""
 
-    def follow(self, derivative: arb_mat) -> None:
+    def follow(self, derivative: arb_mat, *, is_event: bool = False) -> None:
         """Go on by the derivative of a step or of an event.
 
         Parameters
         ----------
         derivative : arb_mat
             Of shape (numbers after it, numbers before it).
+        is_event : bool, default False
+            It is an event's.
         """
-        plain = derivative * self.product
-        turned = derivative * self._frame
-        frame = _frame_of(turned, self._inside)
-        self._inside = (frame.inv() * turned) * self._inside
-        self._frame = frame
-        self.product = intersected(plain, frame * self._inside)
+        self._factors.append((derivative, self.product))
+        self.product = derivative * self.product
+        if is_event or len(self._factors) % OFTEN == 0:
+            self.product = intersected(self.product, self._telescoped())
+
+    def _telescoped(self) -> arb_mat:
+        """The product by the sum above."""
+        later = identity(self.product.nrows())
+        found = arb_mat(self.product.nrows(), self.product.ncols())
+        for factor, before in reversed(self._factors):
+            whole = later * factor
+            later = middle(whole)
+            found = found + (whole - later) * before
+        return found + later * self._first
 
 
 class Drift:

@@ -2,11 +2,13 @@
 
 Two motions go along: one of a single start, the centre, and tubes of all starts. The derivative of the
 stride is enclosed over the set, and by the mean value theorem the set at any time lies in  centre +
-derivative (set - centre), so that it does not grow by being wrapped in balls. The centre is a point and a
-drift, which has all its errors.
+derivative (set - centre), so that it does not grow by being wrapped in balls; so it does at an event, and
+the event's derivative is enclosed over what is left. The centre is a point and a drift, which has all its
+errors.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from flint import arb, arb_mat, ctx
 
@@ -27,6 +29,11 @@ from .stride import Met, Stride, Traveller, gradient_of_guard
 from .transitions import Transition
 from .undecided import UndecidedError
 from .varied_flow import VariedFlow
+
+SHARPENINGS = 2
+"""How often the motion at an event is enclosed by the derivative that follows from its enclosure."""
+Instant = tuple[arb, Values]
+"""A time, and the motion's numbers then."""
 
 
 class SetTraveller(Traveller):
@@ -128,17 +135,29 @@ class SetTraveller(Traveller):
     def _land(self, met: Met, thin: Flow, flow: Flow) -> None:
         assert isinstance(flow, VariedFlow)
         flow.vary(self.dual)
-        names, derivative = flow.names, flow.matrix(met.times)
-        self._saltate(met, derivative, names)
+        own, landed = self._centre_after(met, thin)
+        for _ in range(SHARPENINGS):
+            delays, derivative = self._saltated(met, flow.matrix(met.times), flow.names)
+            met = self._sharpened(met, own, derivative, delays)
+        names = flow.names
         numbers = dict(zip(names, seeds([met.values[name] for name in names], names), strict=True))
         reset = Transition(self.dual, met.before, numbers, met.forced).take(met.guard.name)
-        landed = self._centre_after(met, thin)
         if reset.margin is not None:
             self._note_margin(reset.margin, landed, derivative, names)
         derivative = self._slopes(reset.values, self.names, names) * derivative
         self._begin_at({name: arb(value_of(landed.values[name])) for name in self.names}, derivative)
-        self.spread.follow(derivative)
+        self.spread.follow(derivative, is_event=True)
         self.set = self._around({name: arb(value_of(met.entered.values[name])) for name in self.names})
+
+    def _sharpened(self, met: Met, own: Instant, derivative: arb_mat, delays: arb_mat) -> Met:
+        """The event around that of the centre, by the mean value theorem."""
+        when, at = own
+        away = self.spread.product * self.offset
+        away = away + arb_mat(away.nrows(), 1, self.drift.balls())
+        moved, delay = derivative * away, delays * away
+        names = enumerate(met.values)
+        values = {name: narrower(met.values[name], at[name] + moved[i, 0]) for i, name in names}
+        return replace(met, times=narrower(met.times, when + delay[0, 0]), values=values)
 
     def _note_margin(
         self, margin: Number, landed: Entered, derivative: arb_mat, names: Sequence[str]
@@ -150,28 +169,29 @@ class SetTraveller(Traveller):
         self.margin = arb(landed.margin) + drift[0, 0]
         self.margin_slopes = list((slopes * self.spread.product).entries())
 
-    def _saltate(self, met: Met, derivative: arb_mat, names: Sequence[str]) -> None:
-        """The event's time moves with the start: each column goes along the flow by as much."""
+    def _saltated(self, met: Met, derivative: arb_mat, names: Sequence[str]) -> tuple[arb_mat, arb_mat]:
+        """How the event's time moves with the start, and the derivative: each column goes on by as much."""
         rates = speeds(self.wide, met.before, met.values)
         values = {name: met.values[name] for name in names}
-        steepness = gradient_of_guard(self.dual, met.before, met.guard.name, values)
-        fall = sum((s * rates[name] for s, name in zip(steepness, names, strict=True)), arb(0))
+        gradient = gradient_of_guard(self.dual, met.before, met.guard.name, values)
+        steepness = arb_mat(1, len(names), gradient)
+        motion = arb_mat(len(names), 1, [rates[name] for name in names])
+        fall = (steepness * motion)[0, 0]
         if not fall < 0:
             raise UndecidedError(met.guard.name)
-        for j in range(len(names)):
-            delay = -sum((s * derivative[i, j] for i, s in enumerate(steepness)), arb(0)) / fall
-            for i, name in enumerate(names):
-                derivative[i, j] = derivative[i, j] + rates[name] * delay
+        delays = steepness * derivative / -fall
+        return delays, derivative + motion * delays
 
-    def _centre_after(self, met: Met, thin: Flow) -> Entered:
-        """The centre just after its own event."""
+    def _centre_after(self, met: Met, thin: Flow) -> tuple[Instant, Entered]:
+        """The centre at its own event, and just after it."""
         name, mode, times = met.guard.name, met.before, met.times
         with ctx.workprec(self.fine.bits):
             own = Guard(name, FUNCTIONS[name](self.thin, mode, thin.record()), met.guard.order)
             low, high = (arb(bound.mid()) for bound in (times.lower(), times.upper()))
             when = own.zero_after(low, high) if low < high else None
-            at = thin.at(times if when is None else when)
-            return Transition(self.thin, mode, at, met.forced).take(name)
+            when = times if when is None else when
+            at = thin.at(when)
+            return (when, at), Transition(self.thin, mode, at, met.forced).take(name)
 
     def _close(self) -> Stride:
         with ctx.workprec(self.fine.bits):
