@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import math
 import os
 from collections.abc import Mapping
 from fractions import Fraction
@@ -18,10 +19,10 @@ from .range_proof import Piece, RangeProof
 from .range_prover import RangeProver
 from .workers import side_by_side
 
-PARTS = 32
-"""Into which a range is cut, to be proved side by side; each is written to a file as it is done."""
-WIDE = 1e-4
-"""A range of less is not cut."""
+PARTS = 256
+"""Into which a wide range is cut, to be proved side by side; each is written to a file as it is done."""
+NARROWEST_PART = Fraction(1, 500)
+"""Of the greater end: of less width none is."""
 NONE = "0"
 """A parameter's value with which what it is about is not there."""
 
@@ -31,6 +32,12 @@ def prove_pieces(
 ) -> list[Piece]:
     """All pieces of a range, in this process."""
     return list(RangeProver(runner, values, name).pieces(*ends))
+
+
+def parts_of(begin: Fraction, end: Fraction) -> int:
+    """Into how many parts a range is cut."""
+    least = NARROWEST_PART * max(abs(begin), abs(end))
+    return max(1, min(PARTS, math.floor((end - begin) / least)))
 
 
 def cut(begin: Fraction, end: Fraction, number: int) -> list[tuple[Fraction, Fraction]]:
@@ -79,8 +86,7 @@ def prove_range(
     InputError
         The file is of something else.
     """
-    wide = ends[1] - ends[0]
-    parts = cut(*ends, PARTS if wide > WIDE else 1)
+    parts = cut(*ends, parts_of(*ends))
     head = {"vary": name, "range": [str(end) for end in ends], "parameters": _told(values, name)}
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]

@@ -28,7 +28,7 @@ from .stride import Stride
 from .undecided import UndecidedError
 
 FIRST = Fraction(1, 4)
-"""Of the range, the piece that is tried first, and until one is proved, of each the next."""
+"""Of a piece that is too wide, what is tried next, until the first is proved."""
 NARROWEST = Fraction(1, 10**10)
 """A box that is undecided and no wider is left."""
 GROWTH = 4.0
@@ -69,7 +69,7 @@ class RangeProver:
         Piece
             In order, without gaps.
         """
-        width, gait, shrinkage = (end - begin) * FIRST, None, FIRST
+        width, gait, shrinkage = end - begin, None, FIRST
         most = width
         while begin < end:
             until = min(begin + short_decimal(min(width, most)), end)
