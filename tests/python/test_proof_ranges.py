@@ -1,0 +1,150 @@
+"""Proofs of gaits over whole ranges of a parameter, and the table of them that is published."""
+
+import hashlib
+import itertools
+import json
+import pathlib
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip.errors import InputError
+
+pytest.importorskip("flint")
+
+from tdmf_slip.proof.given import gait_of
+from tdmf_slip.proof.parameters import Parameters
+from tdmf_slip.proof.range_proof import Piece
+from tdmf_slip.proof.range_prover import RangeProver, proved_piece
+
+DOCUMENTATION = pathlib.Path(__file__).parents[2] / "documentation"
+TABLE = DOCUMENTATION / "data/proved_friction.jsonl"
+
+
+@pytest.fixture(scope="module")
+def span(tmp_path_factory):
+    """A short range, and the file that it is on."""
+    file = tmp_path_factory.mktemp("range") / "range.jsonl"
+    given = {"ground.friction": "10"}
+    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.06")}, output=file, workers=1), file
+
+
+def test_a_whole_range_is_proved_by_subdivision(span):
+    proof, _ = span
+    assert proof.proved, proof.sentence
+    assert proof.words == ("0+",)
+    assert proof.stable
+    assert proof.is_one_branch
+    assert len(proof.pieces) >= 2
+    assert proof.pieces[0].begin == 10
+    assert proof.pieces[-1].end == Fraction("10.06")
+    assert all(one.end == other.begin for one, other in zip(proof.pieces, proof.pieces[1:], strict=False))
+
+
+def test_a_proof_of_a_range_goes_on_from_its_file(span):
+    proof, file = span
+    text = file.read_text(encoding="utf-8")
+    vary = {"ground.friction": ("10", "10.06")}
+    assert (
+        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, workers=1).pieces == proof.pieces
+    )
+    assert file.read_text(encoding="utf-8") == text
+    with pytest.raises(InputError, match="not of this range"):
+        tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)
+
+
+@pytest.fixture(scope="module")
+def table():
+    """The published table of proved gaits over the friction: its heading, and all its pieces."""
+    head, *parts = (json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines())
+    return head, [Piece.of_row(row) for part in parts for row in part["pieces"]]
+
+
+def test_the_published_table_covers_its_range_with_one_branch(table):
+    head, pieces = table
+    assert head["range"] == ["47/100", "12/25"]
+    assert (pieces[0].begin, pieces[-1].end) == (Fraction("0.47"), Fraction("0.48"))
+    assert all(piece.proved and piece.stable and piece.word == "+0-" for piece in pieces)
+    assert all(one.meets(other) for one, other in itertools.pairwise(pieces))
+    assert len(pieces) < 40
+
+
+def test_the_published_table_is_of_the_runner_of_today():
+    """Given the table, the command has nothing left to do."""
+    text = TABLE.read_bytes()
+    vary = {"ground.friction": ("0.47", "0.48")}
+    proof = tdmf_slip.prove(vary=vary, output=TABLE, workers=1)
+    assert TABLE.read_bytes() == text
+    assert proof.proved
+    assert proof.is_one_branch
+
+
+def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
+    """A file that was written before a law was there, and one that names it."""
+    proof, file = span
+    vary = {"ground.friction": ("10", "10.06")}
+    head, *parts = file.read_text(encoding="utf-8").splitlines()
+    told = json.loads(head)
+    assert "ground.stribeck_velocity" not in told["parameters"]
+    told["parameters"]["ground.stribeck_velocity"] = "0"
+    other = tmp_path / "named.jsonl"
+    other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
+    assert tdmf_slip.prove(vary=vary, output=other, workers=1).pieces == proof.pieces
+    told["parameters"]["ground.stribeck_velocity"] = "1/10"
+    other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
+    with pytest.raises(InputError, match="not of this range and runner"):
+        tdmf_slip.prove(vary=vary, output=other)
+
+
+def test_pieces_of_the_published_table_are_proved_again(table):
+    _, values = gait_of({"ground.friction": "0.47"})
+    parameters = Parameters(values, "ground.friction")
+    for piece in table[1][:: len(table[1]) // 2]:
+        again, _ = proved_piece(parameters, piece)
+        assert (again.word, again.stable) == (piece.word, piece.stable)
+        assert all(a < b for a, b in zip(again.enclosure, piece.box, strict=True))
+        assert np.allclose(again.enclosure, piece.enclosure, rtol=0.02)
+
+
+def test_the_guide_has_the_hash_of_the_published_table(table):
+    guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
+    assert hashlib.sha256(TABLE.read_bytes()).hexdigest() in guide
+    assert f"{len(table[1])} pieces" in guide
+
+
+def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
+    """Where every piece of more than a width is left open."""
+    prove, widest = RangeProver._piece, Fraction("0.0000006")
+
+    def open_if_wide(self, begin, end, gait):
+        piece = prove(self, begin, end, gait)
+        return replace(piece, stable=None) if end - begin > widest else piece
+
+    monkeypatch.setattr(RangeProver, "_piece", open_if_wide)
+    proof = tdmf_slip.prove(
+        {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, workers=1
+    )
+    assert proof.stable is True
+    assert proof.is_one_branch
+    assert all(piece.end - piece.begin <= widest for piece in proof.pieces)
+    assert proof.pieces[0].begin == 10
+    assert proof.pieces[-1].end == Fraction("10.000004")
+
+
+def test_pieces_that_do_not_meet_are_no_branch(span):
+    first, second = span[0].pieces[:2]
+    assert first.meets(second)
+    apart = Piece.of_row({**second.as_row(), "centre": [x + 1e-3 for x in second.centre]})
+    assert not first.meets(apart)
+
+
+@pytest.mark.parametrize(
+    "vary",
+    [{}, {"ground.friction": ("0.6", "0.5")}, {"ground.friction": ("0.5", "x")}, {"nothing": ("0", "1")},
+     {"ground.friction": "0.5"}],
+)  # fmt: skip
+def test_a_range_that_is_none_is_refused(vary):
+    with pytest.raises(InputError):
+        tdmf_slip.prove(vary=vary)
