@@ -60,13 +60,43 @@ def test_gaits_of_each_actuation_are_what_is_kept():
             for place in places[len(places) // 2 :][:1]:
                 torque, thrusts = (data[name][place] for name in ("hip_torque", "thrust"))
                 start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
+                start[thrust.ANGLE] = data["touchdown_angle"][place]
                 stride = find_gait(Runner.of(start)).stride
                 slip = stride["slip_distance"] / stride["length"]
                 assert slip == pytest.approx(data["slip_per_length"][place], rel=1e-7, abs=1e-12)
                 for name in ("speed", "cost_of_transport"):
                     assert stride[name] == pytest.approx(data[name][place], rel=1e-7)
                 compared += 1
-    assert compared == 7
+    assert compared == 10
+
+
+def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_more():
+    data = stored.columns("thrust")
+    actuated, compared = thrust.actuated(data), 0
+    for friction in (0.2, 0.6):
+        of_it = data["friction"] == friction
+        hip = actuated[thrust.HIP_ALONE] & of_it & (data["stable"] > 0.0)
+        order = np.argsort(data["speed"][hip])
+        alike = actuated[thrust.MATCHED] & of_it
+        assert np.count_nonzero(alike) == len(thrust.SPEEDS)
+        speeds, slips = (data[name][hip][order] for name in ("speed", "slip_per_length"))
+        assert np.all(data["slip_per_length"][alike] > np.interp(data["speed"][alike], speeds, slips))
+        compared += np.count_nonzero(alike)
+    assert compared == 16
+
+
+def test_runners_matched_on_the_level_are_slowed_less_uphill():
+    data = stored.columns("slope")
+    matched = data["matched"] > 0.0
+    slips = (data["friction"] == 0.2) & ~matched
+    compared = 0
+    for friction in (0.6, 10.0):
+        alike = matched & (data["friction"] == friction)
+        speed = np.interp([0.0, 1.5], data["slope_degrees"][alike], data["speed"][alike])
+        slipping = np.interp([0.0, 1.5], data["slope_degrees"][slips], data["speed"][slips])
+        assert speed[0] == pytest.approx(slipping[0], rel=1e-3) and speed[1] > 1.08 * slipping[1]
+        compared += 1
+    assert compared == 2
 
 
 def test_optimal_runners_are_what_is_kept():

@@ -151,6 +151,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         return measure_all(chosen)
 
     retracting = cache(lambda: retraction.branches(runner))
+    alike = cache(lambda: retraction.matched(runner))
 
     @cache
     def gaits_of_both() -> dict[str, Sweep]:
@@ -180,7 +181,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def slopes() -> Columns:
-        return slope.table(slope.gaits(runner)) if measure else stored.columns("slope")
+        return slope.table(slope.gaits(runner), slope.matched(runner)) if measure else stored.columns("slope")
 
     @cache
     def thrusts() -> Columns:
@@ -210,7 +211,8 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
         "optimal": Figure(lambda path: optimal.draw(path, optima()), optima),
         "retraction": Figure(
-            lambda path: retraction.draw(path, retracting()), lambda: retraction.table(retracting())
+            lambda path: retraction.draw(path, retracting(), alike()),
+            lambda: retraction.table(retracting(), alike()),
         ),
         "rough": Figure(lambda path: rough.draw(path, roughness()), roughness),
         "slope": Figure(lambda path: slope.draw(path, slopes()), slopes),

@@ -20,6 +20,7 @@ from ...pictures import style
 from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
+from .matched import like
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -33,9 +34,12 @@ SEED = 20261122
 LEFT_ALONE = 0.05
 """Of dead-beat laws: the mode that a stride shrinks to a hundredth."""
 
-NONE = "no feedback"
+NONE, MATCHED = "no feedback", "no feedback, kinematics of friction 0.2"
+REFERENCE = 0.2
+"""The friction whose speed, apex height and leg angle the matched runners have."""
 COLOURS: Mapping[str, str] = {
     NONE: "#22303c",
+    MATCHED: "#b3216f",
     "quadratic regulator: touchdown angle": "#1f5fa8",
     "quadratic regulator: angle and torque": "#0b7a75",
     "dead-beat: angle and torque": "#e07b00",
@@ -50,13 +54,14 @@ COUNTED = ("falls", "strides", "stopped", "unsolved")
 
 
 def laws(gait: Gait) -> dict[str, Feedback | None]:
-    """The feedbacks that are judged at a gait, by name."""
+    """The feedbacks that are judged at a gait, by name; the matched runner has none."""
     reach = {
         name: (gait.runner.values[name] - REACH[name], gait.runner.values[name] + REACH[name])
         for name in REACH
     }
     alone, both = (ANGLE,), (ANGLE, TORQUE)
     made = (
+        None,
         None,
         lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
         lqr(gait, both, limits=reach),
@@ -82,13 +87,23 @@ def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgeme
     """
     gaits = [periodic_gait(runner.but(FRICTION, friction)) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
+    alike = matched(runner, gaits)
     trials: dict[str, list[Trial]] = {name: [] for name in COLOURS}
     for gait in gaits:
         for name, law in laws(gait).items():
             noisy = None if law is None else replace(law, noise=noise, seed=SEED)
-            trials[name].append(Trial(gait, noisy, ROUGHNESS, SEED))
+            one = alike.get(gait.friction) if name == MATCHED else gait
+            if one is not None:
+                trials[name].append(Trial(one, noisy, ROUGHNESS, SEED))
     found = iter(judge_all([trial for its in trials.values() for trial in its], progress=progress))
     return {name: [next(found) for _ in its] for name, its in trials.items()}
+
+
+def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
+    """By friction: the control, which carries its foot as high as the runner on `REFERENCE`."""
+    reference = periodic_gait(runner.but(FRICTION, REFERENCE))
+    found = {gait.friction: like(reference, gait) for gait in gaits}
+    return {friction: gait for friction, gait in found.items() if gait is not None}
 
 
 def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:

@@ -6,6 +6,7 @@ on purpose where the other one, at the same speed, slips less.
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -36,6 +37,8 @@ BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
 """In rad, k l0^2, l0."""
 CHEAPEST, LEAST_SLIP = "cost_of_transport", "slip_distance"
 COLOURS = {CHEAPEST: "#e07b00", LEAST_SLIP: "#1f5fa8"}
+COSTS = (0.2, 1.0)
+"""Shown."""
 NAMES = {CHEAPEST: "cheapest", LEAST_SLIP: "least slip"}
 
 
@@ -125,6 +128,7 @@ def table(found: Sequence[Optimum]) -> Columns:
         "word": [gait.word for gait in gaits],
         "speed": [gait.stride["speed"] for gait in gaits],
         "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
+        "positive_cost_of_transport": [gait.stride["positive_cost_of_transport"] for gait in gaits],
         "slip_distance": [gait.stride["slip_distance"] for gait in gaits],
         "length": [gait.stride["length"] for gait in gaits],
         "lambda_max": [gait.lambda_max for gait in gaits],
@@ -149,9 +153,19 @@ def draw(path: Path, data: Columns) -> None:
                 (angle, "touchdown_angle", 180.0 / np.pi),
             ):
                 _curve(axes, columns, column, rows, factor, color=COLOURS[objective], label=NAMES[objective])
+            _curve(
+                cost,
+                columns,
+                "positive_cost_of_transport",
+                rows,
+                color=COLOURS[objective],
+                label=f"{NAMES[objective]}, by positive work",
+                linestyle=style.SLIP_DASHES,
+            )
         rows = (columns["cheapest"].astype(float) == 1.0) & (columns["shown"].astype(float) > 0.0)
         _curve(drive, columns, "stance_torque", rows, color=style.CURVE, label="hip torque  / k l₀²")
         _curve(drive, columns, "thrust", rows, color=style.SECOND_CURVE, label="thrust of the leg  / l₀")
+        cost.set_ylim(*COSTS)
         cost.set_title(f"(a) cost of transport at speed {SPEED:g} l₀√(k/m)")
         slip.set_title("(b) slip in a stride  / l₀")
         angle.set_title("(c) touchdown angle, degrees")
@@ -173,7 +187,8 @@ def _curve(
     *,
     color: str,
     label: str,
+    linestyle: Any = "-",
 ) -> None:
     order = np.argsort(columns["friction"][rows])
     x, y = (columns[name][rows][order].astype(float) for name in ("friction", column))
-    axes.plot(x, factor * y, marker="o", markersize=3.0, color=color, label=label)
+    axes.plot(x, factor * y, marker="o", markersize=3.0, color=color, label=label, linestyle=linestyle)

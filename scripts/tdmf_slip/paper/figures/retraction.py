@@ -4,15 +4,18 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 from ...analysis.branch import Branch
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
 from . import leading
 from .columns import Columns
+from .matched import changed, like
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -20,6 +23,8 @@ SHOWN = (-0.0085, 0.035)
 """Rates, over √(k/m)."""
 EIGENVALUES = (-1.7, 1.7)
 LARGEST_STEP = 0.025
+RATES = np.linspace(0.0, 0.034, 18)[1:]
+"""Of matched runners."""
 POINTS = 320
 """Of a branch: beyond its fold it goes on for long."""
 
@@ -49,8 +54,34 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
     return found
 
 
-def table(found: Mapping[float, tuple[Branch, Branch]]) -> Columns:
-    """The figure's data, by column: along each branch from its fold to its largest rate."""
+def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
+    """By friction: gaits that retract with speed, apex height and leg angle of the one that does not.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+
+    Returns
+    -------
+    mapping of float to tuple of Gait
+        At those of `RATES` where there are such.
+    """
+    found = {}
+    for friction in FRICTIONS:
+        reference = one = periodic_gait(runner.but(FRICTION, friction))
+        alike = []
+        for rate in RATES:
+            near = changed(one, {RATE: rate}, 2)
+            one = (near and like(reference, near)) or one
+            if one.runner.values[RATE] == rate:
+                alike.append(one)
+        found[friction] = tuple(alike)
+    return found
+
+
+def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Columns:
+    """The figure's data, by column: along each branch from its fold to its largest rate; last the matched."""
     rows = [
         (friction, value, gait)
         for friction, (back, forth) in found.items()
@@ -59,10 +90,13 @@ def table(found: Mapping[float, tuple[Branch, Branch]]) -> Columns:
             *zip(forth.values, forth.gaits, strict=True),
         ]
     ]
+    along = len(rows)
+    rows += [(friction, one.runner.values[RATE], one) for friction, its in alike.items() for one in its]
     pairs = leading.leading([gait for _, _, gait in rows])
     return {
         "friction": [friction for friction, _, _ in rows],
         "retraction_rate": [value for _, value, _ in rows],
+        "matched": [row >= along for row in range(len(rows))],
         "word": [gait.word for _, _, gait in rows],
         "stable": [gait.stable for _, _, gait in rows],
         "greater_eigenvalue": pairs[:, 0],
@@ -72,8 +106,10 @@ def table(found: Mapping[float, tuple[Branch, Branch]]) -> Columns:
     }
 
 
-def draw(path: Path, found: Mapping[float, tuple[Branch, Branch]]) -> None:
-    """Draw a panel for each friction."""
+def draw(
+    path: Path, found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]
+) -> None:
+    """Draw a panel for each friction, the matched runners by crosses."""
     with style.styled():
         figure, panels = plt.subplots(
             len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True, layout="constrained"
@@ -83,6 +119,11 @@ def draw(path: Path, found: Mapping[float, tuple[Branch, Branch]]) -> None:
                 named = axes is panels[0] and number == 1
                 leading.draw(axes, branch.values, branch.gaits, named=named)
                 leading.mark(axes, branch, named=named)
+            rates = [one.runner.values[RATE] for one in alike[friction]]
+            for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
+                axes.plot(rates, heights, "x", color=colour, markersize=4.5)
+            if axes is panels[0]:
+                axes.plot([], [], "x", color=style.FAINT, markersize=4.5, label="speed, height, angle held")
             axes.axvline(0.0, **style.STANCE_LINE)
             axes.set_title(f"({letter}) leading eigenvalues at friction {friction:g}")
         panels[0].set_xlim(*SHOWN)

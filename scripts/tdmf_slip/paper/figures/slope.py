@@ -1,6 +1,6 @@
 """Does slipping help uphill or downhill? Speed, cost of transport and eigenvalues over the slope."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -17,12 +17,15 @@ from ...pictures import style
 from ...unit.unit import FRICTION
 from . import leading
 from .columns import Columns
+from .matched import changed, like
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
 """By friction."""
 LOWEST, HIGHEST = np.radians(-5.0), np.radians(15.0)
 LARGEST_STEP = 0.03
+STEP = np.radians(0.25)
+"""Of the matched runners' slopes."""
 POINTS = 260
 """Of a branch uphill, of which what is beyond its steepest climb is not shown."""
 
@@ -59,6 +62,38 @@ def gaits(runner: Runner) -> Gaits:
     return found
 
 
+def matched(runner: Runner) -> Gaits:
+    """By friction: gaits that have, on level ground, the kinematics of that on the first friction.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose gaits.
+
+    Returns
+    -------
+    mapping of float to tuple of (float, Gait)
+        From level ground downhill and up, for as long as they are found.
+    """
+    reference, *others = (periodic_gait(runner.but(FRICTION, friction)) for friction in COLOURS)
+    found = {}
+    for gait in others:
+        alike = like(reference, gait)
+        if alike is not None:
+            down, up = (tuple(_stepped(alike, step)) for step in (-STEP, STEP))
+            found[gait.friction] = (*down[::-1], (0.0, alike), *up)
+    return found
+
+
+def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
+    """Slopes and gaits, one near the other."""
+    slope, one = step, changed(gait, {SLOPE: step})
+    while one is not None and LOWEST <= slope <= HIGHEST:
+        yield slope, one
+        slope += step
+        one = changed(one, {SLOPE: slope})
+
+
 def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     """To the first fold, with the gait there."""
     top = next((special for special in branch.specials if special.kind == FOLD), None)
@@ -69,12 +104,15 @@ def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
     return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
-def table(found: Gaits) -> Columns:
-    """The figure's data, by column."""
+def table(found: Gaits, alike: Gaits) -> Columns:
+    """The figure's data, by column; last what is matched."""
     rows = [(friction, slope, gait) for friction, branch in found.items() for slope, gait in branch]
+    along = len(rows)
+    rows += [(friction, slope, gait) for friction, branch in alike.items() for slope, gait in branch]
     pairs = leading.leading([gait for _, _, gait in rows])
     return {
         "friction": [friction for friction, _, _ in rows],
+        "matched": [row >= along for row in range(len(rows))],
         "slope_degrees": [float(np.degrees(slope)) for _, slope, _ in rows],
         "word": [gait.word for _, _, gait in rows],
         "stable": [gait.stable for _, _, gait in rows],
@@ -90,10 +128,14 @@ def draw(path: Path, data: Columns) -> None:
     with style.styled():
         figure, panels = plt.subplots(3, 1, figsize=(7.6, 8.4), sharex=True, layout="constrained")
         for friction, colour in COLOURS.items():
-            chosen = np.asarray(data["friction"], float) == friction
-            its = {
-                name: np.asarray(data[name], float)[chosen] for name in ("slope_degrees", "stable", *DRAWN)
-            }
+            of_it = np.asarray(data["friction"], float) == friction
+            is_matched = np.asarray(data["matched"], float) > 0.0
+            its, alike = (
+                {name: np.asarray(data[name], float)[chosen] for name in ("slope_degrees", "stable", *DRAWN)}
+                for chosen in (of_it & ~is_matched, of_it & is_matched)
+            )
+            for name, panel in DRAWN.items():
+                panels[panel].plot(alike["slope_degrees"], alike[name], ":", color=colour, linewidth=1.4)
             for name, panel in DRAWN.items():
                 label = f"friction {friction:g}" if name == "speed" else None
                 _curve(panels[panel], its, name, colour, label)
@@ -105,6 +147,7 @@ def draw(path: Path, data: Columns) -> None:
         panels[1].set_title("(b) cost of transport")
         panels[2].set_title("(c) both leading eigenvalues")
         panels[2].set_ylim(-2.5, 1.2)
+        panels[0].plot([], [], ":", color=style.FAINT, label="kinematics of friction 0.2 on the level")
         panels[0].legend(loc="upper right")
         panels[2].set_xlabel("slope of the ground in degrees; dots: the steepest climb of a branch")
         style.save(figure, path)

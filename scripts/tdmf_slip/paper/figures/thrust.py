@@ -1,6 +1,6 @@
 """Thrust of the leg against torque of the hip: cost of transport and slip of both, at equal speed."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -17,8 +17,9 @@ from ...pictures import style
 from ...unit.unit import FRICTION
 from . import leading
 from .columns import Columns
+from .matched import changed, like
 
-TORQUE, THRUST = "hip.stance_torque", "leg.thrust"
+TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
 HIGHEST_TORQUE, HIGHEST_THRUST = 1.0, 0.6
 WITHOUT_TORQUE = 0.45
@@ -30,7 +31,15 @@ COSTS = (0.2, 1.2)
 """Shown."""
 
 HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2", "thrust alone"
-COLOURS: Mapping[str, str] = {HIP_ALONE: "#e07b00", BOTH: "#0b7a75", LEG_ALONE: "#22303c"}
+MATCHED = "thrust of 0.1, apex height held"
+COLOURS: Mapping[str, str] = {
+    HIP_ALONE: "#e07b00",
+    BOTH: "#0b7a75",
+    LEG_ALONE: "#22303c",
+    MATCHED: "#b3216f",
+}
+HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
+"""Thrust of the matched runners, and where they are looked for."""
 
 
 def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
@@ -54,8 +63,30 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
         first = periodic_gait(its)
         hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
         added = _branch(first, THRUST, HIGHEST_THRUST)
-        found[friction] = (*hip.gaits, *added.gaits[1:], *_leg_alone(first))
+        found[friction] = (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
     return found
+
+
+def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
+    """With thrust, at the speed and apex height of stable gaits by the hip alone.
+
+    Parameters
+    ----------
+    by_hip : sequence of Gait
+        These.
+
+    Yields
+    ------
+    Gait
+        By torque and touchdown angle.
+    """
+    stable = [gait for gait in by_hip if gait.stable]
+    for speed in SPEEDS:
+        reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
+        near = changed(reference, {THRUST: HELPED}, 2)
+        one = near and like(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
+        if one:
+            yield one
 
 
 def _leg_alone(first: Gait) -> Iterator[Gait]:
@@ -79,6 +110,7 @@ def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
     pairs = leading.leading(gaits)
     return {
         "friction": [gait.friction for gait in gaits],
+        "touchdown_angle": [gait.runner.values[ANGLE] for gait in gaits],
         "hip_torque": [gait.runner.values[TORQUE] for gait in gaits],
         "thrust": [gait.runner.values[THRUST] for gait in gaits],
         "word": [gait.word for gait in gaits],
@@ -106,7 +138,13 @@ def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
     """
     torque, thrust = np.asarray(data["hip_torque"], float), np.asarray(data["thrust"], float)
     beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
-    return {HIP_ALONE: thrust == 0.0, BOTH: torque == beside, LEG_ALONE: torque == 0.0}
+    angle = np.asarray(data["touchdown_angle"], float)
+    return {
+        HIP_ALONE: thrust == 0.0,
+        BOTH: torque == beside,
+        LEG_ALONE: torque == 0.0,
+        MATCHED: angle != angle[0],
+    }
 
 
 def draw(path: Path, data: Columns) -> None:
@@ -133,5 +171,8 @@ def draw(path: Path, data: Columns) -> None:
 def _curve(
     axes: Axes, speed: NDArray[np.float64], height: NDArray[np.float64], stable: NDArray[np.bool_], name: str
 ) -> None:
+    if name == MATCHED:
+        axes.plot(speed, height, "x", color=COLOURS[name], markersize=5, label=name)
+        return
     axes.plot(speed, height, color=COLOURS[name], linewidth=1.0, linestyle=style.SLIP_DASHES)
     axes.plot(speed, np.where(stable, height, np.nan), color=COLOURS[name], label=name)

@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 
+from ...analysis.comparison import compare
 from ...analysis.search import periodic_gait
 from ...analysis.sweep import sweep
 from ...analysis.targeted import find_gait
@@ -12,7 +13,8 @@ from ...library.gait import Gait
 from ...unit.parameters import read_parameters
 from ...unit.unit import FRICTION
 from ...unit.variable import Given
-from .claim import SLIPS, STICKS, THRUST, TORQUE, OwnClaim
+from ..figures.matched import changed
+from .claim import ANGLE, SLIPS, STICKS, THRUST, TORQUE, OwnClaim
 
 
 @cache
@@ -43,6 +45,20 @@ def _thrust_by_distance(seed: int) -> float:
     return _thrust("slip_distance")(seed) / _thrust("length")(seed)
 
 
+@cache
+def _at_speed_and_height() -> Gait:
+    """With a thrust of 0.1, as fast and as high as by torque alone."""
+    near = changed(_at_speed(False), {THRUST: HELPED}, 2)
+    assert near is not None
+    return compare([_at_speed(False), near], hold=("speed", "apex_height"), vary=(TORQUE, ANGLE)).gaits[1]
+
+
+def _at_height(quantity: str) -> Callable[[int], float]:
+    return lambda seed: _at_speed_and_height().stride[quantity] / _at_speed(False).stride[quantity]
+
+
+HELPED = 0.1
+"""Thrust, in l0."""
 BY_TORQUE = "tdmf-slip gait --friction 0.2 --speed 1.1 --free hip.stance_torque --json"
 BY_THRUST = "tdmf-slip gait --friction 0.2 --set leg.thrust=0.1 --speed 1.1 --free leg.thrust --json"
 SWEEP = "tdmf-slip sweep --friction 10:0.1:80 --spacing log"
@@ -85,4 +101,11 @@ CLAIMS = (
     ),
     OwnClaim("  its control: slip in a stride", BY_TORQUE, 1.5, 1.53, _thrust("slip_distance")),
     OwnClaim("  for it hops higher: height of the apex", BY_THRUST, 2.35, 2.43, _thrust("apex_height")),
+    OwnClaim(
+        "  its control: slip for the distance with a thrust of 0.1 at equal apex height, too",
+        BY_TORQUE,
+        1.07,
+        1.11,
+        lambda seed: _at_height("slip_distance")(seed) / _at_height("length")(seed),
+    ),
 )

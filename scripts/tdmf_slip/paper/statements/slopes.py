@@ -10,7 +10,9 @@ from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...library.gait import Gait, gait_near
 from ...unit.unit import FRICTION
-from .claim import ANGLE, SLIPS, STICKS, OwnClaim
+from ..figures.matched import changed
+from .claim import ANGLE, SLIPS, STICKS, OwnClaim, gait, matched
+from .rough import MATCH
 
 SLOPE = "ground.slope"
 FIRST, SHORTEST = 0.005, 1e-5
@@ -80,7 +82,32 @@ def _climb_command(friction: float, angle: float | None = None) -> str:
     return f"tdmf-slip continue --over ground.slope=0:0.33 --friction {friction:g}{setting} --no-switch"
 
 
+UPHILL = math.radians(1.5)
+"""A slope at which all of these are stable."""
+
+
+def _slowed(one: Gait) -> float:
+    """Speed on that slope over that on the level."""
+    uphill = changed(one, {SLOPE: UPHILL}, 6)
+    assert uphill is not None
+    return uphill.stride["speed"] / one.stride["speed"]
+
+
 CLAIMS = (
+    OwnClaim(
+        "speed 1.5 degrees uphill over that on the level: friction 0.2",
+        _climb_command(SLIPS),
+        0.89,
+        0.92,
+        lambda seed: _slowed(gait(SLIPS)),
+    ),
+    OwnClaim(
+        "  its control: friction 10 with speed, apex height and leg angle of the former on the level",
+        MATCH.format(SLIPS, STICKS),
+        0.99,
+        1.02,
+        lambda seed: _slowed(matched(SLIPS, STICKS)),
+    ),
     OwnClaim(
         "steepest slope with a gait at the paper's touchdown angle, degrees: friction 0.2",
         _climb_command(SLIPS),

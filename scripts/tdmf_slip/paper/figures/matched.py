@@ -1,0 +1,61 @@
+"""Controls of the figures: runners with the speed, apex height and leg angle of another."""
+
+from collections.abc import Mapping, Sequence
+
+from ...analysis.comparison import compare
+from ...errors import RunError
+from ...library.gait import Gait, gait_near
+
+HOLD = ("speed", "apex_height", "apex_leg_angle")
+"""With these equal the foot is carried as high at the apex, too."""
+VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
+
+
+def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait | None:
+    """A runner made equal to another in what could do what a figure shows.
+
+    Parameters
+    ----------
+    reference : Gait
+        The other.
+    gait : Gait
+        The runner, as it comes.
+    hold, vary : sequence of str
+        Of `compare`.
+
+    Returns
+    -------
+    Gait or None
+        None where it cannot be made so.
+    """
+    found = compare([reference, gait], hold=hold, vary=vary)
+    return None if found.not_held else found.gaits[1]
+
+
+def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
+    """The gait near another, of other values.
+
+    Parameters
+    ----------
+    gait : Gait
+        The other.
+    values : mapping of str to float
+        By name.
+    steps : int, default 1
+        In which the values are changed.
+
+    Returns
+    -------
+    Gait or None
+        None where there is none.
+    """
+    begin = {name: gait.runner.values[name] for name in values}
+    for step in range(1, steps + 1):
+        runner = gait.runner
+        for name, value in values.items():
+            runner = runner.but(name, begin[name] + (value - begin[name]) * step / steps)
+        try:
+            gait = gait_near(runner, gait.apex)
+        except RunError:
+            return None
+    return gait
