@@ -7,14 +7,15 @@
 `simulate` runs the FMI unit once, `simulate_over` over the uneven ground of a `Profile`, and `run_batch` many
 times; `find_gait` finds the periodic gait of a `Runner` with its eigenvalues, or the one that has a given
 speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
-its bifurcations, `basin` what a gait attracts; `dead_beat`, `lqr` and `place_poles` make a feedback that
-holds a gait; `fit` fits a runner to measured gaits; `optimize` finds the best runner; `run_ensemble` follows
-many runners at once; `prove`, `prove_border` and `prove_attraction` prove by interval arithmetic; `validate`
-compares with what the paper publishes. `fmu_path` is the unit itself, for any other importer.
+its bifurcations, `basin` what a gait attracts, `viability` what some choice of actions can save; `dead_beat`,
+`lqr` and `place_poles` make a feedback that holds a gait; `fit` fits a runner to measured gaits; `optimize`
+finds the best runner; `run_ensemble` follows many runners at once; `prove`, `prove_border` and
+`prove_attraction` prove by interval arithmetic; `validate` compares with what the paper publishes. `fmu_path`
+is the unit itself, for any other importer.
 
 The sub-packages, each of which knows those before it only: `terminal`, `files` and `blocks`, which know
-nothing of runners; `unit`, `library`, `analysis`, `feedback`, `fitting`, `optimization`, `proof`, `pictures`;
-`paper` and `bench`; `cli`, the command line.
+nothing of runners; `unit`, `library`, `analysis`, `feedback`, `fitting`, `optimization`, `proof`,
+`viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
 
 What is loaded is what is used: the names and their modules are in `__init__.pyi`.
 """

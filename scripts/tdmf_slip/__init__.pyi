@@ -35,6 +35,9 @@ from .unit.run import Run
 from .unit.simulation import simulate
 from .unit.unit import Fmu, fmu_path, load_fmu
 from .version import __version__
+from .viable_sets.controller import ViableController
+from .viable_sets.result import Viability
+from .viable_sets.viability import viability
 
 __all__ = [
     "AffineLaw",
@@ -62,6 +65,8 @@ __all__ = [
     "TargetNotMetError",
     "TdmfSlipError",
     "Validation",
+    "Viability",
+    "ViableController",
     "__version__",
     "apex_covariance",
     "basin",
@@ -91,4 +96,5 @@ __all__ = [
     "strides_to_fall",
     "sweep",
     "validate",
+    "viability",
 ]

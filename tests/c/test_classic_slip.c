@@ -90,6 +90,39 @@ static void energy_is_kept_and_time_can_be_turned(void **state) {
     assert_int_equal(flights, 7);
 }
 
+/* A foot below the body or behind it: the next step after one that was pushed off far from upright. */
+static void a_leg_may_land_upright_or_behind(void **state) {
+    int flights = 0, falls = 0;
+    (void)state;
+    for (double degrees = -40.0; degrees <= 0.0; degrees += 1.0) {
+        for (double speed = 0.1; speed < 4.0; speed += 0.1) {
+            const tdmf_classic slip = at_angle(degrees);
+            const double height = 1.2, slow = slip.mass * (0.5 * speed * speed + slip.gravity * height);
+            const tdmf_classic_step step = tdmf_classic_return_map(&slip, slow, height);
+            /* Of the leg's length at touchdown. */
+            const double rate = step.touchdown.x * step.touchdown.vx + step.touchdown.y * step.touchdown.vy;
+            if (rate > 0.0) {
+                assert_int_equal(step.outcome, TDMF_CLASSIC_FALLS);
+                assert_true(step.stance_time < 1e-6);
+                ++falls;
+                continue;
+            }
+            if (step.outcome != TDMF_CLASSIC_FLIES) {
+                continue;
+            }
+            ++flights;
+            assert_relatively_close(step.next_energy, slow, 1e-12);
+            tdmf_classic mirrored = slip;
+            mirrored.touchdown_angle = atan2(step.take_off.x, step.take_off.y);
+            const tdmf_classic_step back = tdmf_classic_return_map(&mirrored, slow, step.next_height);
+            assert_close(back.next_height, height, 1e-10);
+            assert_close(back.stance_time, step.stance_time, 1e-11);
+        }
+    }
+    assert_true(flights >= 10);
+    assert_true(falls >= 10);
+}
+
 static void derivatives_are_those_of_the_map(void **state) {
     const double small = 1e-5;
     (void)state;
@@ -170,6 +203,7 @@ int main(void) {
         cmocka_unit_test(gaits_are_where_they_were_found),
         cmocka_unit_test(two_gaits_meet_in_a_fold),
         cmocka_unit_test(energy_is_kept_and_time_can_be_turned),
+        cmocka_unit_test(a_leg_may_land_upright_or_behind),
         cmocka_unit_test(derivatives_are_those_of_the_map),
         cmocka_unit_test(friction_ends_a_stance_in_two_ways),
         cmocka_unit_test(friction_is_needed_where_the_leg_turns_back),

@@ -21,10 +21,12 @@ KNOWS = {
     "fitting": {"analysis", "library", "unit", "files", "terminal"},
     "optimization": {"analysis", "library", "unit", "terminal"},
     "proof": {"analysis", "library", "unit", "terminal"},
-    "pictures": {"fitting", "analysis", "library", "unit", "files", "terminal"},
+    "viable_sets": {"analysis", "library", "unit", "blocks", "files", "terminal"},
+    "pictures": {"viable_sets", "fitting", "analysis", "library", "unit", "files", "terminal"},
     "paper": {
         *(
             "pictures",
+            "viable_sets",
             "optimization",
             "feedback",
             "fitting",
@@ -37,8 +39,8 @@ KNOWS = {
     },
     "bench": {"library", "unit", "terminal"},
     "cli": {
-        *("bench", "paper", "pictures", "proof", "optimization", "fitting", "analysis", "library", "unit"),
-        *("files", "terminal"),
+        *("bench", "paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
+        *("library", "unit", "files", "terminal"),
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""

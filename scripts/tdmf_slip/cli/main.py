@@ -33,6 +33,7 @@ COMMANDS = (
     "sweep",
     "validate",
     "variables",
+    "viability",
 )
 """Each in the module of its name, but for the following."""
 MODULES = {"continue": "continuation"}

@@ -148,7 +148,7 @@ class _Engine:
         """So many strides from one on, with these settings."""
         noted = np.zeros((len(self.ends), count), NOTED)
         begin = self.where(first)[0]
-        settings = _given(given, first) if given else None
+        settings = given_settings(given, first) if given else None
         self.ensemble.given = ffi.NULL if settings is None else settings[0]
         self.ensemble.strides = ffi.cast("tdmf_ensemble_stride *", ffi.from_buffer(noted))
         self.ensemble.first_stride, self.ensemble.stride_count = first, count
@@ -186,8 +186,23 @@ class _Engine:
         return columns | {name: _where(begun, values) for name, values in given.items()}
 
 
-def _given(given: Mapping[str, NDArray[np.float64]], first: int) -> tuple[Any, object]:
-    """Settings as the library takes them, and what has to live as long."""
+def given_settings(given: Mapping[str, NDArray[np.float64]], first: int) -> tuple[Any, object]:
+    """Settings as the library takes them.
+
+    Parameters
+    ----------
+    given : mapping of str to ndarray of float, shape (runners, strides)
+        By name, one or more; their values are checked.
+    first : int
+        Number of the first of these strides.
+
+    Returns
+    -------
+    settings : Struct
+        The library's `tdmf_given_settings *`.
+    kept : object
+        What has to live as long.
+    """
     values = np.ascontiguousarray(np.stack(list(given.values()), axis=-1))
     settings = ffi.new("int[]", [setting_number(name, "settings") for name in given])
     made = ffi.new("tdmf_given_settings *")

@@ -12,7 +12,8 @@ from ..fitting.result import Fit
 from ..library.gait import Gait
 from ..unit.run import Run
 from ..unit.unit import load_fmu
-from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio
+from ..viable_sets.result import Viability
+from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio, viability_map
 from .stride import Stride
 
 
@@ -21,7 +22,7 @@ def plot(result: object) -> Figure:
 
     Parameters
     ----------
-    result : Run, Gait, Sweep, Branch or Fit
+    result : Run, Gait, Sweep, Branch, Fit or Viability
         What to draw.
 
     Returns
@@ -41,7 +42,9 @@ def plot(result: object) -> Figure:
 
 @singledispatch
 def _figure_of(result: object) -> Figure:
-    raise InputError(f"plot: {type(result).__name__} has no picture; allowed: Run, Gait, Sweep, Branch, Fit")
+    raise InputError(
+        f"plot: {type(result).__name__} has no picture; allowed: Run, Gait, Sweep, Branch, Fit, Viability"
+    )
 
 
 @_figure_of.register
@@ -67,3 +70,8 @@ def _branch(result: Branch) -> Figure:
 @_figure_of.register
 def _fit(result: Fit) -> Figure:
     return fit_diagram.figure_of(result)
+
+
+@_figure_of.register
+def _viability(result: Viability) -> Figure:
+    return viability_map.figure_of(result)

@@ -1,0 +1,193 @@
+"""The command `viability`: from which apices some choice of actions avoids a fall."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import InputError
+from ..files.whole import check_place
+from ..library.members import VARIED
+from ..library.section import MODELS, REDUCED
+from ..terminal.text import columns
+from ..unit.unit import Unit, load
+from ..viable_sets.grid import MOST_CELLS, VALUES
+from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, MOST_THREADS, viability
+from .options import (
+    FRICTION_OPTION,
+    JSON_OPTION,
+    PARAMETERS_OPTION,
+    SCHEDULER_OPTION,
+    SET_OPTION,
+    Command,
+    Number,
+    values_given,
+)
+from .output import json_text
+from .ranges import ends_of
+from .runner import runner_of
+
+
+@click.command("viability", cls=Command)
+@FRICTION_OPTION
+@click.option(
+    "--axes",
+    multiple=True,
+    required=True,
+    metavar="NAME=A:B",
+    help="Range of com_height and of com_speed at the apex, as in com_height=0.5:3. Given twice.",
+)
+@click.option(
+    "--vary",
+    multiple=True,
+    required=True,
+    metavar="NAME=A:B[:N]",
+    help="A setting that may be chosen anew at each apex, its range, and how many values of it, as in "
+    f"'hip.touchdown_angle=20 deg:60 deg:32'. Repeatable.  [default: N = {VALUES}]",
+)
+@click.option(
+    "--n",
+    "count",
+    type=Number(2, MOST_CELLS, whole=True),
+    default=64,
+    show_default=True,
+    metavar="N",
+    help="Cells along each axis.",
+)
+@click.option(
+    "--factor",
+    type=Number(1.0, LARGEST_FACTOR),
+    default=FACTOR,
+    show_default=True,
+    metavar="F",
+    help="Derivatives within a cell are taken to be up to so many times the largest at its corners.",
+)
+@click.option(
+    "--model",
+    type=click.Choice(list(MODELS)),
+    default="reduced",
+    show_default=True,
+    help="Map from apex to apex: reduced to height and speed, or in full, with the leg at rest where the "
+    "last placement leaves it.",
+)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write strides and sets as NetCDF (.nc), block by block; gone on with where the file has some.",
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the sets: .png, .svg or .pdf."
+)
+@SCHEDULER_OPTION
+@click.option(
+    "--threads",
+    type=Number(1, MOST_THREADS, whole=True),
+    metavar="N",
+    help="At once on this machine.  [default: one for each processor]",
+)
+@SET_OPTION
+@PARAMETERS_OPTION
+@JSON_OPTION
+def viability_command(
+    friction: float | None,
+    axes: tuple[str, ...],
+    vary: tuple[str, ...],
+    count: int,
+    factor: float,
+    model: str,
+    output: Path | None,
+    plot: Path | None,
+    scheduler: str | None,
+    threads: int | None,
+    settings: tuple[str, ...],
+    parameters: str | None,
+    as_json_object: bool,
+) -> None:
+    """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
+
+    The set is enclosed from inside and from outside, on a grid of heights and speeds; both are estimates.
+    What is in the one and not in the other is left open by the grid.
+    """
+    if output is not None:
+        check_place(output, (".nc",), "--output")
+    if plot is not None:
+        from ..pictures import overview, viability_map  # matplotlib is slow to load
+
+        check_place(plot, overview.FORMATS, "--plot")
+    unit = load()
+    runner = runner_of(unit, parameters, values_given(friction, settings), model)
+    found = viability(
+        runner,
+        axes=_axes_given(axes, unit),
+        vary=_vary_given(vary, unit),
+        n=count,
+        model=model,
+        factor=factor,
+        path=output,
+        threads=threads,
+        scheduler=scheduler,
+        show_progress=True,
+        unit=unit,
+    )
+    if plot is not None:
+        viability_map.draw(plot, found)
+    result = found.as_json()
+    print(json_text(result) if as_json_object else _text(result))
+
+
+def _pairs(texts: Sequence[str], option: str, example: str) -> dict[str, str]:
+    """What NAME=TEXT gives, by name.
+
+    Raises
+    ------
+    InputError
+        It is not of that form, or a name is given twice.
+    """
+    given: dict[str, str] = {}
+    for text in texts:
+        name, _, span = (part.strip() for part in text.partition("="))
+        if not name or not span:
+            raise InputError(f"{option} {text}: allowed: {example}")
+        if name in given:
+            raise InputError(f"{option} {text}: {name} is given twice; allowed: once")
+        given[name] = span
+    return given
+
+
+def _axes_given(texts: Sequence[str], unit: Unit) -> dict[str, tuple[float, float]]:
+    given = _pairs(texts, "--axes", "NAME=A:B")
+    for name in given:
+        if name not in REDUCED:
+            raise InputError(f"--axes {name}={given[name]}: allowed: {' and '.join(REDUCED)}")
+    return {
+        name: ends_of(span, unit.variables[f"apex.{name}"], f"--axes {name}") for name, span in given.items()
+    }
+
+
+def _vary_given(texts: Sequence[str], unit: Unit) -> dict[str, tuple[float, ...]]:
+    ranges: dict[str, tuple[float, ...]] = {}
+    for name, span in _pairs(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
+        if name not in VARIED:
+            raise InputError(f"--vary {name}={span}: no such setting; allowed: one that may change in a run")
+        parts = span.split(":")
+        ends = ends_of(":".join(parts[:2]), unit.variables[name], f"--vary {name}")
+        counts = parts[2:]
+        if len(counts) > 1 or not all(part.strip().isdecimal() for part in counts):
+            raise InputError(f"--vary {name}={span}: allowed: A:B or A:B:N, N being how many values")
+        ranges[name] = (*ends, *map(int, counts))
+    return ranges
+
+
+def _text(result: Mapping[str, Any]) -> str:
+    rows = {
+        "cells": " by ".join(map(str, result["cells"])),
+        "actions": str(result["actions"]),
+        "strides": f"{result['strides']}, of which {result['closed']} close",
+        "viable": f"{100 * result['inner_share']:.2f} to {100 * result['outer_share']:.2f} % of the cells",
+        "actions that are": f"{100 * result['inner_robustness']:.2f} to "
+        f"{100 * result['outer_robustness']:.2f} % in the mean over all cells",
+        "factor": f"{result['factor']:g}, of the derivatives at corners (an estimate)",
+    }
+    return columns(rows)

@@ -1,0 +1,59 @@
+"""One stride of many runners by the ensemble engine, of which the next apex alone is kept."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .crowd import Crowd
+from .ensemble import END, TOLERANCE, ensemble_of, run
+from .noted_strides import given_settings
+from .rough_ground import RoughGround
+from .runner import Runner
+from .section import COORDINATES
+
+
+def next_apices(
+    runner: Runner,
+    apices: NDArray[np.float64],
+    settings: Mapping[str, NDArray[np.float64]],
+    *,
+    tolerance: float = TOLERANCE,
+    threads: int | None = None,
+) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
+    """Where one stride leads from each of many apices, each with settings of its own.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who makes them.
+    apices : ndarray of float, shape (strides, n)
+        Where they begin, in the order of the runner's `coordinates`.
+    settings : mapping of str to ndarray of float, shape (strides,)
+        By the names of `settings.SETTINGS`, one or more; in force from the apex on, and checked.
+    tolerance : float, default 2e-10
+        Relative tolerance of a step.
+    threads : int, optional
+        By default one for each processor. Results do not depend on it.
+
+    Returns
+    -------
+    fates : ndarray of int8, shape (strides,)
+        Numbers into `noted_strides.STRIDE_FATES`.
+    next_apices : ndarray of float, shape (strides, n)
+        NaN where the stride did not close.
+    """
+    sections = np.zeros((len(apices), len(COORDINATES)))
+    sections[:, : apices.shape[1]] = apices
+    ensemble = ensemble_of(runner, sections, 0, tolerance, threads, None)
+    cases, kept = Crowd(runner).c_cases(RoughGround(), None)
+    cases[0].rules.most_strides = 1
+    ensemble.cases, ensemble.case_count = cases, 1
+    given, values = given_settings({name: row[:, None] for name, row in settings.items()}, 0)
+    ensemble.given = given
+    ends = np.zeros(len(apices), END)
+    run(ensemble, ends)
+    del kept, values
+    closed = ends["strides"] == 1
+    fates = np.where(closed, 0, ends["fate"]).astype(np.int8)
+    return fates, np.where(closed[:, None], ends["apex"][:, : apices.shape[1]], np.nan)

@@ -1,0 +1,98 @@
+"""A viable set: the share of actions that are viable at each apex, and where the grid leaves it open."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from ..library.section import REDUCED
+from ..unit.unit import FRICTION, load
+from ..viable_sets.result import Viability
+from . import style
+from .basin_map import NAMES
+
+COLOURS = ListedColormap(plt.get_cmap("GnBu")(np.linspace(0.18, 1.0, 256)))
+"""Without the palest, which are hardly told from the paper."""
+OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
+"""Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
+
+
+def draw(path: Path, found: Viability) -> None:
+    """Draw the sets into a file."""
+    with style.styled():
+        style.save(_figure(found), path)
+
+
+def figure_of(found: Viability) -> Figure:
+    """The sets as a figure.
+
+    Parameters
+    ----------
+    found : Viability
+        What to draw.
+
+    Returns
+    -------
+    Figure
+        Of matplotlib.
+    """
+    with style.styled():
+        return _figure(found)
+
+
+def _figure(found: Viability) -> Figure:
+    figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
+    mesh = paint(axes, found)
+    figure.colorbar(mesh, ax=axes, label="share of the actions that are viable, from inside", pad=0.01)
+    handles = [
+        Patch(color=OPEN, label="left open by the grid"),
+        Patch(
+            facecolor=NOT_VIABLE,
+            edgecolor=style.FAINT,
+            label="no action of the grid avoids a fall or leaving",
+        ),
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    friction = found.runner.values[FRICTION]
+    axes.set_title(
+        f"friction {friction:g}: {found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, "
+        f"{found.grid.action_count} actions"
+    )
+    return figure
+
+
+def paint(axes: Axes, found: Viability, most: float | None = None) -> ScalarMappable:
+    """Paint the sets into axes of a figure.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    found : Viability
+        What to paint.
+    most : float, optional
+        Share of the actions that has the darkest colour; by default the largest there is.
+
+    Returns
+    -------
+    ScalarMappable
+        For a colour bar.
+    """
+    heights, speeds = found.grid.edges.values()
+    states = found.inner_states + found.outer_states.astype(int)
+    for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
+        shown = np.ma.masked_where(states != level, np.zeros(states.shape))
+        axes.pcolormesh(speeds, heights, shown, cmap=ListedColormap([colour]), rasterized=True)
+    shares = np.ma.masked_where(states != 2, found.inner_robustness)
+    largest = most or float(np.max(found.inner_robustness)) or 1.0
+    mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
+    units = [load().variables[f"apex.{axis}"].unit for axis in REDUCED]
+    style.label(
+        axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
+    )
+    return mesh

@@ -1,0 +1,173 @@
+"""A law from apex to settings that keeps a runner viable: the viable action nearest to a wish."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..checks import shown
+from ..contents import ByContents
+from ..errors import InputError
+from ..given import mapping_of
+from ..library.runner import Runner
+from ..library.section import REDUCED
+from ..library.settings import checked_values
+from .grid import Grid
+
+GRADES = ("not viable", "open", "viable")
+"""Of a choice: no action of the cell is viable, one of the outer set is, one of the inner set is."""
+
+
+@dataclass(frozen=True, eq=False)
+class ViableController(ByContents):
+    """At each apex the viable action nearest to a wish, over the ranges of the settings.
+
+    Of the inner set where the apex's cell has some, else of the outer one. Where neither has any, or outside
+    of the grid, nothing is known to help, and the wish itself is set; `grade_at` tells.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> runner = {"ground.friction": 0.6}
+    >>> found = tdmf_slip.viability(
+    ...     runner,
+    ...     axes={"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)},
+    ...     vary={"hip.touchdown_angle": (0.3, 1.1, 12), "hip.stance_torque": (0.05, 0.4, 6)},
+    ...     n=24,
+    ... )
+    >>> law = found.controller()
+    >>> apices = [1.2, 1.0, 1.0, 0.7, 0, 0]
+    >>> run = tdmf_slip.stride_map(apices, runner, strides=20, law=law)
+    >>> bool((run["fate"] == 0).all())
+    True
+    """
+
+    grid: Grid
+    """Cells and actions."""
+    inner: NDArray[np.bool_]
+    """Pairs of the inner set, shape (rows, columns, actions)."""
+    outer: NDArray[np.bool_]
+    """Pairs of the outer set."""
+    wish: tuple[float, ...]
+    """A value of each setting, in its unit."""
+
+    @classmethod
+    def of(
+        cls,
+        grid: Grid,
+        inner: NDArray[np.bool_],
+        outer: NDArray[np.bool_],
+        runner: Runner,
+        wish: Mapping[str, float] | None,
+    ) -> "ViableController":
+        """A controller with a wish that is checked.
+
+        Parameters
+        ----------
+        grid : Grid
+            Cells and actions.
+        inner, outer : ndarray of bool, shape (rows, columns, actions)
+            Pairs of both sets.
+        runner : Runner
+            What it has is wished where nothing else is.
+        wish : mapping of str to float or None
+            By setting.
+
+        Returns
+        -------
+        ViableController
+            Of these pairs.
+
+        Raises
+        ------
+        InputError
+            The wish names something else, or is out of a setting's range.
+        """
+        given = mapping_of(wish, "wish", "a mapping of settings to numbers")
+        unknown = next((name for name in given if name not in grid.actions), None)
+        if unknown is not None:
+            raise InputError(f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(grid.actions)}")
+        values = {}
+        for name in grid.actions:
+            try:
+                values[name] = float(given.get(name, runner.values[name]))
+            except (TypeError, ValueError):
+                raise InputError(
+                    f"wish: {name} = {shown(given[name])} is not allowed; allowed: a number"
+                ) from None
+            checked_values(name, np.array(values[name]), "wish", {})
+        return cls(grid, inner, outer, tuple(values.values()))
+
+    def settings_at(self, apex: ArrayLike) -> dict[str, float]:
+        """What is set at one apex.
+
+        Parameters
+        ----------
+        apex : sequence of float
+            Height and speed first; further coordinates, as of the full model, are not looked at.
+
+        Returns
+        -------
+        dict of str to float
+            By setting, in its unit.
+        """
+        return {name: float(values[0]) for name, values in self(np.asarray(apex, float)[None]).items()}
+
+    def grade_at(self, apex: ArrayLike) -> str:
+        """How good the choice at an apex is: one of `GRADES`.
+
+        Parameters
+        ----------
+        apex : sequence of float
+            As in `settings_at`.
+
+        Returns
+        -------
+        str
+            `viable`, `open` or `not viable`.
+        """
+        cell = self.grid.cell_of(np.asarray(apex, float)[None, : len(REDUCED)])[0]
+        if cell < 0:
+            return GRADES[0]
+        row, column = divmod(int(cell), self.grid.cells[1])
+        return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
+
+    def __call__(self, apices: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+        """What is set at the apices of many runners, as `stride_map` calls a law.
+
+        Parameters
+        ----------
+        apices : ndarray of float, shape (runners, n)
+            Height and speed first.
+
+        Returns
+        -------
+        dict of str to ndarray of float, shape (runners,)
+            By setting.
+        """
+        cells = self.grid.cell_of(apices[:, : len(REDUCED)])
+        best = np.full(len(apices), -1)
+        for number in np.unique(cells[cells >= 0]):
+            best[cells == number] = self._choice(int(number))
+        actions = self.grid.all_actions()
+        return {
+            name: np.where(best >= 0, actions[name][best], wished)
+            for name, wished in zip(self.grid.actions, self.wish, strict=True)
+        }
+
+    def _choice(self, cell: int) -> int:
+        """The number of the action for a cell, -1 for none."""
+        row, column = divmod(cell, self.grid.cells[1])
+        viable = next((of[row, column] for of in (self.inner, self.outer) if of[row, column].any()), None)
+        if viable is None:
+            return -1
+        return int(np.argmin(np.where(viable, self._distances(), np.inf)))
+
+    def _distances(self) -> NDArray[np.float64]:
+        """Of each action from the wish, squared, over the ranges."""
+        distances = np.zeros(self.grid.action_count)
+        for (name, values), wished in zip(self.grid.all_actions().items(), self.wish, strict=True):
+            width = np.ptp(self.grid.actions[name]) or 1.0
+            distances += ((values - wished) / width) ** 2
+        return distances

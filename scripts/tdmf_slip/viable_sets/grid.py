@@ -1,0 +1,198 @@
+"""The grid of a viable set: cells of a plane of apices, and actions to choose from at each."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import check_kind, check_size, checked_whole, shown
+from ..contents import ByContents
+from ..errors import InputError
+from ..given import mapping_of, row_of
+from ..library.runner import Runner
+from ..library.section import REDUCED, check_axes
+from ..library.settings import check_acts, checked_values, setting_number
+from ..unit.unit import Unit
+
+MOST_CELLS = 2048
+"""Along an axis."""
+MOST_ACTIONS = 4096
+"""Of one setting."""
+MOST_STRIDES = 50_000_000
+"""In all: those of that many take 1.5 GB, and are made in two to four minutes by two processors."""
+VALUES = 16
+"""Of a setting, by default."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grid(ByContents):
+    """Cells over the two coordinates of the reduced map, and what may be set at each apex."""
+
+    edges: Mapping[str, NDArray[np.float64]]
+    """By coordinate: borders of the cells, rising, shape (cells + 1,)."""
+    actions: Mapping[str, NDArray[np.float64]]
+    """By setting: values to choose from, shape (values,). An action has one of each."""
+
+    @property
+    def cells(self) -> tuple[int, int]:
+        """How many along each coordinate."""
+        rows, columns = (len(edges) - 1 for edges in self.edges.values())
+        return rows, columns
+
+    @property
+    def nodes(self) -> tuple[int, int]:
+        """How many corners of cells along each coordinate."""
+        return self.cells[0] + 1, self.cells[1] + 1
+
+    @property
+    def action_shape(self) -> tuple[int, ...]:
+        """How many values of each setting."""
+        return tuple(len(values) for values in self.actions.values())
+
+    @property
+    def action_count(self) -> int:
+        """Of all combinations."""
+        return math.prod(self.action_shape)
+
+    @property
+    def sizes(self) -> NDArray[np.float64]:
+        """Of a cell along each coordinate, shape (2,)."""
+        return np.array([edges[1] - edges[0] for edges in self.edges.values()])
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """The lowest corner, shape (2,)."""
+        return np.array([edges[0] for edges in self.edges.values()])
+
+    def all_actions(self) -> dict[str, NDArray[np.float64]]:
+        """Each action's value of each setting, shape (actions,), the last setting running fastest."""
+        mesh = np.meshgrid(*self.actions.values(), indexing="ij")
+        return {name: values.ravel() for name, values in zip(self.actions, mesh, strict=True)}
+
+    def centers(self, axis: str) -> NDArray[np.float64]:
+        """Middles of the cells along a coordinate, shape (cells,)."""
+        edges = self.edges[axis]
+        middles: NDArray[np.float64] = 0.5 * (edges[1:] + edges[:-1])
+        return middles
+
+    def cell_of(self, apices: NDArray[np.float64]) -> NDArray[np.intp]:
+        """The cells that hold apices.
+
+        Parameters
+        ----------
+        apices : ndarray of float, shape (apices, 2)
+            In the order of the grid's coordinates; NaN is in no cell.
+
+        Returns
+        -------
+        ndarray of int, shape (apices,)
+            Row by row; -1 of those outside.
+        """
+        places = np.floor((apices - self.origin) / self.sizes)
+        inside: NDArray[np.bool_] = np.logical_and.reduce((places >= 0) & (places < self.cells), axis=1)
+        rows, columns = np.where(inside[:, np.newaxis], places, 0).astype(np.intp).T
+        return np.where(inside, rows * self.cells[1] + columns, -1)
+
+
+def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, unit: Unit) -> Grid:
+    """The grid that is asked for.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose it is.
+    axes : mapping of str to pair of float
+        Ranges of the two coordinates.
+    vary : mapping of str to (low, high) or (low, high, values)
+        Ranges of the settings.
+    n : int or pair of int
+        Cells along each coordinate.
+    unit : Unit
+        Whose ranges hold.
+
+    Returns
+    -------
+    Grid
+        With the coordinates in the order of the reduced map.
+
+    Raises
+    ------
+    InputError
+        Something of it is not allowed.
+    """
+    ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
+    check_axes(tuple(ranges), REDUCED)
+    missing = next((axis for axis in REDUCED if axis not in ranges), None)
+    if missing is not None:
+        raise InputError(f"axes: without {missing}; allowed: ranges of {' and '.join(REDUCED)}")
+    counts = (
+        (n, n) if isinstance(n, int | np.integer) else tuple(row_of(n, "n", "a number, or one of each axis"))
+    )
+    if len(counts) != len(REDUCED):
+        raise InputError(f"n = {shown(n)} is not allowed; allowed: a number, or one of each axis")
+    edges = {
+        axis: np.linspace(*_ends(f"axes: {axis}", ranges[axis]), checked_whole("n", count, 2, MOST_CELLS) + 1)
+        for axis, count in zip(REDUCED, counts, strict=True)
+    }
+    for axis, along in edges.items():
+        unit.variables[f"apex.{axis}"].values_of(along, f"axes: {axis}")
+    grid = Grid(edges, _actions(runner, vary, unit))
+    check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MOST_STRIDES)
+    return grid
+
+
+def _actions(runner: Runner, vary: Any, unit: Unit) -> dict[str, NDArray[np.float64]]:
+    ranges = mapping_of(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
+    if not ranges:
+        raise InputError("vary: nothing; allowed: one or more settings with their ranges")
+    actions: dict[str, NDArray[np.float64]] = {}
+    for name, span in ranges.items():
+        setting_number(name, "vary")
+        check_acts(name, runner, tuple(ranges), "vary")
+        what = f"vary: {name}"
+        row = row_of(span, what, "(low, high) or (low, high, values)")
+        count = checked_whole(f"{what}: values", row[2], 1, MOST_ACTIONS) if len(row) == 3 else VALUES
+        low, high = _ends(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
+        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, unit)
+    return actions
+
+
+def _ends(what: str, given: Any, *, may_be_one: bool = False) -> tuple[float, float]:
+    allowed = "two finite numbers, the lower one first"
+    row = row_of(given, what, allowed)
+    try:
+        low, high = (float(end) for end in row)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}") from None
+    if not (math.isfinite(high - low) and (low < high or (may_be_one and low == high))):
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+    return low, high
+
+
+def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Apices of the runner's own map at heights and speeds.
+
+    Of the full model the leg is at rest where the runner's own settings have placed it, as long as it is
+    unloaded: what the last placement leaves.
+
+    Parameters
+    ----------
+    runner : Runner
+        Whose they are.
+    apices : ndarray of float, shape (apices, 2)
+        Heights and speeds.
+
+    Returns
+    -------
+    ndarray of float, shape (apices, n)
+        In the order of the runner's `coordinates`.
+    """
+    check_kind(runner, Runner, "runner", "a Runner")
+    if runner.reduced:
+        return apices
+    placed = replace(runner, reduced=True).state_at([1.0, 0.0])
+    leg = [placed[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
+    return np.column_stack([apices, np.tile(leg, (len(apices), 1))])

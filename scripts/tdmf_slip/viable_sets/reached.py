@@ -1,0 +1,75 @@
+"""Which states lead to a gait."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import checked
+from ..contents import ByContents
+from ..errors import InputError
+from ..library.orbit import Orbit
+from ..library.section import REDUCED, Apex, checked_apex
+from .grid import Grid
+
+FARTHEST = 1000.0
+"""Sides of a cell."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reached(ByContents):
+    """How many strides at the least lead from each cell to the cells about a gait."""
+
+    target: NDArray[np.bool_]
+    """Those cells, shape (rows, columns)."""
+    inner: NDArray[np.int32]
+    """From any point of the cell, by estimate; -1 where no choice of actions is known to lead there."""
+    outer: NDArray[np.int32]
+    """From some point of the cell, perhaps; -1 where none may."""
+
+    @property
+    def inner_share(self) -> float:
+        """Of the cells from which a choice of actions leads to the gait, from inside."""
+        return float((self.inner >= 0).mean())
+
+    @property
+    def outer_share(self) -> float:
+        """The same from outside."""
+        return float((self.outer >= 0).mean())
+
+
+def target_of(grid: Grid, gait: Orbit | Apex, within: float) -> NDArray[np.bool_]:
+    """The cells about a gait's apex.
+
+    Parameters
+    ----------
+    grid : Grid
+        Of cells.
+    gait : Orbit or sequence of float
+        Its apex, of which height and speed count.
+    within : float
+        Sides of a cell.
+
+    Returns
+    -------
+    ndarray of bool, shape (rows, columns)
+        Those of which every point is as near.
+
+    Raises
+    ------
+    InputError
+        None is.
+    """
+    within = checked("within", within, 0.5, FARTHEST)
+    apex = gait.apex if isinstance(gait, Orbit) else np.asarray(gait)
+    place = checked_apex(apex[: len(REDUCED)], REDUCED)
+    near = [
+        (edges[:-1] >= at - within * side) & (edges[1:] <= at + within * side)
+        for edges, at, side in zip(grid.edges.values(), place, grid.sizes, strict=True)
+    ]
+    target: NDArray[np.bool_] = near[0][:, None] & near[1]
+    if not target.any():
+        raise InputError(
+            f"gait: at {', '.join(f'{at:g}' for at in place)}: no cell is as near; allowed: one in range"
+        )
+    return target

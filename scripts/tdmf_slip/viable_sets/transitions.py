@@ -1,0 +1,225 @@
+"""Where each action leads from each corner of the cells: strides made by the ensemble engine, in blocks."""
+
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..analysis.search import model_of
+from ..blocks.running import run_blocks
+from ..contents import ByContents
+from ..errors import InputError
+from ..library.ensemble import TOLERANCE
+from ..library.noted_strides import CLOSED, STRIDE_FATES
+from ..library.one_stride import next_apices
+from ..library.runner import Runner
+from ..library.section import REDUCED
+from ..terminal import progress
+from .grid import Grid, starts_at
+
+if TYPE_CHECKING:
+    from ..files.datasets import xarray
+
+NOT_YET = -1
+STRIDES_IN_A_CALL = 65_536
+"""Of the library, which hears of no interrupt until it returns; each takes 400 bytes of memory."""
+STRIDES_IN_A_BLOCK = 1_048_576
+SAVED = 16
+"""Times that a file is written, at the most, before the strides are all made."""
+
+
+@dataclass(frozen=True, eq=False)
+class Transitions(ByContents):
+    """The fate of each pair of a corner and an action, and where it leads."""
+
+    grid: Grid
+    """Of corners and actions."""
+    fate: NDArray[np.int8]
+    """Numbers into `library.noted_strides.STRIDE_FATES`, shape (nodes, nodes, actions)."""
+    next_apex: NDArray[np.float32]
+    """Height and speed, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
+
+    @property
+    def closed(self) -> int:
+        """How many strides closed."""
+        return int(np.count_nonzero(self.fate == CLOSED))
+
+
+@dataclass(frozen=True, eq=False)
+class Corners(ByContents):
+    """Some rows of corners: a block of work."""
+
+    runner: Runner
+    """Who makes the strides."""
+    grid: Grid
+    """Of all corners."""
+    rows: tuple[int, ...]
+    """Numbers of the rows."""
+    threads: int | None
+    """At once."""
+
+
+def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
+    """All actions from all corners of a block.
+
+    Parameters
+    ----------
+    part : Corners
+        The block.
+
+    Returns
+    -------
+    fates : ndarray of int8, shape (rows, nodes, actions)
+        As `Transitions` has them.
+    next_apices : ndarray of float32, shape (2, rows, nodes, actions)
+        Likewise.
+    """
+    grid, count = part.grid, part.grid.action_count
+    heights, speeds = grid.edges.values()
+    nodes = np.array([(height, speed) for height in heights[list(part.rows)] for speed in speeds])
+    actions = grid.all_actions()
+    fates = np.empty((len(nodes), count), np.int8)
+    nexts = np.empty((len(REDUCED), len(nodes), count), np.float32)
+    at_once = max(1, STRIDES_IN_A_CALL // count)
+    for first in range(0, len(nodes), at_once):
+        some = slice(first, first + at_once)
+        starts = starts_at(part.runner, nodes[some])
+        settings = {name: np.tile(values, len(starts)) for name, values in actions.items()}
+        fate, apices = next_apices(
+            part.runner, np.repeat(starts, count, axis=0), settings, threads=part.threads
+        )
+        fates[some] = fate.reshape(len(starts), count)
+        nexts[:, some] = apices[:, : len(REDUCED)].T.reshape(len(REDUCED), len(starts), count)
+    shape = (len(part.rows), len(speeds), count)
+    return fates.reshape(shape), nexts.reshape(len(REDUCED), *shape)
+
+
+def make_transitions(
+    runner: Runner,
+    grid: Grid,
+    *,
+    path: Path | None = None,
+    threads: int | None = None,
+    scheduler: str | None = None,
+    show_progress: bool = False,
+    what: str = "strides",
+) -> Transitions:
+    """All strides of a grid, made anew but for those on file.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who makes them.
+    grid : Grid
+        From which corners, by which actions.
+    path : Path, optional
+        Of a NetCDF file, which is written block by block, and gone on with.
+    threads : int, optional
+        On this machine, by default one for each processor.
+    scheduler : str, optional
+        Of a Dask cluster, see `run_blocks`.
+    show_progress : bool, default False
+        A bar on stderr.
+    what : str, default 'strides'
+        It is called.
+
+    Returns
+    -------
+    Transitions
+        Whoever computed it.
+
+    Raises
+    ------
+    InputError
+        The file holds something else.
+    """
+    shape = (*grid.nodes, grid.action_count)
+    made = Transitions(
+        grid, np.full(shape, NOT_YET, np.int8), np.full((len(REDUCED), *shape), np.nan, np.float32)
+    )
+    if path is not None:
+        _take_up(path, runner, made)
+    missing = [row for row in range(shape[0]) if (made.fate[row] == NOT_YET).any()]
+    at_once = max(1, STRIDES_IN_A_BLOCK // math.prod(shape[1:]))
+    blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
+    here = scheduler is None
+    parts = [Corners(runner, grid, tuple(rows), threads if here else 1) for rows in blocks]
+    saved_each, unsaved = math.ceil(len(blocks) / SAVED), 0
+    with (
+        progress.bar(what, made.fate.size, "strides", show_progress) as bar,
+        run_blocks(strides_of, parts, scheduler=scheduler, workers=1 if here else None) as results,
+    ):
+        bar.update((shape[0] - len(missing)) * math.prod(shape[1:]))
+        for number, (fates, nexts) in results:
+            made.fate[blocks[number]], made.next_apex[:, blocks[number]] = fates, nexts
+            bar.update(fates.size)
+            unsaved += 1
+            if path is not None and unsaved >= saved_each:
+                _save(path, runner, made)
+                unsaved = 0
+    return made
+
+
+def dataset_of(runner: Runner, made: Transitions) -> "xarray.Dataset":
+    """Transitions as a dataset.
+
+    Parameters
+    ----------
+    runner : Runner
+        Who made them.
+    made : Transitions
+        What is done of them.
+
+    Returns
+    -------
+    xarray.Dataset
+        `fate` and the next height and speed, over the corners and the settings. It shares their memory.
+    """
+    from ..files.datasets import xarray  # slow to load
+
+    grid = made.grid
+    corners = [f"{axis}_edge" for axis in grid.edges]
+    over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
+    data = xarray.Dataset(
+        {"fate": (over, made.fate.reshape(shape))}
+        | {f"next_{axis}": (over, made.next_apex[k].reshape(shape)) for k, axis in enumerate(REDUCED)},
+        coords=dict(zip(corners, grid.edges.values(), strict=True)) | dict(grid.actions),
+    )
+    data["fate"].attrs = {
+        "flag_values": np.arange(NOT_YET, len(STRIDE_FATES), dtype=np.int8),
+        "flag_meanings": " ".join(("not_yet", *STRIDE_FATES)),
+    }
+    law = {"runner": json.dumps(dict(runner.values)), "tolerance": TOLERANCE}
+    data.attrs = {**law, **model_of(runner)}
+    return data
+
+
+def _take_up(path: Path, runner: Runner, made: Transitions) -> None:
+    """Take what a file holds already."""
+    from ..files.resume import resumed  # loads xarray
+
+    data = resumed(path, dataset_of(runner, made), "viable set")
+    made.fate[...] = data["fate"].values.reshape(made.fate.shape)
+    for k, axis in enumerate(REDUCED):
+        made.next_apex[k] = data[f"next_{axis}"].values.reshape(made.fate.shape)
+    known = (made.fate >= NOT_YET) & (made.fate < len(STRIDE_FATES))
+    fits = known & (np.isfinite(made.next_apex) == (made.fate == CLOSED)).all(axis=0)
+    if not fits.all():
+        row, column, action = np.argwhere(~fits)[0]
+        where = ", ".join(
+            f"{axis}_edge {at}" for axis, at in zip(made.grid.edges, (row, column), strict=True)
+        )
+        raise InputError(
+            f"{path}: holds another viable set, at {where} with fate {made.fate[row, column, action]} and a "
+            f"next apex of {made.next_apex[:, row, column, action].tolist()}; allowed: another file name"
+        )
+
+
+def _save(path: Path, runner: Runner, made: Transitions) -> None:
+    from ..files.netcdf import write_dataset  # loads xarray
+
+    write_dataset(path, dataset_of(runner, made))

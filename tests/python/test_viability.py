@@ -1,0 +1,439 @@
+"""Viable sets of the slipping runner: against brute force, strides from random points, and finer grids."""
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import InputError
+from tdmf_slip.library.ensemble import ACCURACY
+from tdmf_slip.library.one_stride import next_apices
+from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.viable_sets import boxes as boxes_module
+from tdmf_slip.viable_sets import transitions as transitions_module
+from tdmf_slip.viable_sets.fixed_point import sums_of
+from tdmf_slip.viable_sets.grid import starts_at
+
+STICKING = {"ground.friction": 10.0}
+AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
+VARY = {"hip.touchdown_angle": (0.1, 1.3, 24)}
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+
+
+@pytest.fixture(scope="module")
+def found():
+    return tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24)
+
+
+def image_of(runner, apex, settings):
+    """The next apex by the library's reduced map, one stride at a time, or None."""
+    for name, value in settings.items():
+        runner = runner.but(name, value)
+    try:
+        return stride_from(runner, apex, ANGLE)[0]
+    except tdmf_slip.RunError:
+        return None
+
+
+class BruteForce:
+    """The definitions once more, cell by cell in plain Python, with the one-by-one map."""
+
+    def __init__(self, found):
+        self.grid, self.factor = found.grid, found.factor
+        self.heights, self.speeds = (edges.tolist() for edges in found.grid.edges.values())
+        self.rows, self.columns = found.grid.cells
+        self.slack = [
+            ACCURACY * scale + 2.0**-22 * max(map(abs, edges))
+            for scale, edges in zip(found.runner.scales, (self.heights, self.speeds), strict=True)
+        ]
+        names = list(found.grid.all_actions())
+        self.actions = list(zip(*found.grid.all_actions().values(), strict=True))
+        self.images = [
+            {
+                (i, j): image_of(found.runner, [h, v], dict(zip(names, action, strict=True)))
+                for i, h in enumerate(self.heights)
+                for j, v in enumerate(self.speeds)
+            }
+            for action in self.actions
+        ]
+
+    def steepest(self, images, corners, axis, coordinate):
+        """The largest difference of neighbours along an axis of which one is a corner of the cell."""
+        differences = []
+        for i, j in corners:
+            for step in (-1, 1):
+                other = (i + step, j) if axis == 0 else (i, j + step)
+                if images.get(other) is not None and images[(i, j)] is not None:
+                    differences.append(abs(images[other][coordinate] - images[(i, j)][coordinate]))
+        return max(differences, default=math.nan)
+
+    def box(self, images, row, column, inner):
+        """The box of cells of a pair, as a set, or None where the pair fails."""
+        corners = [(row + a, column + b) for a in (0, 1) for b in (0, 1)]
+        known = [corner for corner in corners if images[corner] is not None]
+        if len(known) < (4 if inner else 1):
+            return None
+        ranges = []
+        for coordinate, edges in enumerate((self.heights, self.speeds)):
+            middle = sum(images[corner][coordinate] for corner in known) / len(known)
+            half = self.slack[coordinate]
+            for axis in (0, 1):
+                upper = sum(corner[axis] == (row, column)[axis] + 1 for corner in known) / len(known)
+                steepest = self.steepest(images, corners, axis, coordinate)
+                half += self.factor * max(upper, 1 - upper) * steepest
+            side = edges[1] - edges[0]
+            if math.isnan(half):
+                ranges.append(range(len(edges) - 1))
+                continue
+            first, last = (math.floor((end - edges[0]) / side) for end in (middle - half, middle + half))
+            inside = range(max(first, 0), min(last, len(edges) - 2) + 1)
+            if (inner and len(inside) < last - first + 1) or not len(inside):
+                return None
+            ranges.append(inside)
+        return {(i, j) for i in ranges[0] for j in ranges[1]}
+
+    def pairs(self, inner):
+        pairs = {
+            (row, column, number): self.box(images, row, column, inner)
+            for number, images in enumerate(self.images)
+            for row in range(self.rows)
+            for column in range(self.columns)
+        }
+        pairs = {pair: box for pair, box in pairs.items() if box is not None}
+        while True:
+            states = {pair[:2] for pair in pairs}
+            kept = {pair: box for pair, box in pairs.items() if (box <= states if inner else box & states)}
+            if len(kept) == len(pairs):
+                return set(kept)
+            pairs = kept
+
+
+@pytest.mark.parametrize(
+    ("friction", "vary"),
+    [(10.0, {ANGLE: (0.1, 1.3, 7)}), (0.6, {ANGLE: (0.3, 1.1, 4), TORQUE: (0.02, 0.4, 3)})],
+)
+def test_brute_force_finds_the_same_pairs(friction, vary):
+    axes = {"com_height": (0.5, 3.0), "com_speed": (0.2, 2.5)}
+    found = tdmf_slip.viability({"ground.friction": friction}, axes=axes, vary=vary, n=(15, 14), factor=1.1)
+    brute = BruteForce(found)
+    for name, pairs in (("outer", found.outer), ("inner", found.inner)):
+        expected = brute.pairs(inner=name == "inner")
+        assert set(zip(*map(np.ndarray.tolist, np.nonzero(pairs)), strict=True)) == expected, name
+    assert 0 < found.inner.sum() < found.outer.sum() < found.outer.size
+
+
+def random_points(grid, cells, count, seed):
+    """Points all over some cells, shape (count, 2), and which cells they are in."""
+    draw = np.random.default_rng(seed)
+    chosen = draw.integers(0, len(cells), count)
+    corner = cells[chosen][:, :2] * grid.sizes + grid.origin
+    return corner + grid.sizes * draw.random((count, 2)), chosen
+
+
+def test_an_inner_pair_leads_from_all_over_its_cell_into_the_inner_set(found):
+    pairs = np.argwhere(found.inner)
+    points, chosen = random_points(found.grid, pairs, 20_000, 1)
+    angles = found.grid.all_actions()[ANGLE][pairs[chosen, 2]]
+    fates, apices = next_apices(found.runner, points, {ANGLE: angles})
+    assert (fates == 0).all()
+    cells = found.grid.cell_of(apices)
+    assert (cells >= 0).all()
+    assert found.inner_states.ravel()[cells].all()
+
+
+def test_no_action_leads_from_outside_of_the_outer_set_into_it(found):
+    outside = np.argwhere(~found.outer_states)
+    points, _ = random_points(found.grid, outside, 2_000, 2)
+    angles = found.grid.all_actions()[ANGLE]
+    fates, apices = next_apices(
+        found.runner, np.repeat(points, len(angles), axis=0), {ANGLE: np.tile(angles, len(points))}
+    )
+    cells = found.grid.cell_of(apices)
+    assert (fates == 0).sum() > 100
+    assert not ((cells >= 0) & found.outer_states.ravel()[cells]).any()
+
+
+def test_both_sets_close_on_each_other_as_the_grid_is_refined():
+    shares = np.array(
+        [
+            (of.inner_share, of.outer_share, of.inner_robustness.mean(), of.outer_robustness.mean())
+            for of in (tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=n) for n in (12, 24, 48, 96))
+        ]
+    )
+    for inner, outer in (shares[:, :2].T, shares[:, 2:].T):
+        assert (np.diff(inner) > 0).all()
+        assert (np.diff(outer) < 0).all()
+        gaps = outer - inner
+        assert (gaps[2:] < 0.6 * gaps[1:-1]).all()
+        assert gaps[-1] < 0.04
+
+
+def test_a_larger_factor_leaves_more_open(found):
+    careful = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, factor=2.5)
+    assert (careful.inner <= found.inner).all()
+    assert (careful.outer >= found.outer).all()
+    assert careful.inner.sum() < found.inner.sum()
+
+
+def test_robustness_is_the_share_of_actions_that_are_viable(found):
+    assert np.array_equal(found.inner_robustness, found.inner.sum(axis=2) / 24)
+    assert found.inner_share == (found.inner_robustness > 0).mean()
+    assert (found.inner <= found.outer).all()
+
+
+def test_the_controller_keeps_runners_up_for_long(found):
+    points, _ = random_points(found.grid, np.argwhere(found.inner_states), 300, 3)
+    law = found.controller({ANGLE: 0.5})
+    run = tdmf_slip.stride_map(points, found.runner, strides=100, law=law)
+    assert (run["fate"] == 0).all()
+    chosen = run[ANGLE].values[:, 0]
+    cells = found.grid.cell_of(points)
+    viable = found.inner.reshape(-1, 24)[cells]
+    values = found.grid.actions[ANGLE]
+    nearest = np.where(viable, np.abs(values - 0.5), np.inf).min(axis=1)
+    assert np.allclose(np.abs(chosen - 0.5), nearest, rtol=0, atol=1e-12)
+    assert len(np.unique(chosen)) > 5
+    without = tdmf_slip.stride_map(points, found.runner, strides=100, settings={ANGLE: 0.5})
+    assert (without["fate"].values[:, -1] != 0).mean() > 0.2
+
+
+def test_the_controller_says_what_it_knows(found):
+    law = found.controller()
+    assert law.grade_at([100.0, 1.0]) == "not viable"
+    assert law.settings_at([100.0, 1.0]) == {ANGLE: found.runner.values[ANGLE]}
+    row, column = np.argwhere(found.outer_states & ~found.inner_states)[0]
+    middle = [found.grid.centers(axis)[k] for axis, k in zip(AXES, (row, column), strict=True)]
+    assert law.grade_at(middle) == "open"
+    assert law.grade_at([1.4, 1.0, 1.0, 0.7, 0.0, 0.0]) == "viable"
+    assert law(np.array([[np.nan, np.nan]]))[ANGLE][0] == found.runner.values[ANGLE]
+
+
+def test_a_drop_goes_as_far_as_cells_above_are_viable(found):
+    inner, outer = found.largest_drop()
+    states, side = found.inner_states, found.grid.sizes[0]
+    for row, column in np.ndindex(states.shape):
+        if not states[row, column]:
+            assert math.isnan(inner[row, column])
+            continue
+        above = 0
+        while row + above + 1 < len(states) and states[row + above + 1, column]:
+            above += 1
+        assert inner[row, column] == pytest.approx(above * side, abs=1e-12)
+    assert (outer[states] > inner[states]).all()
+
+
+def test_a_drop_of_the_ground_adds_to_the_height_of_an_apex(found):
+    ground = {"ground.height": [0.0, -0.7]}
+    run = tdmf_slip.stride_map([1.4, 1.0], found.runner, strides=2, settings=ground)
+    first, second = run["next_apex"].values[0]
+    dropped = next_apices(found.runner, first[None] + [[0.7, 0.0]], {"ground.height": np.zeros(1)})[1][0]
+    assert np.allclose(second, dropped, rtol=0, atol=1e-8)
+    assert abs(second[0] - first[0]) > 1e-3
+
+
+def test_loss_of_friction_is_stood_where_an_action_leads_back():
+    runner, axes = {"ground.friction": 0.6}, {"com_height": (0.8, 2.5), "com_speed": (0.3, 1.8)}
+    vary = {ANGLE: (0.4, 1.1, 10)}
+    found = tdmf_slip.viability(runner, axes=axes, vary=vary, n=20)
+    loss = found.friction_loss([0.3, 0.05])
+    assert loss.frictions == (0.3, 0.05)
+    assert set(np.unique(loss.inner[found.inner_states])) <= {0.6, 0.3, 0.05}
+    assert np.isnan(loss.inner[~found.inner_states]).all()
+    assert (loss.outer <= np.where(found.inner_states, loss.inner, np.inf)).all(where=found.inner_states)
+    stands = np.argwhere(loss.inner == 0.05)
+    assert len(stands) > 20
+    points, _ = random_points(found.grid, stands, 300, 4)
+    angles = found.grid.all_actions()[ANGLE]
+    slippery = found.runner.but("ground.friction", 0.05)
+    _, apices = next_apices(slippery, np.repeat(points, 10, axis=0), {ANGLE: np.tile(angles, 300)})
+    cells = found.grid.cell_of(apices)
+    into = ((cells >= 0) & found.inner_states.ravel()[cells]).reshape(300, 10)
+    assert into.any(axis=1).all()
+
+
+def test_states_that_lead_to_a_gait():
+    axes = {"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)}
+    vary = {ANGLE: (0.3, 1.1, 24), TORQUE: (0.05, 0.4, 12)}
+    found = tdmf_slip.viability({"ground.friction": 0.6}, axes=axes, vary=vary, n=24)
+    gait = tdmf_slip.find_orbit(found.runner)
+    reached = found.reached(gait)
+    cell = np.unravel_index(found.grid.cell_of(gait.apex[None])[0], found.grid.cells)
+    assert reached.target.sum() == 25
+    assert reached.target[cell]
+    assert reached.inner[cell] == 0
+    assert reached.outer_share >= reached.inner_share > 0.9
+    assert (reached.outer[reached.inner >= 0] <= reached.inner[reached.inner >= 0]).all()
+    points, _ = random_points(found.grid, np.argwhere(reached.inner == 2), 100, 5)
+    actions = found.grid.all_actions()
+    settings = {name: np.tile(values, len(points)) for name, values in actions.items()}
+    apices = next_apices(found.runner, np.repeat(points, found.grid.action_count, axis=0), settings)[1]
+    cells = found.grid.cell_of(apices)
+    strides = np.where(cells >= 0, reached.inner.ravel()[cells], -1).reshape(len(points), -1)
+    assert ((strides >= 0) & (strides <= 1)).any(axis=1).all()
+    with pytest.raises(InputError, match="no cell is as near"):
+        found.reached([40.0, 1.0])
+
+
+def test_the_full_model_starts_where_the_last_placement_leaves_the_leg():
+    axes = {"com_height": (0.8, 3.0), "com_speed": (0.2, 2.0)}
+    settings = {"axes": axes, "vary": {ANGLE: (0.3, 1.1, 12)}, "n": 20}
+    full = tdmf_slip.viability({"ground.friction": 0.6}, model="full", **settings)
+    reduced = tdmf_slip.viability({"ground.friction": 0.6}, **settings)
+    starts = starts_at(full.runner, np.array([[1.4, 1.0]]))
+    assert starts.tolist() == [[1.4, 1.0, 1.0, full.runner.values[ANGLE], 0.0, 0.0]]
+    assert 0.3 < full.inner_share <= full.outer_share
+    both = np.isfinite(full.transitions.next_apex) & np.isfinite(reduced.transitions.next_apex)
+    difference = np.abs(full.transitions.next_apex - reduced.transitions.next_apex)[both]
+    assert 0 < np.median(difference) < 0.02
+    node = full.transitions.next_apex[:, 4, 5, 3]
+    height, speed = (edges[k] for edges, k in zip(full.grid.edges.values(), (4, 5), strict=True))
+    apex = [height, speed, 1.0, full.runner.values[ANGLE], 0.0, 0.0]
+    alone = stride_from(full.runner.but(ANGLE, full.grid.actions[ANGLE][3]), apex, ANGLE)[0][:2]
+    assert np.allclose(node, alone, rtol=0, atol=1e-6)
+
+
+def test_of_random_boxes_the_table_of_sums_counts_right():
+    draw = np.random.default_rng(6)
+    states = draw.random((13, 9)) < 0.5
+    sums = sums_of(states)
+    for _ in range(200):
+        (top, bottom), (left, right) = (np.sort(draw.integers(0, size + 1, 2)) for size in states.shape)
+        counted = sums[bottom, right] - sums[top, right] - sums[bottom, left] + sums[top, left]
+        assert counted == states[top:bottom, left:right].sum()
+
+
+def test_blocks_and_threads_change_nothing(found, monkeypatch):
+    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_CALL", 1000)
+    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_BLOCK", 3000)
+    monkeypatch.setattr(boxes_module, "PAIRS_AT_ONCE", 700)
+    again = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, threads=1)
+    assert again == found
+    assert pickle.loads(pickle.dumps(found)) == found
+    assert tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, factor=2) != found
+
+
+def test_it_is_told_in_short(found):
+    assert repr(found) == (
+        "Viability(24 by 24 cells, 24 actions of hip.touchdown_angle: "
+        f"{found.inner_share:.1%} to {found.outer_share:.1%} viable)"
+    )
+    told = found.as_json()
+    assert told["cells"] == [24, 24]
+    assert told["strides"] == 25 * 25 * 24
+
+
+def test_the_dataset_has_all_of_it(found):
+    data = found.to_xarray()
+    assert data["viable"].dims == ("com_height", "com_speed")
+    assert np.array_equal(data["viable"] == 2, found.inner_states)
+    assert np.array_equal(data["viable"] > 0, found.outer_states)
+    assert data["viable_pair"].dims == ("com_height", "com_speed", ANGLE)
+    assert data["next_com_speed"].shape == (25, 25, 24)
+    assert float(data["com_height"][0]) == pytest.approx(0.3 + 0.5 * 3.7 / 24)
+
+
+def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
+    path = tmp_path / "viable.nc"
+    monkeypatch.setattr(transitions_module, "STRIDES_IN_A_BLOCK", 3000)
+    make = transitions_module.strides_of
+    made = []
+
+    def dies(part):
+        if len(made) == 2:
+            raise KeyboardInterrupt
+        made.append(part.rows)
+        return make(part)
+
+    monkeypatch.setattr(transitions_module, "strides_of", dies)
+    with pytest.raises(KeyboardInterrupt):
+        tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path)
+    again = []
+
+    def counts(part):
+        again.append(part.rows)
+        return make(part)
+
+    monkeypatch.setattr(transitions_module, "strides_of", counts)
+    assert tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path) == found
+    assert set(sum(made, ())).isdisjoint(sum(again, ()))
+    assert sorted(sum(made + again, ())) == list(range(25))
+    again.clear()
+    assert tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path) == found
+    assert not again
+    with pytest.raises(InputError, match="holds another viable set"):
+        tdmf_slip.viability({"ground.friction": 9.0}, axes=AXES, vary=VARY, n=24, path=path)
+
+
+def test_a_file_with_other_strides_is_refused(found, tmp_path):
+    path = tmp_path / "viable.nc"
+    data = found.to_xarray()
+    data["fate"].values[3, 4, 5] = 99
+    data.to_netcdf(path)
+    with pytest.raises(InputError, match="com_height_edge 3, com_speed_edge 4"):
+        tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path)
+
+
+GOOD = {"axes": AXES, "vary": VARY, "n": 4}
+
+
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        ({"axes": {"com_height": (1, 2)}}, "axes: without com_speed"),
+        ({"axes": {"com_height": (1, 2), "leg_angle": (0, 1)}}, "axes: 'leg_angle' is not allowed"),
+        ({"axes": {"com_height": (2, 1), "com_speed": (0, 1)}}, "axes: com_height = .2, 1. is not allowed"),
+        ({"axes": {"com_height": (1, math.inf), "com_speed": (0, 1)}}, "axes: com_height"),
+        ({"axes": {"com_height": "12", "com_speed": (0, 1)}}, "axes: com_height"),
+        ({"axes": 3}, "axes = 3 is not allowed"),
+        ({"vary": {}}, "vary: nothing"),
+        ({"vary": {"hip.torque": (0, 1)}}, "'hip.torque' is not a setting"),
+        ({"vary": {"body.mass": (1, 2)}}, "body.mass cannot change in a run"),
+        ({"vary": {"hip.kp": (0, 1)}}, "hip.kp does not act in the reduced map"),
+        ({"vary": {ANGLE: (0, 1, 0)}}, "vary: hip.touchdown_angle: values = 0"),
+        ({"vary": {ANGLE: (0, 9)}}, "hip.touchdown_angle = "),
+        ({"vary": {ANGLE: (0, math.nan)}}, "vary: hip.touchdown_angle"),
+        ({"vary": {ANGLE: (0, 0.5, 3, 4)}}, "vary: hip.touchdown_angle"),
+        ({"vary": {"ground.friction": (-1, 1)}}, "ground.friction = -1 is not allowed"),
+        ({"n": 1}, "n = 1 is not allowed"),
+        ({"n": (4, 4, 4)}, "n = "),
+        ({"n": 2.5}, "n = 2.5 is not allowed"),
+        ({"n": 2048, "vary": {ANGLE: (0, 1, 100)}}, "419,840,100 strides"),
+        ({"factor": 0.5}, "factor = 0.5 is not allowed"),
+        ({"factor": math.nan}, "factor = nan is not allowed"),
+        ({"model": "half"}, "model 'half' is not allowed"),
+        ({"threads": 0}, "threads = 0 is not allowed"),
+        ({"path": "viable.csv"}, "viable.csv"),
+    ],
+)
+def test_what_is_not_allowed_is_refused(bad, message):
+    with pytest.raises(InputError, match=message):
+        tdmf_slip.viability(STICKING, **(GOOD | bad))
+
+
+@pytest.mark.parametrize(
+    ("wish", "message"),
+    [
+        ({"hip.kp": 1.0}, "wish: 'hip.kp' is not allowed; allowed: hip.touchdown_angle"),
+        ({ANGLE: "much"}, "wish: hip.touchdown_angle = 'much' is not allowed"),
+        ({ANGLE: math.nan}, "hip.touchdown_angle = nan is not allowed"),
+    ],
+)
+def test_a_wish_that_is_none_is_refused(found, wish, message):
+    with pytest.raises(InputError, match=message):
+        found.controller(wish)
+
+
+@pytest.mark.parametrize("frictions", [[], [20.0], [0.3, 0.3], [0.1, 0.2], [-0.1], "0.1", [math.nan]])
+def test_frictions_that_do_not_fall_are_refused(found, frictions):
+    with pytest.raises(InputError, match="frictions"):
+        found.friction_loss(frictions)
+
+
+def test_where_nothing_is_viable_both_sets_are_empty():
+    axes = {"com_height": (0.05, 0.3), "com_speed": (0.0, 0.2)}
+    found = tdmf_slip.viability(STICKING, axes=axes, vary={ANGLE: (0.0, 0.5, 4)}, n=5)
+    assert not found.outer.any()
+    assert not found.inner.any()
+    assert found.outer_share == 0.0
+    assert found.controller().grade_at([0.1, 0.1]) == "not viable"
