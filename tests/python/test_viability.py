@@ -256,7 +256,7 @@ def test_states_that_lead_to_a_gait():
     axes = {"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)}
     vary = {ANGLE: (0.3, 1.1, 24), TORQUE: (0.05, 0.4, 12)}
     found = tdmf_slip.viability({"ground.friction": 0.6}, axes=axes, vary=vary, n=24)
-    gait = tdmf_slip.find_orbit(found.runner)
+    gait = tdmf_slip.find_gait(found.runner)
     reached = found.reached(gait)
     cell = np.unravel_index(found.grid.cell_of(gait.apex[None])[0], found.grid.cells)
     assert reached.target.sum() == 25

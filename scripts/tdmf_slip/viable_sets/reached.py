@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ..checks import checked
 from ..contents import ByContents
 from ..errors import InputError
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.section import REDUCED, Apex, checked_apex
 from .grid import Grid
 
@@ -38,14 +38,14 @@ class Reached(ByContents):
         return float((self.outer >= 0).mean())
 
 
-def target_of(grid: Grid, gait: Orbit | Apex, within: float) -> NDArray[np.bool_]:
+def target_of(grid: Grid, gait: Gait | Apex, within: float) -> NDArray[np.bool_]:
     """The cells about a gait's apex.
 
     Parameters
     ----------
     grid : Grid
         Of cells.
-    gait : Orbit or sequence of float
+    gait : Gait or sequence of float
         Its apex, of which height and speed count.
     within : float
         Sides of a cell.
@@ -61,7 +61,7 @@ def target_of(grid: Grid, gait: Orbit | Apex, within: float) -> NDArray[np.bool_
         None is.
     """
     within = checked("within", within, 0.5, FARTHEST)
-    apex = gait.apex if isinstance(gait, Orbit) else np.asarray(gait)
+    apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
     place = checked_apex(apex[: len(REDUCED)], REDUCED)
     near = [
         (edges[:-1] >= at - within * side) & (edges[1:] <= at + within * side)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..analysis.search import model_of
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..library.orbit import Orbit
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex
 from .boxes import Boxes, boxes_of
@@ -110,12 +110,12 @@ class Viability(ByContents, Drawable):
         """
         return ViableController.of(self.grid, self.inner, self.outer, self.runner, wish)
 
-    def reached(self, gait: Orbit | Apex, *, within: float = 3.0) -> Reached:
+    def reached(self, gait: Gait | Apex, *, within: float = 3.0) -> Reached:
         """From which states some choice of actions leads to a gait, and in how many strides at the least.
 
         Parameters
         ----------
-        gait : Orbit or sequence of float
+        gait : Gait or sequence of float
             Its apex, or a gait that has one.
         within : float, default 3
             Distance from the apex, in sides of a cell along each axis, at which it counts as reached: a cell
