@@ -22,8 +22,8 @@ tdmf_ground_line tdmf_classic_ground(const tdmf_classic *slip) {
 
 static bool is_allowed(const tdmf_classic *slip) {
     return slip != NULL && slip->mass > 0.0 && slip->stiffness > 0.0 && slip->free_length > 0.0 &&
-           slip->gravity > 0.0 && fabs(slip->touchdown_angle) < right_angle &&
-           slip->friction >= 0.0 && fabs(slip->ground_slope) < 1.0 &&
+           slip->gravity > 0.0 && fabs(slip->touchdown_angle) < right_angle && slip->friction >= 0.0 &&
+           fabs(slip->ground_slope) < 1.0 &&
            isfinite(slip->mass + slip->stiffness + slip->free_length + slip->gravity + slip->retraction_rate);
 }
 

@@ -29,8 +29,8 @@ typedef struct {
     double free_length;     /* l0, m */
     double gravity;         /* g, m/s2 */
     double touchdown_angle; /* theta0, at the apex, from the vertical, below pi/2 in size: above 0 the foot is
-                               ahead of the body. A leg that would lengthen from touchdown on takes off at once,
-                               downwards, and falls */
+                               ahead of the body. A leg that would lengthen from touchdown on takes off at
+                               once, downwards, and falls */
     double friction;        /* mu; INFINITY for a foot that never slips */
     double ground_slope;    /* sigma, rad, between -1 and 1, positive where the ground rises */
     double retraction_rate; /* omega, rad/s, from the apex on; positive turns the foot back */
