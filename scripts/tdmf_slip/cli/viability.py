@@ -11,7 +11,7 @@ from ..files.whole import check_place
 from ..library.members import VARIED
 from ..library.section import MODELS, REDUCED
 from ..terminal.text import columns
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..viable_sets.grid import MOST_CELLS, VALUES
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, MOST_THREADS, viability
 from .options import (
@@ -116,12 +116,12 @@ def viability_command(
         from ..pictures import overview, viability_map  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
-    unit = load()
-    runner = runner_of(unit, parameters, values_given(friction, settings), model)
+    fmu = load_fmu()
+    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     found = viability(
         runner,
-        axes=_axes_given(axes, unit),
-        vary=_vary_given(vary, unit),
+        axes=_axes_given(axes, fmu),
+        vary=_vary_given(vary, fmu),
         n=count,
         model=model,
         factor=factor,
@@ -129,7 +129,7 @@ def viability_command(
         threads=threads,
         scheduler=scheduler,
         show_progress=True,
-        unit=unit,
+        fmu=fmu,
     )
     if plot is not None:
         viability_map.draw(plot, found)
@@ -156,23 +156,23 @@ def _pairs(texts: Sequence[str], option: str, example: str) -> dict[str, str]:
     return given
 
 
-def _axes_given(texts: Sequence[str], unit: Unit) -> dict[str, tuple[float, float]]:
+def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]]:
     given = _pairs(texts, "--axes", "NAME=A:B")
     for name in given:
         if name not in REDUCED:
             raise InputError(f"--axes {name}={given[name]}: allowed: {' and '.join(REDUCED)}")
     return {
-        name: ends_of(span, unit.variables[f"apex.{name}"], f"--axes {name}") for name, span in given.items()
+        name: ends_of(span, fmu.variables[f"apex.{name}"], f"--axes {name}") for name, span in given.items()
     }
 
 
-def _vary_given(texts: Sequence[str], unit: Unit) -> dict[str, tuple[float, ...]]:
+def _vary_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, ...]]:
     ranges: dict[str, tuple[float, ...]] = {}
     for name, span in _pairs(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
         if name not in VARIED:
             raise InputError(f"--vary {name}={span}: no such setting; allowed: one that may change in a run")
         parts = span.split(":")
-        ends = ends_of(":".join(parts[:2]), unit.variables[name], f"--vary {name}")
+        ends = ends_of(":".join(parts[:2]), fmu.variables[name], f"--vary {name}")
         counts = parts[2:]
         if len(counts) > 1 or not all(part.strip().isdecimal() for part in counts):
             raise InputError(f"--vary {name}={span}: allowed: A:B or A:B:N, N being how many values")

@@ -47,7 +47,7 @@ def next_apices(
     sections[:, : apices.shape[1]] = apices
     ensemble = ensemble_of(runner, sections, 0, tolerance, threads, None)
     cases, kept = Crowd(runner).c_cases(RoughGround(), None)
-    cases[0].rules.most_strides = 1
+    cases[0].rules.max_strides = 1
     ensemble.cases, ensemble.case_count = cases, 1
     given, values = given_settings({name: row[:, None] for name, row in settings.items()}, 0)
     ensemble.given = given

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..library.section import REDUCED
-from ..unit.unit import FRICTION, load
+from ..unit.unit import FRICTION, load_fmu
 from ..viable_sets.result import Viability
 from . import style
 from .basin_map import NAMES
@@ -91,7 +91,7 @@ def paint(axes: Axes, found: Viability, most: float | None = None) -> ScalarMapp
     shares = np.ma.masked_where(states != 2, found.inner_robustness)
     largest = most or float(np.max(found.inner_robustness)) or 1.0
     mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
-    units = [load().variables[f"apex.{axis}"].unit for axis in REDUCED]
+    units = [load_fmu().variables[f"apex.{axis}"].unit for axis in REDUCED]
     style.label(
         axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
     )

@@ -15,7 +15,7 @@ from ..given import mapping_of, row_of
 from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
-from ..unit.unit import Unit
+from ..unit.unit import Fmu
 
 MOST_CELLS = 2048
 """Along an axis."""
@@ -97,7 +97,7 @@ class Grid(ByContents):
         return np.where(inside, rows * self.cells[1] + columns, -1)
 
 
-def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, unit: Unit) -> Grid:
+def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
     """The grid that is asked for.
 
     Parameters
@@ -110,7 +110,7 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, unit: Unit) -> Grid:
         Ranges of the settings.
     n : int or pair of int
         Cells along each coordinate.
-    unit : Unit
+    fmu : Fmu
         Whose ranges hold.
 
     Returns
@@ -138,13 +138,13 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, unit: Unit) -> Grid:
         for axis, count in zip(REDUCED, counts, strict=True)
     }
     for axis, along in edges.items():
-        unit.variables[f"apex.{axis}"].values_of(along, f"axes: {axis}")
-    grid = Grid(edges, _actions(runner, vary, unit))
+        fmu.variables[f"apex.{axis}"].values_of(along, f"axes: {axis}")
+    grid = Grid(edges, _actions(runner, vary, fmu))
     check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MOST_STRIDES)
     return grid
 
 
-def _actions(runner: Runner, vary: Any, unit: Unit) -> dict[str, NDArray[np.float64]]:
+def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float64]]:
     ranges = mapping_of(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
     if not ranges:
         raise InputError("vary: nothing; allowed: one or more settings with their ranges")
@@ -156,7 +156,7 @@ def _actions(runner: Runner, vary: Any, unit: Unit) -> dict[str, NDArray[np.floa
         row = row_of(span, what, "(low, high) or (low, high, values)")
         count = checked_whole(f"{what}: values", row[2], 1, MOST_ACTIONS) if len(row) == 3 else VALUES
         low, high = _ends(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
-        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, unit)
+        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, fmu)
     return actions
 
 

@@ -150,7 +150,7 @@ def make_transitions(
     parts = [Corners(runner, grid, tuple(rows), threads if here else 1) for rows in blocks]
     saved_each, unsaved = math.ceil(len(blocks) / SAVED), 0
     with (
-        progress.bar(what, made.fate.size, "strides", show_progress) as bar,
+        progress.progress_bar(what, made.fate.size, "strides", show_progress) as bar,
         run_blocks(strides_of, parts, scheduler=scheduler, workers=1 if here else None) as results,
     ):
         bar.update((shape[0] - len(missing)) * math.prod(shape[1:]))

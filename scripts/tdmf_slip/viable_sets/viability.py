@@ -11,7 +11,7 @@ from ..analysis.search import runner_by
 from ..checks import checked, checked_whole
 from ..files.whole import check_place
 from ..library.runner import Runner
-from ..unit.unit import Unit, load
+from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .boxes import Boxes, boxes_of
 from .fixed_point import largest_kept
@@ -37,7 +37,7 @@ def viability(
     threads: int | None = None,
     scheduler: str | None = None,
     show_progress: bool = False,
-    unit: Unit | None = None,
+    fmu: Fmu | None = None,
 ) -> Viability:
     """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
 
@@ -76,7 +76,7 @@ def viability(
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     show_progress : bool, default False
         A bar on stderr.
-    unit : Unit, optional
+    fmu : Fmu, optional
         Whose start values and ranges hold.
 
     Returns
@@ -109,12 +109,12 @@ def viability(
     S. Heim and A. Badri-Sproewitz, Beyond Basins of Attraction: Quantifying Robustness of Natural Dynamics,
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
-    unit = load(unit)
-    runner = runner_by(Runner.of(runner, unit), model)
+    fmu = load_fmu(fmu)
+    runner = runner_by(Runner.of(runner, fmu), model)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     threads = None if threads is None else checked_whole("threads", threads, 1, MOST_THREADS)
     path = None if path is None else check_place(path, (".nc",), "path")
-    grid = grid_of(runner, axes, vary, n, unit)
+    grid = grid_of(runner, axes, vary, n, fmu)
     made = make_transitions(
         runner, grid, path=path, threads=threads, scheduler=scheduler, show_progress=show_progress
     )
