@@ -96,7 +96,7 @@ def test_co_simulation(unpacked, description, gait, method):
         fmi_type="CoSimulation",
         stop_time=1.001 * gait["period"],
         output_interval=gait["period"] / 10,
-        tolerance=1e-12,
+        relative_tolerance=1e-12,
         start_values=start_of(gait) | {"solver.method": method},
         output=OUTPUT,
     )
