@@ -3,7 +3,10 @@
 import importlib
 import pathlib
 
+import numpy as np
 import pytest
+import tdmf_slip
+from tdmf_slip.fitting.measurements import read_measurements, shipped
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
@@ -57,3 +60,47 @@ def test_the_runner_crosses_rough_ground(load, tmp_path):
     assert heights.max() > 0.9 and heights[0] == pytest.approx(0.0, abs=1e-12)
     example.draw(tmp_path / "run.png", example.ground(), rows)
     assert (tmp_path / "run.png").stat().st_size > 10_000
+
+
+def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, monkeypatch, capsys, tmp_path):
+    """Forces of our own runner, in the layout that is read: step frequency, contact time and peak return."""
+    example = load("treadmill_forces")
+    values = tdmf_slip.read_parameters(shipped("human_running.toml"))
+    gait = tdmf_slip.find_gait(values, model="reduced")
+    stride = gait.stride
+    period, stance = stride["period"], stride["stance_time"]
+    time = np.arange(0, 30.0, 1.0 / example.RATE)
+    within = np.mod(time, period)
+    force = np.where(within < stance, stride["peak_force"] * np.sin(np.pi * within / stance), 0.0)
+    path = tmp_path / "RBDS001runT35forces.txt"
+    rows = "".join(f"{k}\t0\t{f:.3f}\t0\n" for k, f in enumerate(force))
+    path.write_text("Time\tFx\tFy\tFz\n" + rows, encoding="utf-8")
+    monkeypatch.setattr("sys.argv", ["treadmill_forces.py", str(path)])
+    example.main()
+    table = tmp_path / "run.csv"
+    table.write_text(capsys.readouterr().out, encoding="utf-8")
+    (row,) = read_measurements(table).rows
+    assert row["speed"].value == 3.5
+    assert row["frequency"].value == pytest.approx(1.0 / period, rel=1e-3)
+    assert row["stance_time"].value == pytest.approx(stance, abs=3.0 / example.RATE)
+    assert row["peak_force"].value == pytest.approx(stride["peak_force"], rel=1e-3)
+
+
+def test_forces_without_steps_or_speed_are_refused(load, tmp_path):
+    example = load("treadmill_forces")
+    path = tmp_path / "RBDS001runT35forces.txt"
+    path.write_text("Time\tFy\n" + "".join(f"{k}\t0.0\n" for k in range(900)), encoding="utf-8")
+    with pytest.raises(SystemExit, match="0 steps; allowed: 3 or more"):
+        example.row_of(path)
+    with pytest.raises(SystemExit, match="no speed in its name"):
+        example.speed_of("forces.txt")
+
+
+def test_a_bounce_of_the_force_is_no_step(load):
+    """A dip of a few rows within a contact, and a knock within a flight."""
+    example = load("treadmill_forces")
+    step = np.r_[np.zeros(60), np.full(70, 900.0)]
+    force = np.r_[np.tile(step, 6), np.zeros(60)]
+    force[100:104], force[290:293] = 0.0, 200.0
+    down, up = example.contacts(force)
+    assert len(down) == 6 and np.all(up - down == 70)
