@@ -138,6 +138,25 @@ def test_the_command_prints_the_proof():
     assert told["word"] == "0+"
     assert agree(told["period"], GAITS["10"]["period"])
     assert told["parameters"]["ground.friction"] == "10"
+    of_gait = {"proved", "sentence", "assumptions", "word", "stable", "box", "undecided"}
+    assert of_gait | {"apex", "period", "speed", "cost_of_transport", "slip_distance", "eigenvalues"} <= set(
+        told
+    )
+
+
+@pytest.mark.parametrize(
+    "options",
+    [["--border", "0.2:0.3", "--vary", "ground.friction=1:2"], ["--border", "0.2:0.3", "--output", "x.jsonl"],
+     ["--workers", "2"], ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
+)  # fmt: skip
+def test_options_that_do_not_go_together_are_refused(options, tmp_path, monkeypatch):
+    from click.testing import CliRunner
+    from tdmf_slip.cli.prove import prove_command
+
+    monkeypatch.chdir(tmp_path)
+    ran = CliRunner().invoke(prove_command, options, standalone_mode=False)
+    assert isinstance(ran.exception, InputError)
+    assert not list(tmp_path.iterdir())
 
 
 def check_border(proof, known):
@@ -147,8 +166,37 @@ def check_border(proof, known):
     assert (proof.kind, proof.word_continued) == (known["kind"], known["word_continued"])
 
 
-def test_a_border_is_proved_where_another_program_proved_it():
-    check_border(tdmf_slip.prove_border(0.26585156, digits=8, sides=False), PROVED["borders"][0])
+@pytest.fixture(scope="module")
+def border():
+    return tdmf_slip.prove_border(0.26585156, digits=8)
+
+
+def test_a_border_is_proved_where_another_program_proved_it(border):
+    check_border(border, PROVED["borders"][0])
+    told = border.as_json()
+    assert told["box"]["coordinates"][-1] == "ground.friction"
+    assert len(told["box"]["centre"]) == len(told["box"]["radii"]) == 7
+
+
+def test_the_word_changes_at_a_border(border):
+    below, above = border.sides
+    assert below.values["ground.friction"].ball() < border.value < above.values["ground.friction"].ball()
+    assert below.proved
+    assert above.proved
+    assert border.words == ("+-", "+0-")
+    assert "The word changes: +- at 0.2658" in border.sentence
+    assert [side["word"] for side in border.as_json()["sides"]] == ["+-", "+0-"]
+
+
+def test_a_side_that_is_undecided_is_told_to_be(border):
+    below, above = border.sides
+    open_side = replace(below, proved=False, word="", undecided={"guard": "touchdown", "time": 12.0})
+    told = replace(border, sides=(open_side, above))
+    assert told.words == ("+0-",)
+    assert "changes" not in told.sentence
+    assert "the gait at 0.2658" in told.sentence
+    assert "is undecided, +0- at" in told.sentence
+    assert [side["proved"] for side in told.as_json()["sides"]] == [False, True]
 
 
 @LONG

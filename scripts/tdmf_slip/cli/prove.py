@@ -95,11 +95,15 @@ def prove_command(
         refuse_given(given, FRICTION, "--border")
         if box is not None:
             raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
+        if vary is not None:
+            raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
     runner = runner_of(load_fmu(), parameters, given)
     told = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
     told |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
+    if vary is None and (output is not None or workers is not None):
+        raise InputError("--output, --workers: are of use for a range only; allowed: with --vary")
     if border is not None:
         _prove_borders(runner, told, border, digits, as_json_object)
         return
@@ -108,8 +112,6 @@ def prove_command(
             raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
         _prove_range(told, vary, output, workers, as_json_object)
         return
-    if output is not None or workers is not None:
-        raise InputError("--output, --workers: are of use for a range only; allowed: with --vary")
     from ..proof.prove import prove  # FLINT is slow to load
 
     proof = prove(told, box=box, digits=digits)

@@ -54,6 +54,14 @@ class Box:
         radii = [(ball_of(r) + ball.rad()).upper().mid() for r, ball in zip(self.radii, balls, strict=True)]
         return Starts([ball.mid() for ball in balls], radii)
 
+    def as_json(self, names: Sequence[str]) -> dict[str, list[str]]:
+        """As a plain object, with the names of its directions; numbers are texts, exact."""
+        return {
+            "coordinates": list(names),
+            "centre": [decimal(x) for x in self.centre],
+            "radii": [short(r) for r in self.radii],
+        }
+
     def holds(self, apex: Sequence[arb]) -> bool:
         """Whether an enclosed apex is proved to lie in it."""
         sides = zip(apex, self.centre, self.radii, strict=True)
@@ -155,11 +163,7 @@ class Proof:
             "parameters": {name: str(value) for name, value in self.values.items()},
             "word": self.word or None,
             "stable": self.stable,
-            "box": {
-                "coordinates": list(COORDINATES),
-                "centre": [decimal(x) for x in self.box.centre],
-                "radii": [short(r) for r in self.box.radii],
-            },
+            "box": self.box.as_json(COORDINATES),
             "apex": [text_of(x, self.digits) for x in self.apex] or None,
             **{name: self._told(name) for name in QUANTITIES},
             "eigenvalues": [self._eigenvalue(value) for value in self.eigenvalues] or None,

@@ -21,6 +21,7 @@ from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined,
 from .parameters import Parameters
 from .proof import Box, Proof, decimal, exactly, short, statement, text_of, told
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
+from .section import COORDINATES
 from .starts import Fineness, Starts
 from .stride import Stride, Traveller
 from .undecided import UndecidedError
@@ -59,22 +60,25 @@ class BorderProof:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """On both sides, as they are proved."""
-        return tuple(side.word for side in self.sides)
+        """On the sides whose gait is proved, in the parameter's order."""
+        return tuple(side.word for side in self.sides if side.proved)
 
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
         return {
             **statement(self),
+            "parameters": {of: str(value) for of, value in self.values.items() if of != self.name},
             "vary": self.name,
             "value": None if self.value is None else text_of(self.value, self.digits),
             "kind": self.kind or None,
             "word_continued": self.word_continued or None,
             "apex": [text_of(x, self.digits) for x in self.apex] or None,
+            "box": None if self.box is None else self.box.as_json([*COORDINATES, self.name]),
             "sides": [
                 {
                     "value": decimal(side.values[self.name].rational),
-                    "word": side.word,
+                    "proved": side.proved,
+                    "word": side.word or None,
                     "sentence": side.sentence,
                 }
                 for side in self.sides
@@ -93,10 +97,13 @@ class BorderProof:
             f"within {short(max(self.box.radii))} of ({', '.join(decimal(x) for x in self.box.centre)}), its "
             f"apex and {self.name}; its {self.name} lies in {text_of(self.value, self.digits)}."
         )
-        if len(set(self.words)) < 2:
-            return text
-        at = " and ".join(f"{side.word} at {decimal(side.values[self.name].rational)}" for side in self.sides)
-        return f"{text} The word is {at}, both proved."
+        sides = ", ".join(self._told_side(side) for side in self.sides)
+        changes = "The word changes: " if len(set(self.words)) > 1 else ""
+        return f"{text} {changes}{sides}." if sides else text
+
+    def _told_side(self, side: Proof) -> str:
+        at = f"at {decimal(side.values[self.name].rational)}"
+        return f"{side.word} {at} is proved" if side.proved else f"the gait {at} is undecided"
 
 
 def prove_border(
