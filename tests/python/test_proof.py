@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -64,6 +65,7 @@ def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(
     assert all(arb(value).rad() < 1e-20 for value in (*told["apex"], *told["eigenvalues"], told["speed"]))
     assert "3/5" in proof.sentence
     assert "exactly one" in proof.sentence
+    assert max(proof.box.radii) == Fraction(1, 10**6)
 
 
 @LONG

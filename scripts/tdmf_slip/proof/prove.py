@@ -27,7 +27,7 @@ from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
 DEFAULT_DIGITS = 20
-BOXES = tuple(Fraction(1, 10**places) for places in (10, 13, 16))
+BOXES = tuple(Fraction(1, 10**places) for places in (6, 8, 10, 13, 16))
 """Radii that are tried where none is asked for, in units of the coordinates' scales."""
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
