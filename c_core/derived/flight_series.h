@@ -62,22 +62,22 @@ typedef struct {
     real angle_rate;
 } flight_start;
 
-/* The states. */
-static inline void begin_flight(const flight_start *start, flight_series *s) {
-    s->length[0] = start->length;
-    s->angle[0] = start->angle;
-    s->length_rate[0] = start->length_rate;
-    s->momentum[0] = start->length * start->length * start->angle_rate;
+/* The states, by a leg. */
+static inline void tdmf_begin_flight(const flight_start *start, flight_series *written) {
+    written->length[0] = start->length;
+    written->angle[0] = start->angle;
+    written->length_rate[0] = start->length_rate;
+    written->momentum[0] = start->length * start->length * start->angle_rate;
 }
 
-/* Their variation, where what it starts with varies by d. */
-static inline void begin_flight_variation(const flight_start *start, const flight_start *d,
-                                          flight_variation *t) {
-    t->length[0] = d->length;
-    t->angle[0] = d->angle;
-    t->length_rate[0] = d->length_rate;
-    t->momentum[0] =
-        2.0 * (start->length * d->length) * start->angle_rate + start->length * start->length * d->angle_rate;
+/* Its change. */
+static inline void tdmf_vary_begin_flight(const flight_start *start, const flight_start *d_start,
+                                          flight_variation *written) {
+    written->length[0] = d_start->length;
+    written->angle[0] = d_start->angle;
+    written->length_rate[0] = d_start->length_rate;
+    written->momentum[0] = 2.0 * (start->length * d_start->length) * start->angle_rate +
+                           start->length * start->length * d_start->angle_rate;
 }
 
 /* Factors that all coefficients have, and what is divided by. */
@@ -112,10 +112,15 @@ KERNEL void add_flight_sums(const flight_series *s, int i, int j, flight_sums *s
 /* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
 KERNEL void begin_flight_sums(const flight_series *s, int i, flight_sums *sum, flight_sums *next) {
     sum->square = 0.5 * (s->length[i] * s->length[i]);
-    sum->angle_rate = s->angle_rate[i] * s->square[i];
+    next->square = broadcast(0.0);
+    sum->angle_rate = (s->angle_rate[i] * s->square[i]);
+    next->angle_rate = broadcast(0.0);
     sum->rate_square = 0.5 * (s->angle_rate[i] * s->angle_rate[i]);
-    sum->length_times_rate_square = s->length[i] * s->rate_square[i];
+    next->rate_square = broadcast(0.0);
+    sum->length_times_rate_square = (s->length[i] * s->rate_square[i]);
+    next->length_times_rate_square = broadcast(0.0);
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
+    next->speed_square = broadcast(0.0);
     (void)next;
 }
 
@@ -151,22 +156,6 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
                          c->inverse_reduced_mass * c->torque_rate));
 }
 
-/* From coefficient k, even, two further. */
-KERNEL void expand_flight_by_two(const flight_coefficients *c, const flight_factors *by, int k,
-                                 flight_series *s) {
-    const int middle = k / 2;
-    static const flight_sums none = {0};
-    flight_sums sum = none, next = none;
-    begin_flight_sums(s, middle, &sum, &next);
-    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_flight_sums(s, i, j, &next);
-        add_flight_sums(s, i - 1, j, &sum);
-    }
-    expand_flight_on(c, by, k, &sum, s);
-    add_flight_sums(s, 1, k, &next);
-    expand_flight_on(c, by, k + 1, &next, s);
-}
-
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
@@ -185,7 +174,14 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
     begin_flight_sums(s, 0, &sum, &next);
     expand_flight_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
-        expand_flight_by_two(c, by, k, s);
+        begin_flight_sums(s, k / 2, &sum, &next);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_flight_sums(s, i, j, &next);
+            add_flight_sums(s, i - 1, j, &sum);
+        }
+        expand_flight_on(c, by, k, &sum, s);
+        add_flight_sums(s, 1, k, &next);
+        expand_flight_on(c, by, k + 1, &next, s);
     }
 }
 
@@ -225,11 +221,17 @@ KERNEL void add_pushed_flight_sums(const flight_series *s, int i, int j, pushed_
 KERNEL void begin_pushed_flight_sums(const flight_series *s, int i, pushed_flight_sums *sum,
                                      pushed_flight_sums *next) {
     sum->square = 0.5 * (s->length[i] * s->length[i]);
-    sum->angle_rate = s->angle_rate[i] * s->square[i];
+    next->square = broadcast(0.0);
+    sum->angle_rate = (s->angle_rate[i] * s->square[i]);
+    next->angle_rate = broadcast(0.0);
     sum->rate_square = 0.5 * (s->angle_rate[i] * s->angle_rate[i]);
-    sum->length_times_rate_square = s->length[i] * s->rate_square[i];
-    sum->push_moment = s->length[i] * s->push_across[i];
+    next->rate_square = broadcast(0.0);
+    sum->length_times_rate_square = (s->length[i] * s->rate_square[i]);
+    next->length_times_rate_square = broadcast(0.0);
+    sum->push_moment = (s->length[i] * s->push_across[i]);
+    next->push_moment = broadcast(0.0);
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
+    next->speed_square = broadcast(0.0);
     (void)next;
 }
 
@@ -282,22 +284,6 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
                          c->inverse_reduced_mass * c->torque_rate));
 }
 
-/* From coefficient k, even, two further. */
-KERNEL void expand_pushed_flight_by_two(const flight_coefficients *c, const pushed_flight_factors *by, int k,
-                                        flight_series *s) {
-    const int middle = k / 2;
-    static const pushed_flight_sums none = {0};
-    pushed_flight_sums sum = none, next = none;
-    begin_pushed_flight_sums(s, middle, &sum, &next);
-    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_pushed_flight_sums(s, i, j, &next);
-        add_pushed_flight_sums(s, i - 1, j, &sum);
-    }
-    expand_pushed_flight_on(c, by, k, &sum, s);
-    add_pushed_flight_sums(s, 1, k, &next);
-    expand_pushed_flight_on(c, by, k + 1, &next, s);
-}
-
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, flight_series *s) {
     const flight_coefficients copy = *given, *c = &copy;
@@ -316,7 +302,14 @@ KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, fl
     begin_pushed_flight_sums(s, 0, &sum, &next);
     expand_pushed_flight_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
-        expand_pushed_flight_by_two(c, by, k, s);
+        begin_pushed_flight_sums(s, k / 2, &sum, &next);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_pushed_flight_sums(s, i, j, &next);
+            add_pushed_flight_sums(s, i - 1, j, &sum);
+        }
+        expand_pushed_flight_on(c, by, k, &sum, s);
+        add_pushed_flight_sums(s, 1, k, &next);
+        expand_pushed_flight_on(c, by, k + 1, &next, s);
     }
 }
 

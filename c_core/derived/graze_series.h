@@ -28,8 +28,7 @@ typedef struct {
     real angle_rate;
 } graze_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1, for what is known a coefficient
- * ahead. */
+/* Adds the terms with coefficient i of one factor and j of the other + 1. */
 KERNEL void add_graze_sums_ahead(const ground_series *s, int i, int j, graze_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
@@ -67,16 +66,26 @@ KERNEL void begin_graze_sums(const ground_series *s, int i, graze_sums *sum, gra
     next->y_times_y = 0.5 * (s->y[i + 1] * s->y[i + 1]);
     sum->length = s->length[i] * s->length[i + 1];
     next->length = 0.5 * (s->length[i + 1] * s->length[i + 1]);
-    sum->axial = s->axial[i] * s->length[i];
-    sum->axial_times_x = s->axial[i] * s->x[i];
-    sum->axial_y = s->axial[i] * s->y[i];
-    sum->turning = s->turning[i] * s->x[i];
-    sum->turning_times_y = s->turning[i] * s->y[i];
-    sum->torque = s->turning[i] * s->square[i];
-    sum->y_times_foot_acceleration = s->y[i] * s->foot_acceleration[i];
-    sum->power = s->turning[i] * s->moment[i];
+    sum->axial = (s->axial[i] * s->length[i]);
+    next->axial = broadcast(0.0);
+    sum->axial_times_x = (s->axial[i] * s->x[i]);
+    next->axial_times_x = broadcast(0.0);
+    sum->axial_y = (s->axial[i] * s->y[i]);
+    next->axial_y = broadcast(0.0);
+    sum->turning = (s->turning[i] * s->x[i]);
+    next->turning = broadcast(0.0);
+    sum->turning_times_y = (s->turning[i] * s->y[i]);
+    next->turning_times_y = broadcast(0.0);
+    sum->torque = (s->turning[i] * s->square[i]);
+    next->torque = broadcast(0.0);
+    sum->y_times_foot_acceleration = (s->y[i] * s->foot_acceleration[i]);
+    next->y_times_foot_acceleration = broadcast(0.0);
+    sum->power = (s->turning[i] * s->moment[i]);
+    next->power = broadcast(0.0);
     sum->speed_square = 0.5 * (s->length_rate[i] * s->length_rate[i]);
-    sum->angle_rate = s->angle_rate[i] * s->square[i];
+    next->speed_square = broadcast(0.0);
+    sum->angle_rate = (s->angle_rate[i] * s->square[i]);
+    next->angle_rate = broadcast(0.0);
 }
 
 /* Xdot = U, Ydot = V; m Udot = leg - m g_x - m udot, m Vdot = leg - m g_y; m_f udot = foot.
@@ -147,27 +156,6 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
                   y_times_foot_acceleration);
 }
 
-/* From coefficient k, even, two further. */
-KERNEL void expand_graze_by_two(const ground_coefficients *c, const graze_factors *by, int k,
-                                ground_series *s) {
-    const int middle = k / 2;
-    static const graze_sums none = {0};
-    graze_sums sum = none, next = none;
-    begin_graze_sums(s, middle, &sum, &next);
-    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_graze_sums_ahead(s, i, j, &next);
-        add_graze_sums_ahead(s, i - 1, j, &sum);
-    }
-    for (int i = middle, j = middle + 1; i > 1; --i, ++j) {
-        add_graze_sums(s, i, j, &next);
-        add_graze_sums(s, i - 1, j, &sum);
-    }
-    expand_graze_on(c, by, k, &sum, s);
-    add_graze_sums_ahead(s, 1, k, &next);
-    add_graze_sums(s, 1, k, &next);
-    expand_graze_on(c, by, k + 1, &next, s);
-}
-
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_graze(const ground_coefficients *given, int order, ground_series *s) {
     const ground_coefficients copy = *given, *c = &copy;
@@ -185,7 +173,19 @@ KERNEL void expand_graze(const ground_coefficients *given, int order, ground_ser
     begin_graze_sums(s, 0, &sum, &next);
     expand_graze_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {
-        expand_graze_by_two(c, by, k, s);
+        begin_graze_sums(s, k / 2, &sum, &next);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_graze_sums_ahead(s, i, j, &next);
+            add_graze_sums_ahead(s, i - 1, j, &sum);
+        }
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_graze_sums(s, i, j, &next);
+            add_graze_sums(s, i - 1, j, &sum);
+        }
+        expand_graze_on(c, by, k, &sum, s);
+        add_graze_sums_ahead(s, 1, k, &next);
+        add_graze_sums(s, 1, k, &next);
+        expand_graze_on(c, by, k + 1, &next, s);
     }
 }
 

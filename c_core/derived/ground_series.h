@@ -90,25 +90,28 @@ typedef struct {
 } ground_start;
 
 /* The states, where (vx, vy) is the body's velocity, not seen from the foot. */
-static inline void begin_ground(const ground_start *start, ground_series *s) {
-    s->x[0] = start->x;
-    s->y[0] = start->y;
-    s->vx[0] = start->vx - start->foot_vx;
-    s->vy[0] = start->vy;
-    s->foot_vx[0] = start->foot_vx;
-    s->moment[0] = start->x * start->vy - start->y * (start->vx - start->foot_vx);
+static inline void tdmf_begin_ground(const ground_start *start, ground_series *written) {
+    const real away = start->vx - start->foot_vx;
+    written->x[0] = start->x;
+    written->y[0] = start->y;
+    written->vx[0] = away;
+    written->vy[0] = start->vy;
+    written->foot_vx[0] = start->foot_vx;
+    written->moment[0] = start->x * start->vy - start->y * away;
 }
 
-/* Their variation, where what it starts with varies by d. */
-static inline void begin_ground_variation(const ground_start *start, const ground_start *d,
-                                          ground_variation *t) {
-    t->x[0] = d->x;
-    t->y[0] = d->y;
-    t->vx[0] = d->vx - d->foot_vx;
-    t->vy[0] = d->vy;
-    t->foot_vx[0] = d->foot_vx;
-    t->moment[0] = d->x * start->vy + start->x * d->vy -
-                   (d->y * (start->vx - start->foot_vx) + start->y * (d->vx - d->foot_vx));
+/* Its change. */
+static inline void tdmf_vary_begin_ground(const ground_start *start, const ground_start *d_start,
+                                          ground_variation *written) {
+    const real d_away = d_start->vx - d_start->foot_vx;
+    const real away = start->vx - start->foot_vx;
+    written->x[0] = d_start->x;
+    written->y[0] = d_start->y;
+    written->vx[0] = d_away;
+    written->vy[0] = d_start->vy;
+    written->foot_vx[0] = d_start->foot_vx;
+    written->moment[0] =
+        d_start->x * start->vy + start->x * d_start->vy - (d_start->y * away + start->y * d_away);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #define TDMF_DERIVED_GUARD_LAWS_H
 
 #include "evaluation.h"
+#include "friction_laws.h"
 
 #include <math.h>
 
@@ -23,12 +24,13 @@ static inline double tdmf_vary_new_ground_guard(const tdmf_evaluation *at, const
 static inline double tdmf_body_down_guard(const tdmf_evaluation *at) {
     const double foot = at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
                         at->mode->ground.sine * at->state[TDMF_FOOT_X];
-    return foot + at->leg.length * at->leg.ground_cosine;
+    return (foot + at->leg.length * at->leg.ground_cosine) / at->model->scales.length + TDMF_GUARD_MARGIN;
 }
 
 /* r less the least length: a fall. */
 static inline double tdmf_leg_too_short_guard(const tdmf_evaluation *at) {
-    return at->leg.length - at->model->parameters.leg.min_length;
+    return (at->leg.length - at->model->parameters.leg.min_length) / at->model->scales.length +
+           TDMF_GUARD_MARGIN;
 }
 
 /* vy_c, at which the centre of mass rises; where it does not rise yet, -vy_c. */
@@ -36,12 +38,13 @@ static inline double tdmf_apex_guard(const tdmf_evaluation *at) {
     if (at->mode->rises) {
         const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
         const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
-        return at->state[TDMF_FOOT_VY] + at->model->body_share * vy;
+        const double rate = at->state[TDMF_FOOT_VY] + at->model->body_share * vy;
+        return rate / at->model->scales.speed + TDMF_APEX_MARGIN;
     }
     const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
     const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
     const double rate = at->state[TDMF_FOOT_VY] + at->model->body_share * vy;
-    return -rate;
+    return -rate / at->model->scales.speed + TDMF_DEAD_BAND;
 }
 
 /* Its change. */
@@ -70,8 +73,10 @@ static inline double tdmf_vary_apex_guard(const tdmf_evaluation *at, const tdmf_
 
 /* d, the height of the foot over the ground. */
 static inline double tdmf_touchdown_guard(const tdmf_evaluation *at) {
-    return at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
-           at->mode->ground.sine * at->state[TDMF_FOOT_X];
+    return (at->mode->ground.cosine * (at->state[TDMF_FOOT_Y] - at->mode->ground.height) -
+            at->mode->ground.sine * at->state[TDMF_FOOT_X] + tdmf_rounding_at_foot(at)) /
+               at->model->scales.length +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -89,11 +94,12 @@ static inline double tdmf_clamp_guard(const tdmf_evaluation *at) {
         const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
         const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
                              at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-        return -servo;
+        return -servo / at->model->scales.energy + TDMF_DEAD_BAND;
     }
     const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
-    return at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-           at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+    return servo / at->model->scales.energy + TDMF_DEAD_BAND;
 }
 
 /* Its change. */
@@ -119,7 +125,10 @@ static inline double tdmf_vary_clamp_guard(const tdmf_evaluation *at, const tdmf
 
 /* -rdot, of a leg that has not been compressed most in this stance. */
 static inline double tdmf_greatest_compression_guard(const tdmf_evaluation *at) {
-    return -at->leg.length_rate;
+    if (at->mode->thrusts) {
+        return 1.0;
+    }
+    return -at->leg.length_rate / at->model->scales.speed + TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -131,7 +140,10 @@ static inline double tdmf_vary_greatest_compression_guard(const tdmf_evaluation 
 
 /* theta: the leg falls through the vertical. */
 static inline double tdmf_mid_stance_guard(const tdmf_evaluation *at) {
-    return at->state[TDMF_LEG_ANGLE];
+    if (at->mode->mid_stance_pending) {
+        return at->state[TDMF_LEG_ANGLE] + TDMF_GUARD_MARGIN;
+    }
+    return 1.0;
 }
 
 /* Its change. */
@@ -142,7 +154,7 @@ static inline double tdmf_vary_mid_stance_guard(const tdmf_evaluation *at, const
 
 /* f_n, the ground's normal force (10). */
 static inline double tdmf_lift_off_guard(const tdmf_evaluation *at) {
-    return at->force.normal;
+    return at->force.normal / at->model->scales.force + TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -153,9 +165,11 @@ static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const t
 
 /* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
 static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
-    return at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
-               at->force.normal +
-           at->force.tangential;
+    return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+                at->force.normal +
+            at->force.tangential) /
+               (at->model->scales.force * tdmf_cone_width(at->model, at->inputs)) +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -171,9 +185,11 @@ static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *
 
 /* rho mu f_n - f_t: the same, and the foot slips backward. */
 static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
-    return at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
-               at->force.normal -
-           at->force.tangential;
+    return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+                at->force.normal -
+            at->force.tangential) /
+               (at->model->scales.force * tdmf_cone_width(at->model, at->inputs)) +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -188,18 +204,22 @@ static inline double tdmf_vary_slip_onset_negative_guard(const tdmf_evaluation *
 }
 
 /* sgn(v_t) v_t, the speed of a foot that slips. */
-static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at, double sign) {
-    return sign * (at->mode->ground.cosine * at->state[TDMF_FOOT_VX] +
-                   at->mode->ground.sine * at->state[TDMF_FOOT_VY]);
+static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at) {
+    return tdmf_sign_of_slip(at->mode) *
+               (at->mode->ground.cosine * at->state[TDMF_FOOT_VX] +
+                at->mode->ground.sine * at->state[TDMF_FOOT_VY]) /
+               at->model->scales.speed +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
-static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at, double sign,
+static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at,
                                                         const tdmf_evaluation *d_at) {
-    return sign * (-at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
-                   at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
-                   (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
-                    at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
+    return tdmf_sign_of_slip(at->mode) *
+           (-at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
+            at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
+            (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
+             at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
 }
 
 /* -N of the stance law: it loads the foot again. */
@@ -211,12 +231,14 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
         const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         const double normal = off + weight * at->mode->ground.cosine;
-        return -normal;
+        return -normal / at->model->scales.force + TDMF_GUARD_MARGIN;
     }
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     return -(at->leg.axial_force * at->leg.ground_cosine +
              at->inputs->hip.external_torque * at->leg.inverse_length * -at->leg.ground_sine +
-             weight * at->mode->ground.cosine);
+             weight * at->mode->ground.cosine) /
+               at->model->scales.force +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -264,7 +286,8 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
         const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
         const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        return off + weight * at->mode->ground.cosine;
+        const double normal = off + weight * at->mode->ground.cosine;
+        return normal / at->model->scales.force + TDMF_GUARD_MARGIN;
     }
     const double clamped =
         ((at->model->parameters.hip.kp *
@@ -277,9 +300,11 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
                 at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
              : 0.0);
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return at->leg.axial_force * at->leg.ground_cosine +
-           (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -at->leg.ground_sine +
-           weight * at->mode->ground.cosine;
+    return (at->leg.axial_force * at->leg.ground_cosine +
+            (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -at->leg.ground_sine +
+            weight * at->mode->ground.cosine) /
+               at->model->scales.force +
+           TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -349,37 +374,6 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
             (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -d_at->leg.ground_sine) +
            (d_weight * at->mode->ground.cosine +
             weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
-}
-
-/* The clock of place stands at 0. */
-static inline void tdmf_apex_jump(const tdmf_model *model, const tdmf_inputs *inputs,
-                                  const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT],
-                                  tdmf_leg_direction direction, double written[TDMF_STATE_COUNT]) {
-    (void)model;
-    (void)inputs;
-    (void)line;
-    (void)state;
-    (void)direction;
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
-}
-
-/* Its change. */
-static inline void tdmf_vary_apex_jump(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT],
-                                       tdmf_leg_direction direction, const tdmf_model *d_model,
-                                       const tdmf_inputs *d_inputs, const tdmf_ground_line *d_line,
-                                       const double d_state[TDMF_STATE_COUNT],
-                                       double written[TDMF_STATE_COUNT]) {
-    (void)model;
-    (void)inputs;
-    (void)line;
-    (void)state;
-    (void)direction;
-    (void)d_model;
-    (void)d_inputs;
-    (void)d_line;
-    (void)d_state;
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
 }
 
 #endif

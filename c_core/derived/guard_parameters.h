@@ -5,16 +5,16 @@
 #include "tdmf_slip/parameters.h"
 #include "width.h"
 
-/* Parameters that guards are made of. */
 typedef struct {
     real leg_min_length;
 } guard_parameters;
 
-static inline guard_parameters guard_parameters_of(const tdmf_model *model) {
-    const guard_parameters values = {
+/* Parameters that guards are made of. */
+static inline guard_parameters tdmf_guard_parameters_of(const tdmf_model *model) {
+    const guard_parameters result = {
         .leg_min_length = broadcast(model->parameters.leg.min_length),
     };
-    return values;
+    return result;
 }
 
 #endif

@@ -365,4 +365,14 @@ static inline tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapse
     return result;
 }
 
+/* The clock of place stands at 0. */
+static inline void tdmf_begin_place(double written[TDMF_STATE_COUNT]) {
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
+/* Its change. */
+static inline void tdmf_vary_begin_place(double written[TDMF_STATE_COUNT]) {
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
 #endif

@@ -6,45 +6,82 @@
 #include "step_sums.h"
 
 /* The leg where a motion leads, its turning by the momentum, which is known to one order more. */
-static inline void end_flight(const flight_series *s, const elapsed_time *elapsed, int order,
-                              flight_start *at) {
+static inline flight_start tdmf_end_flight(const flight_series *s, const elapsed_time *elapsed, int order) {
     const real length = value_at(s->length, elapsed, order);
-    const real angle = value_at(s->angle, elapsed, order);
-    const real length_rate = value_at(s->length_rate, elapsed, order);
     const real momentum = value_at(s->momentum, elapsed, order);
-    at->length = length;
-    at->angle = angle;
-    at->length_rate = length_rate;
-    at->angle_rate = momentum / (length * length);
+    const flight_start result = {
+        .length = length,
+        .angle = value_at(s->angle, elapsed, order),
+        .length_rate = value_at(s->length_rate, elapsed, order),
+        .angle_rate = momentum / (length * length),
+    };
+    return result;
+}
+
+/* Its change. */
+static inline flight_start tdmf_vary_end_flight(const flight_series *s, const elapsed_time *elapsed,
+                                                int order, const flight_variation *d_s) {
+    const real d_length = value_at(d_s->length, elapsed, order);
+    const real d_momentum = value_at(d_s->momentum, elapsed, order);
+    const real momentum = value_at(s->momentum, elapsed, order);
+    const real length = value_at(s->length, elapsed, order);
+    const real angle_rate = momentum / (length * length);
+    const flight_start result = {
+        .length = d_length,
+        .angle = value_at(d_s->angle, elapsed, order),
+        .length_rate = value_at(d_s->length_rate, elapsed, order),
+        .angle_rate = (d_momentum - angle_rate * (2.0 * (length * d_length))) / (length * length),
+    };
+    return result;
 }
 
 /* Where a motion leads: the body's place as seen from the foot, its velocity, and the foot's. */
-static inline void end_stick(const ground_series *s, const elapsed_time *elapsed, int order,
-                             ground_start *at) {
-    const real x = value_at(s->x, elapsed, order);
-    const real y = value_at(s->y, elapsed, order);
-    const real vx = value_at(s->vx, elapsed, order);
-    const real vy = value_at(s->vy, elapsed, order);
-    at->x = x;
-    at->y = y;
-    at->vx = vx;
-    at->vy = vy;
-    at->foot_vx = broadcast(0.0);
-}
-
-/* Where a motion leads: the body's place as seen from the foot, its velocity, and the foot's. */
-static inline void end_ground(const ground_series *s, const elapsed_time *elapsed, int order,
-                              ground_start *at) {
-    const real x = value_at(s->x, elapsed, order);
-    const real y = value_at(s->y, elapsed, order);
+static inline ground_start tdmf_end_ground(const ground_series *s, const elapsed_time *elapsed, int order,
+                                           bool sticks) {
+    if (sticks) {
+        const ground_start result = {
+            .x = value_at(s->x, elapsed, order),
+            .y = value_at(s->y, elapsed, order),
+            .vx = value_at(s->vx, elapsed, order),
+            .vy = value_at(s->vy, elapsed, order),
+        };
+        return result;
+    }
     const real vx = value_at(s->vx, elapsed, order);
     const real foot_vx = value_at(s->foot_vx, elapsed, order);
-    const real vy = value_at(s->vy, elapsed, order);
-    at->x = x;
-    at->y = y;
-    at->vx = vx + foot_vx;
-    at->vy = vy;
-    at->foot_vx = foot_vx;
+    const ground_start result = {
+        .x = value_at(s->x, elapsed, order),
+        .y = value_at(s->y, elapsed, order),
+        .vx = vx + foot_vx,
+        .vy = value_at(s->vy, elapsed, order),
+        .foot_vx = foot_vx,
+    };
+    return result;
+}
+
+/* Its change. */
+static inline ground_start tdmf_vary_end_ground(const ground_series *s, const elapsed_time *elapsed,
+                                                int order, bool sticks, const ground_variation *d_s) {
+    (void)s;
+    if (sticks) {
+        const ground_start result = {
+            .x = value_at(d_s->x, elapsed, order),
+            .y = value_at(d_s->y, elapsed, order),
+            .vx = value_at(d_s->vx, elapsed, order),
+            .vy = value_at(d_s->vy, elapsed, order),
+        };
+        return result;
+    }
+    const real d_vx = value_at(d_s->vx, elapsed, order);
+    const real d_foot_vx = value_at(d_s->foot_vx, elapsed, order);
+    const ground_start result = {
+        .x = value_at(d_s->x, elapsed, order),
+        .y = value_at(d_s->y, elapsed, order),
+        .vx = d_vx + d_foot_vx,
+        .vy = value_at(d_s->vy, elapsed, order),
+        .foot_vx = d_foot_vx,
+    };
+    return result;
 }
 
 #endif

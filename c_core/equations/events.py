@@ -90,11 +90,6 @@ def leg_too_short(at):
     return at.leg.length - at.model.parameters.leg.min_length
 
 
-def begin_place(model, inputs, line, state, direction):
-    """The clock of place stands at 0."""
-    return Record(hip_place_time=0)
-
-
 class Event(NamedTuple):
     """A row of the table.
 
@@ -106,8 +101,8 @@ class Event(NamedTuple):
     depends on what is left of it. `slack` is what C adds to the guard, `width` a further scale that it
     asks for, `arguments` are further ones of the law, with what C hands in. `takes` names the reset where
     it has not the event's name; it is "" where the record alone knows of the event. `jumps` tells that a
-    variation of the state jumps. `varied` is False where no variation outlives the event, and "by hand"
-    where C has the change of the guard.
+    variation of the state jumps, by a function of C. `varied` is False where no variation outlives the event,
+    and "by hand" where C has the change of the guard.
     """
 
     name: str
@@ -120,7 +115,7 @@ class Event(NamedTuple):
     width: str = ""
     arguments: tuple[tuple[str, str], ...] = ()
     takes: str | None = None
-    jump: Callable[..., Any] | str = ""
+    jumps: bool = False
     is_impact: bool = False
     varied: bool | str = True
     reach: str = "dead"
@@ -145,7 +140,7 @@ EVENTS = [
         "speed",
         {"flight": ("retract", "place"), "graze": ("retract",)},
         band="apex",
-        jump=begin_place,
+        jumps=True,
     ),
     Event(
         "touchdown",
@@ -153,7 +148,7 @@ EVENTS = [
         "length",
         FLIGHT,
         slack="tdmf_rounding_at_foot(at)",
-        jump="by hand",
+        jumps=True,
         is_impact=True,
     ),
     Event("clamp", clamp, "energy", {"flight": ("retract",)}, band="dead"),

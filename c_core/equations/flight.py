@@ -9,9 +9,10 @@ from . import hip, leg
 from .functions import Record, cos, sin
 
 
-def start(length, angle, length_rate, angle_rate):
-    """The states."""
-    return Record(length=length, angle=angle, length_rate=length_rate, momentum=length * length * angle_rate)
+def start(leg):
+    """The states, by a leg."""
+    momentum = leg.length * leg.length * leg.angle_rate
+    return Record(length=leg.length, angle=leg.angle, length_rate=leg.length_rate, momentum=momentum)
 
 
 def end(s):

@@ -8,15 +8,16 @@ from . import friction, ground_force, leg
 from .functions import Record, sqrt
 
 
-def start(x, y, vx, vy, foot_vx):
+def start(at):
     """The states, where (vx, vy) is the body's velocity, not seen from the foot."""
-    away = vx - foot_vx
-    return Record(x=x, y=y, vx=away, vy=vy, foot_vx=foot_vx, moment=angular_momentum(x, y, away, vy))
+    away = at.vx - at.foot_vx
+    moment = angular_momentum(at.x, at.y, away, at.vy)
+    return Record(x=at.x, y=at.y, vx=away, vy=at.vy, foot_vx=at.foot_vx, moment=moment)
 
 
-def end(s, contact):
+def end(s, sticks):
     """Where a motion leads: the body's place as seen from the foot, its velocity, and the foot's."""
-    foot_vx = 0 if contact == "stick" else s.foot_vx
+    foot_vx = 0 if sticks else s.foot_vx
     return Record(x=s.x, y=s.y, vx=s.vx + foot_vx, vy=s.vy, foot_vx=foot_vx)
 
 

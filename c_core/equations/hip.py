@@ -78,6 +78,11 @@ def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time)
     return law
 
 
+def begin_place():
+    """The clock of place stands at 0."""
+    return Record(hip_place_time=0)
+
+
 def torque(law, angle, angle_rate):
     """gain (target - theta) - rate_gain thetadot + torque, now."""
     return law.gain * (law.target - angle) - law.rate_gain * angle_rate + law.torque

@@ -178,4 +178,13 @@ static inline void watch(event_search *search, int guard, mask watching, const g
     }
 }
 
+/* The same of a guard that is a series of the motion times a factor, but for its start. */
+static inline void watch_series(event_search *search, int guard, mask watching, const real *series,
+                                real factor, real start, int order, real floor) {
+    const guard_series g = {series, factor, start, order};
+    if (any(watching)) {
+        watch(search, guard, watching, &g, floor);
+    }
+}
+
 #endif

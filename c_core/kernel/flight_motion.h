@@ -6,7 +6,7 @@
 
 static inline void expand_flight_by_case(const flight_coefficients *c, const flight_start *start, int order,
                                          bool pushed, flight_series *f) {
-    begin_flight(start, f);
+    tdmf_begin_flight(start, f);
     if (pushed) {
         expand_pushed_flight(c, order, f);
     } else {
@@ -19,7 +19,7 @@ static inline void vary_flight_by_case(const flight_coefficients *c, const fligh
                                        const flight_series *f, const flight_coefficients *d,
                                        const flight_start *d_start, int order, bool pushed,
                                        flight_variation *t) {
-    begin_flight_variation(start, d_start, t);
+    tdmf_vary_begin_flight(start, d_start, t);
     if (pushed) {
         vary_pushed_flight(c, f, d, order, t);
     } else {

@@ -82,7 +82,7 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
 static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
                           const elapsed_time *elapsed, flight_coordinates *at) {
     const flight_coordinates start = *at;
-    end_flight(f, elapsed, order, &at->leg);
+    at->leg = tdmf_end_flight(f, elapsed, order);
     at->done.work += flight_work(c, &start, f, order, elapsed, at->leg.angle - start.leg.angle);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
 }

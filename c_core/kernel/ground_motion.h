@@ -16,7 +16,7 @@ typedef struct {
 
 static inline void expand_ground(const ground_coefficients *c, const ground_start *start, int order,
                                  ground_case is, ground_series *g) {
-    begin_ground(start, g);
+    tdmf_begin_ground(start, g);
     if (is.grazes) {
         expand_graze(c, order, g);
     } else if (is.slips && is.falls) {
@@ -36,7 +36,7 @@ static inline void expand_ground(const ground_coefficients *c, const ground_star
 static inline void vary_ground(const ground_coefficients *c, const ground_start *start,
                                const ground_series *g, const ground_coefficients *d,
                                const ground_start *d_start, int order, ground_case is, ground_variation *t) {
-    begin_ground_variation(start, d_start, t);
+    tdmf_vary_begin_ground(start, d_start, t);
     if (is.grazes) {
         vary_graze(c, g, d, order, t);
     } else if (is.slips && is.falls) {

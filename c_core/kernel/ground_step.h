@@ -71,10 +71,8 @@ static inline void stand_on(const ground_constants *c, const ground_series *g, g
     }
     if (foot_is_free(is)) {
         at->foot_x += integral_to(g->foot_vx, elapsed, order);
-        end_ground(g, elapsed, order, &at->at);
-    } else {
-        end_stick(g, elapsed, order, &at->at);
     }
+    at->at = tdmf_end_ground(g, elapsed, order, !foot_is_free(is));
 }
 
 #endif

@@ -7,7 +7,7 @@
 #include "ground_line.h"
 #include "kinematics.h"
 #include "motion_coordinates.h"
-#include "series_sums.h"
+#include "motion_ends.h"
 
 #include <math.h>
 
@@ -37,18 +37,17 @@ static tdmf_vector vary_acceleration(const tdmf_mode_equations *equations, const
                                       tdmf_vary_push(equations, &d));
 }
 
-static void advance_flight(const tdmf_step *step, double t, const tdmf_change *change,
+static void advance_flight(const tdmf_step *step, const elapsed_time *elapsed, const tdmf_change *change,
                            const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
     const tdmf_vector d_acceleration = vary_acceleration(step->equations, change);
-    flight_start end;
-    vary_end_flight(&step->series.flight, tangent, step->order, t, &end);
-    set_flight(&end, &varied_mode->at.flying);
-    varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
+    const flight_start end = tdmf_vary_end_flight(&step->series.flight, elapsed, step->order, tangent);
+    tdmf_set_flight(&end, &varied_mode->at.flying);
+    varied_mode->at.work += integral_to(tangent->power, elapsed, step->order - 1);
     const tdmf_mode_equations *equations = step->equations;
     const tdmf_vector none = {0.0, 0.0};
     varied_mode->com =
         tdmf_vary_ballistic_after(equations->com, tdmf_com_acceleration(equations->model, equations->push),
-                                  none, t, varied_mode->com, d_acceleration, none, 0.0);
+                                  none, elapsed->power[1], varied_mode->com, d_acceleration, none, 0.0);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -68,13 +67,16 @@ static void ground_variation_of_state(const tdmf_mode_equations *equations,
                                 &varied_mode->at.standing, d_state);
 }
 
-static void advance_ground(const tdmf_step *step, double t, const ground_variation *tangent,
-                           tdmf_mode_variation *varied_mode) {
-    ground_start end;
-    vary_end_ground(&step->series.ground, tangent, step->order, t, &end);
-    set_ground(&end, &varied_mode->at.standing);
-    varied_mode->at.standing.foot_x += series_integral(tangent->foot_vx, step->order, t);
-    varied_mode->at.work += series_integral(tangent->power, step->order - 1, t);
+static void advance_ground(const tdmf_step *step, const elapsed_time *elapsed,
+                           const ground_variation *tangent, tdmf_mode_variation *varied_mode) {
+    const bool sticks = step->equations->contact == TDMF_CONTACT_STICK;
+    const ground_start end =
+        tdmf_vary_end_ground(&step->series.ground, elapsed, step->order, sticks, tangent);
+    tdmf_set_ground(&end, &varied_mode->at.standing);
+    if (!sticks) {
+        varied_mode->at.standing.foot_x += integral_to(tangent->foot_vx, elapsed, step->order);
+    }
+    varied_mode->at.work += integral_to(tangent->power, elapsed, step->order - 1);
 }
 
 /* ---- both --------------------------------------------------------------------------------------------- */
@@ -116,8 +118,8 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         flight_variation *flight = &tangent->flight;
         const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
         const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
-        const flight_start varied_start = flight_start_of(&at->flying);
-        const flight_start start = flight_start_of(&from->flying);
+        const flight_start varied_start = tdmf_flight_start_of(&at->flying);
+        const flight_start start = tdmf_flight_start_of(&from->flying);
         vary_flight_by_case(&coefficients, &start, &step->series.flight, &varied, &varied_start, order,
                             step->equations->is_forced, flight);
         add_sizes(flight->length, scales->length, order, sizes);
@@ -128,8 +130,8 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         ground_variation *ground = &tangent->ground;
         const ground_coefficients coefficients = tdmf_ground_coefficients(step->equations);
         const ground_coefficients varied = tdmf_vary_ground_coefficients(step->equations, mode, &d);
-        const ground_start varied_start = ground_start_of(&at->standing);
-        const ground_start start = ground_start_of(&from->standing);
+        const ground_start varied_start = tdmf_ground_start_of(&at->standing);
+        const ground_start start = tdmf_ground_start_of(&from->standing);
         vary_ground(&coefficients, &start, &step->series.ground, &varied, &varied_start, order,
                     tdmf_step_ground_case(step), ground);
         add_sizes(ground->x, scales->length, order, sizes);
@@ -143,10 +145,12 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
 
 void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_change *change,
                                  const motion_variation *tangent, tdmf_mode_variation *varied_mode) {
+    elapsed_time at;
+    set_elapsed(&at, step->search.power, step->size, elapsed, step->order);
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        advance_flight(step, elapsed, change, &tangent->flight, varied_mode);
+        advance_flight(step, &at, change, &tangent->flight, varied_mode);
     } else {
-        advance_ground(step, elapsed, &tangent->ground, varied_mode);
+        advance_ground(step, &at, &tangent->ground, varied_mode);
     }
 }
 

@@ -17,7 +17,7 @@ static mode_constants mode_constants_of(const tdmf_model *model, double margin_f
         .speed_scale = model->scales.speed,
         .force_scale = model->scales.force,
         .energy_scale = model->scales.energy,
-        .guards = guard_parameters_of(model),
+        .guards = tdmf_guard_parameters_of(model),
     };
     return constants;
 }
@@ -101,13 +101,13 @@ friction_layer tdmf_step_friction_layer(const tdmf_mode_equations *equations) {
 }
 
 flight_coordinates tdmf_step_flight_coordinates(const tdmf_mode_coordinates *at) {
-    const flight_coordinates coordinates = {flight_start_of(&at->flying),
+    const flight_coordinates coordinates = {tdmf_flight_start_of(&at->flying),
                                             {at->work, at->damper_loss, at->friction_loss}};
     return coordinates;
 }
 
 ground_coordinates tdmf_step_ground_coordinates(const tdmf_mode_coordinates *at) {
-    const ground_coordinates coordinates = {ground_start_of(&at->standing),
+    const ground_coordinates coordinates = {tdmf_ground_start_of(&at->standing),
                                             at->standing.foot_x,
                                             at->angle,
                                             {at->work, at->damper_loss, at->friction_loss}};
@@ -121,12 +121,12 @@ static void set_sums(tdmf_mode_coordinates *at, const energy_sums *done) {
 }
 
 void tdmf_step_set_flight(tdmf_mode_coordinates *at, const flight_coordinates *flight) {
-    set_flight(&flight->leg, &at->flying);
+    tdmf_set_flight(&flight->leg, &at->flying);
     set_sums(at, &flight->done);
 }
 
 void tdmf_step_set_ground(tdmf_mode_coordinates *at, const ground_coordinates *ground) {
-    set_ground(&ground->at, &at->standing);
+    tdmf_set_ground(&ground->at, &at->standing);
     at->standing.foot_x = ground->foot_x;
     at->angle = ground->angle;
     set_sums(at, &ground->done);

@@ -12,6 +12,7 @@ import pytest
 
 CORE = Path(__file__).parents[2] / "c_core"
 ORDER = 24
+END = 0.25
 COMPILER = shutil.which("cc")
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -33,9 +34,13 @@ def derive():
 def page(functions):
     """xddot = pull - stiffness x - 2 damping xdot, and one quantity of each kind made of it."""
 
-    def start(x, v):
+    def start(at):
         """Place and velocity."""
-        return Record(x=x, v=v)
+        return Record(x=at.x, v=at.v)
+
+    def end(s):
+        """Place and velocity at a time, and the energy of a unit spring."""
+        return Record(x=s.x, v=s.v, energy=(s.x * s.x + s.v * s.v) / 2)
 
     def motion(c, s):
         """The oscillator."""
@@ -53,7 +58,7 @@ def page(functions):
             power=acceleration * s.v,
         )
 
-    return Record(__name__="oscillator", start=start, motion=motion)
+    return Record(__name__="oscillator", start=start, end=end, motion=motion)
 
 
 QUANTITIES = ["x", "v", "distance", "distance_rate", "ratio", "wave", "growth", "pulled", "power"]
@@ -105,6 +110,7 @@ def program(derive, lanes):
     family = derive.motion.Family(
         "oscillator",
         page(derive.functions),
+        start="x v energy",
         constants=["stiffness", "damping"],
         ramps={"pull": "drift"},
         rates={"distance_rate": "distance"},
@@ -113,36 +119,43 @@ def program(derive, lanes):
         cases={"swinging": {}},
     )
     motion = family.motion("swinging")
-    code = [family.structs(), motion.source(), motion.variation()]
+    code = [family.structs(), family.end(), motion.source(), motion.variation()]
     lane = "[0]" if lanes else ""
     show = [
         f'for (int k = 0; k <= {ORDER}; ++k) printf("%.17g ", (double)%s.{q}[k]{lane});' for q in QUANTITIES
     ]
+    ends = f'printf("%.17g %.17g %.17g ", e.x{lane}, e.v{lane}, e.energy{lane});'
+    at = f"&s, &elapsed, {ORDER}"
     series = [line.replace("%s.", "s.") for line in show]
+    series += [f"e = tdmf_end_oscillator({at});", ends]
     tangent = [line.replace("%s.", "t.") for line in show]
-    constants = [f"c.{name} = real_of({value});" for name, value in CONSTANTS.items()]
-    starts = [f"start.{name} = real_of({value});" for name, value in STARTS.items()]
+    tangent += [f"e = tdmf_vary_end_oscillator({at}, &t);", ends]
+    constants = [f"c.{name} = broadcast({value});" for name, value in CONSTANTS.items()]
+    starts = [f"start.{name} = broadcast({value});" for name, value in STARTS.items()]
     runs = []
     for name in [*CONSTANTS, *STARTS]:
         which = "d" if name in CONSTANTS else "d_start"
-        runs += [f"d = no_c; d_start = no_start; {which}.{name} = real_of(1.0);"]
+        runs += [f"d = no_c; d_start = no_start; {which}.{name} = broadcast(1.0);"]
         runs += [
-            "begin_oscillator_variation(&start, &d_start, &t);",
+            "tdmf_vary_begin_oscillator(&start, &d_start, &t);",
             f"vary_swinging(&c, &s, &d, {ORDER}, &t);",
         ]
         runs += tangent
     return "\n".join(
         [
             f"#define TDMF_LANES {lanes}" if lanes else "",
+            '#include "step_sums.h"',
             '#include "series_products.h"',
             "#include <stdio.h>",
             *code,
             "int main(void) {",
             "static oscillator_coefficients c, d, no_c; static oscillator_start start, d_start, no_start;",
-            "static oscillator_series s; static oscillator_variation t;",
+            "static oscillator_series s; static oscillator_variation t; oscillator_start e;",
+            f"elapsed_time elapsed; real power[SERIES_TERMS]; set_powers(power, broadcast({END}), {ORDER});",
+            f"set_elapsed(&elapsed, power, broadcast({END}), broadcast({END}), {ORDER});",
             *constants,
             *starts,
-            "begin_oscillator(&start, &s);",
+            "tdmf_begin_oscillator(&start, &s);",
             f"expand_swinging(&c, {ORDER}, &s);",
             *series,
             *runs,
@@ -162,18 +175,18 @@ def coefficients(request, derive, tmp_path_factory):
     numbers = subprocess.run(
         [folder / "oscillator"], check=True, capture_output=True, text=True
     ).stdout.split()
-    size = len(QUANTITIES) * (ORDER + 1)
+    size = len(QUANTITIES) * (ORDER + 1) + 3
     assert len(numbers) == size * (1 + len(CONSTANTS) + len(STARTS))
     return [[float(number) for number in numbers[i : i + size]] for i in range(0, len(numbers), size)]
 
 
 def values_at(block, t):
     """The series at a time; the last coefficient of what is not a state is not there."""
-    series = [block[i * (ORDER + 1) : (i + 1) * (ORDER + 1)] for i in range(len(QUANTITIES))]
+    series = [block[i * (ORDER + 1) :][: ORDER + 1] for i in range(len(QUANTITIES))]
     return [sum(c * t**k for k, c in enumerate(row[:ORDER])) for row in series]
 
 
-TIMES = [0.0, 0.1, 0.25]
+TIMES = [0.0, 0.1, END]
 
 
 def test_series_are_those_of_the_closed_form(coefficients):
@@ -191,6 +204,18 @@ def test_variations_are_those_of_the_closed_form(coefficients):
             )
 
 
+def test_a_motion_leads_where_the_closed_form_does(coefficients):
+    x, v, *_ = closed_form(END, **CONSTANTS, **STARTS)
+    assert coefficients[0][-3:] == pytest.approx([x, v, (x * x + v * v) / 2], rel=1e-12)
+
+
+def test_ends_vary_as_those_of_the_closed_form(coefficients):
+    x, v, *_ = closed_form(END, **CONSTANTS, **STARTS)
+    for name, block in zip([*CONSTANTS, *STARTS], coefficients[1:], strict=True):
+        d_x, d_v, *_ = change_of_closed_form(END, name)
+        assert block[-3:] == pytest.approx([d_x, d_v, x * d_x + v * d_v], rel=1e-9, abs=1e-9), name
+
+
 def made_of(derive, quantities, noted, rates=()):
     """An oscillator of which a page makes `quantities`."""
     family = derive.motion.Family(
@@ -199,6 +224,7 @@ def made_of(derive, quantities, noted, rates=()):
             start=page(derive.functions).start,
             motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), **quantities(s)),
         ),
+        start="x v",
         constants=["stiffness"],
         ramps={},
         rates=dict(rates),

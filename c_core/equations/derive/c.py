@@ -7,8 +7,9 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from .expressions import FUNCTIONS, Expression
+from .expressions import Expression
 
+BINARY = ("+", "-", "*", "/")
 TextOf = Callable[[Expression], str | None]
 
 
@@ -44,7 +45,7 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None, function
         if operation in ("larger", "choose"):
             a, b, *chosen = (write(operand, 1) for operand in (*operands, *operands)[:4])
             return -1, f"{a} >= {b} ? {chosen[0]} : {chosen[1]}"
-        if operation in FUNCTIONS or len(operands) == 1:
+        if operation not in BINARY:
             return 3, f"{functions}{operation}({', '.join(write(operand, 0) for operand in operands)})"
         strength = 0 if operation in "+-" else 1
         left, right = (write(operand, strength + i) for i, operand in enumerate(operands))

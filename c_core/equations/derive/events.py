@@ -1,37 +1,29 @@
 """The table of events in C: what announces each, what takes it, and who watches it in what order."""
 
+from functools import partial, update_wrapper
+from typing import Any
+
 from ..events import ALL, EVENTS, Event
 from .c import header
+from .values import Function, symbol
 
-BANDS = {
-    "": "TDMF_GUARD_MARGIN",
-    "dead": "TDMF_DEAD_BAND",
-    "apex": "(at->mode->rises ? TDMF_APEX_MARGIN : TDMF_DEAD_BAND)",
+# Functions of a row that are written by hand.
+BY_HAND = {
+    "reset": "void tdmf_take_{}(tdmf_run *run)",
+    "vary_reset": "void tdmf_vary_take_{}(const tdmf_model *model, const tdmf_inputs *inputs, "
+    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
+    "const tdmf_direction *d, double d_state[TDMF_STATE_COUNT])",
+    "guard": "double tdmf_armed_{}(const tdmf_evaluation *at)",
+    "vary_guard": "double tdmf_vary_armed_{}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
 }
+BANDS = {"": "TDMF_GUARD_MARGIN", "dead": "TDMF_DEAD_BAND", "apex": "TDMF_APEX_MARGIN"}
 CONTACTS = {
     "flight": ["FLIGHT"],
     "stick": ["STICK"],
     "slip": ["SLIP_POSITIVE", "SLIP_NEGATIVE"],
     "graze": ["GRAZE"],
 }
-# Of the functions of a row, by the row's members.
-SIGNATURES = {
-    "reset": "void {}(tdmf_run *run)",
-    "vary_reset": "void {}(const tdmf_model *model, const tdmf_inputs *inputs, "
-    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
-    "const tdmf_direction *d, double d_state[TDMF_STATE_COUNT])",
-    "guard": "double {}(const tdmf_evaluation *at)",
-    "vary_guard": "double {}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
-}
-VARY_JUMP = """\
-double d_before[TDMF_STATE_COUNT];
-memcpy(d_before, d_state, sizeof d_before);
-tdmf_vary_{name}_jump(model, inputs, ground, before, tdmf_leg_direction_of(before), &d->model, &d->inputs,
-                      &d->mode.ground, d_before, d_state);"""
 TABLE = """\
-#include <string.h>
-
-{functions}
 static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {{
 {rows}}};
 
@@ -45,80 +37,89 @@ static const watch_list watched_by[] = {{
 """
 
 
-def functions_of(event: Event) -> dict[str, str]:
-    """Name the C functions of an event's row; those that begin with tdmf_take and tdmf_armed are by hand."""
-    name, by_hand = event.name, event.band == "by hand"
-    found = {"guard": f"tdmf_armed_{name}" if by_hand else f"armed_{name}"}
-    if event.varied:
-        derived = f"vary_{name}" if event.arguments else f"tdmf_vary_{name}_guard"
-        found["vary_guard"] = f"tdmf_vary_armed_{name}" if by_hand or event.varied == "by hand" else derived
-    if event.takes != "":
-        found["reset"] = f"tdmf_take_{event.takes or name}"
-    if event.jump:
-        found["vary_reset"] = f"tdmf_vary_take_{name}" if event.jump == "by hand" else f"vary_take_{name}"
-    return found
+def by_hand(event: Event) -> dict[str, str]:
+    """Name the events of whose functions this one has some, by the members of its row."""
+    found = {"reset": event.takes or event.name} if event.takes != "" else {}
+    found |= {"vary_reset": event.name} if event.jumps else {}
+    found |= {"guard": event.name} if event.band == "by hand" else {}
+    is_varied = event.varied == "by hand" or (event.varied and "guard" in found)
+    return found | ({"vary_guard": event.name} if is_varied else {})
 
 
 def declarations() -> str:
     """Declare what is written by hand: resets, changes of states that jump, and some guards."""
-    named = [(member, functions_of(event).get(member, "")) for member in SIGNATURES for event in EVENTS]
-    by_hand = [(member, name) for member, name in named if "_take_" in name or "_armed_" in name]
-    lines = [f"{SIGNATURES[member].format(name)};\n" for member, name in by_hand if name.startswith("tdmf_")]
+    lines = [
+        f"{declared.format(by_hand(event)[member])};\n"
+        for member, declared in BY_HAND.items()
+        for event in EVENTS
+        if member in by_hand(event)
+    ]
     return header("event_declarations", "events.py", '#include "events.h"\n', "".join(dict.fromkeys(lines)))
 
 
-def armed(event: Event) -> str:
-    """Write an armed guard, a pure number that is positive while the event is to come."""
-    arguments = ", ".join(["at", *(text for _, text in event.arguments)])
-    value = f"tdmf_{event.name}_guard({arguments})"
-    if event.slack:
-        value = f"({value} + {event.slack})"
-    scale = f"at->model->scales.{event.scale}"
-    scaled = f"{value} / {f'({scale} * {event.width})' if event.width else scale}" if event.scale else value
-    text = f"{scaled} + {BANDS[event.band]}"
+def armed(event: Event, at: Any, *arguments: Any) -> Any:
+    """Give an armed guard, a pure number that is positive while the event is to come."""
     if event.only_while:
         flag = event.only_while.removeprefix("not ")
-        wait = "!" if event.only_while == flag else ""
-        text = f"{wait}at->mode->{flag} ? 1.0 : {text}"
-    return f"return {text};"
+        if bool(getattr(at.mode, flag)) != (flag == event.only_while):
+            return 1
+    assert event.law
+    value = event.law(at, *arguments)
+    if event.band == "by hand":
+        return value
+    value = value + symbol(event.slack) if event.slack else value
+    scale = getattr(at.model.scales, event.scale) if event.scale else 1
+    scale = scale * symbol(event.width) if event.width else scale
+    is_dead = event.band == "apex" and not at.mode.rises
+    return value / scale + symbol(BANDS["dead" if is_dead else event.band])
 
 
-def functions(event: Event) -> str:
-    """Write the functions of a row that are derived here."""
-    names = functions_of(event)
-    arguments = ", ".join(["at", *(text for _, text in event.arguments), "d"])
-    texts = {"guard": armed(event)} if event.band != "by hand" else {}
-    if names.get("vary_guard") == f"vary_{event.name}":
-        texts["vary_guard"] = f"return tdmf_vary_{event.name}_guard({arguments});"
-    if callable(event.jump):
-        texts["vary_reset"] = VARY_JUMP.format(name=event.name)
-    written = [f"static {SIGNATURES[m].format(names[m])} {{\n{text}\n}}\n" for m, text in texts.items()]
-    return "\n".join([*written, ""])
+def guards(types: dict[str, str]) -> str:
+    """Write all guards that are laws, and the changes of these, up to their scale."""
+    parts = []
+    for event in (event for event in EVENTS if event.law is not None):
+        handed = {"at": types["at"]}
+        told = [symbol(text, constant=True) for _, text in event.arguments]
+        if event.band == "by hand":
+            handed, told = handed | {name: types[name] for name, _ in event.arguments}, []
+        arguments = partial(lambda told, *given: (*given, *told), told)
+        law = update_wrapper(partial(armed, event), event.law)
+        parts.append(Function("double", f"{event.name}_guard", handed, law, arguments).c_of_value())
+        if event.varied:
+            parts.append(
+                Function("double", f"{event.name}_guard", handed, event.law, arguments).c_of_change()
+            )
+    includes = '#include "evaluation.h"\n#include "friction_laws.h"\n\n#include <math.h>\n'
+    return header("guard_laws", "events.py", includes, *parts)
 
 
 def row(event: Event) -> str:
     """Write an event's row."""
-    members = functions_of(event)
+    members = {"guard": f"tdmf_{event.name}_guard"}
+    members |= {"vary_guard": f"tdmf_vary_{event.name}_guard"} if event.varied else {}
+    for member, name in by_hand(event).items():
+        members[member] = BY_HAND[member].partition("(")[0].split()[-1].format(name)
     if event.takes != "":
         members["reach"] = f"TDMF_REACH_WITHIN_{'MARGIN' if event.reach == 'margin' else 'DEAD_BAND'}"
-    if event.is_impact:
-        members["is_impact"] = "true"
+    members |= {"is_impact": "true"} if event.is_impact else {}
     told = ", ".join(f".{member} = {text}" for member, text in members.items())
     return f"[TDMF_GUARD_{event.name.upper()}] = {{{told}}},\n"
 
 
 def watch_list(contact: str) -> str:
     """Write what a contact mode watches, and how many of that have no reset, which come last."""
+    watched = sorted(
+        (event for event in EVENTS if contact in event.watched), key=lambda event: event.takes == ""
+    )
     rows = []
-    observed = [event for event in EVENTS if event.takes == "" and contact in event.watched]
-    for event in [event for event in EVENTS if event not in observed] + observed:
-        phases = event.watched.get(contact, ())
-        if phases:
-            bits = "ALWAYS" if phases == ALL else " | ".join(phase.upper() for phase in phases)
-            rows.append(f"{{TDMF_GUARD_{event.name.upper()}, {bits}}},\n")
+    for event in watched:
+        phases = event.watched[contact]
+        bits = "ALWAYS" if phases == ALL else " | ".join(phase.upper() for phase in phases)
+        rows.append(f"{{TDMF_GUARD_{event.name.upper()}, {bits}}},\n")
+    observed = sum(event.takes == "" for event in watched)
     return (
         f"static const watched in_{contact}[] = {{\n{''.join(rows)}}};\n"
-        f"enum {{ OBSERVED_IN_{contact.upper()} = {len(observed)} }};\n"
+        f"enum {{ OBSERVED_IN_{contact.upper()} = {observed} }};\n"
     )
 
 
@@ -127,10 +128,10 @@ def table() -> str:
     by_mode = [(mode, contact) for contact, modes in CONTACTS.items() for mode in modes]
     lists = [f"[TDMF_CONTACT_{m}] = LIST(in_{c}, OBSERVED_IN_{c.upper()}),\n" for m, c in by_mode]
     text = TABLE.format(
-        functions="".join(map(functions, EVENTS)),
         rows="".join(map(row, EVENTS)),
         lists="\n".join(map(watch_list, CONTACTS)),
         watched_by="".join(lists),
     )
-    includes = ("event_declarations.h", "friction_laws.h", "guard_laws.h")
-    return header("event_table", "events.py", "".join(f'#include "{name}"\n' for name in includes), text)
+    return header(
+        "event_table", "events.py", '#include "event_declarations.h"\n#include "guard_laws.h"\n', text
+    )

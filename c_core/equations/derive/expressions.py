@@ -9,7 +9,6 @@ from typing import Any, ClassVar
 
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
 FUNCTIONS = ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2", "larger")
-LEAVES = ("number", "symbol")
 DERIVE = Path(__file__).parent
 
 Changes = dict["Expression", Any]
@@ -163,6 +162,7 @@ VARIATIONS: dict[str, Callable[..., Expression]] = {
     "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
     "larger": lambda y, a, b, d_a, d_b: Expression("choose", a, b, d_a, d_b),
     "rate": lambda y, a, d_a: Expression("rate", d_a),
+    "value_at": lambda y, series, time, order, d_series, *held: Expression("value_at", d_series, time, order),
 }
 
 
@@ -215,6 +215,11 @@ def replaced(expression: Expression, new: Changes) -> Expression:
             new[node] = made(node.operation, *(new[o] for o in node.operands)) if node.operands else node
             new[node].name = new[node].name or node.name
     return new[expression]
+
+
+def parameters(function: Callable[..., Any]) -> list[str]:
+    """Name what a page's function is handed."""
+    return list(function.__code__.co_varnames[: function.__code__.co_argcount])
 
 
 def trace(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:

@@ -5,7 +5,7 @@ from types import SimpleNamespace as Record
 from typing import Any
 
 from .c import c_text, comment
-from .expressions import forget, lift, symbol, trace
+from .expressions import forget, lift, parameters, symbol, trace
 from .series import Expansion
 
 LAW = """\
@@ -26,7 +26,7 @@ def law_series(law: Callable[..., Any], given: dict[str, Any], rates: dict[str, 
     """
     rates = rates or {}
     forget()
-    name, names = law.__name__, law.__code__.co_varnames[: law.__code__.co_argcount]
+    name, names = law.__name__, parameters(law)
     told = [handed(parameter, given.get(parameter)) for parameter in names]
     told += [handed(rate, None) for rate in rates.values()]
     quantity = lift(trace(law, *(value for value, _ in told[: len(names)])))

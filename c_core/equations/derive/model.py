@@ -12,10 +12,9 @@ from functools import partial
 from typing import Any
 
 from .. import coordinates, hip, leg
-from ..events import EVENTS
+from . import events, expressions
 from .c import comment, header, struct
-from .motions import members
-from .values import Function, given
+from .values import Function, given, members
 
 TYPES = {
     "state": "const double[TDMF_STATE_COUNT]",
@@ -60,6 +59,7 @@ hip
         hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
     double torque_in = hip.torque_in_mode | value torque
     tdmf_hip_law law_after = hip.after | only
+    void begin_place = hip.begin_place
 leg
     double leg_thrust = leg.thrust | only
     double rest_length(model, inputs, mode) = leg.rest_length(model, inputs, mode.thrusts)
@@ -119,13 +119,8 @@ constant
     flight_coefficients flight_coefficients_of = constants.of_flight
     ground_coefficients ground_coefficients_of = constants.on_ground
     signed_law signed_law = hip.signed | only
-guard
 """
-for event in (event for event in EVENTS if event.law is not None):
-    FUNCTIONS += f"    double {event.name}_guard = events.{event.name}{'' if event.varied else ' | only'}\n"
-for event in (event for event in EVENTS if callable(event.jump)):
-    FUNCTIONS += f"    void {event.name}_jump = events.{event.jump.__name__}\n"
-STRUCTS = {"constant": "coefficients.h", "guard": "evaluation.h"}
+STRUCTS = {"constant": "coefficients.h"}
 RECORDS = {
     "hip": (comment(hip.law_of.__doc__) + struct("tdmf_hip_law", vars(hip.law_of())),),
     "coordinate": tuple(
@@ -143,8 +138,8 @@ def function(line: str) -> Function:
     result, name, parameters, page, law_name, call, note, value = matched.groups()
     pages = {page: importlib.import_module(f"..{page}", __package__), "leg": leg}
     law = getattr(pages[page], law_name)
-    names = parameters.split(", ") if parameters else law.__code__.co_varnames[: law.__code__.co_argcount]
-    call = call or f"({', '.join(names)},)"
+    names = parameters.split(", ") if parameters else expressions.parameters(law)
+    call = call or f"({''.join(f'{name}, ' for name in names)})"
 
     def arguments(*handed: Any) -> Any:
         known = dict(zip(names, handed, strict=True))
@@ -170,7 +165,7 @@ def headers() -> dict[str, Callable[[], str]]:
     lines = {topic: re.sub(r" =\n +", " = ", text).strip().split("\n") for topic, text in topics}
     return {
         f"{topic}_laws.h": partial(laws, topic, [line.strip() for line in lines[topic]]) for topic in lines
-    }
+    } | {"guard_laws.h": partial(events.guards, TYPES)}
 
 
 def laws(topic: str, lines: list[str]) -> str:

@@ -17,11 +17,13 @@ from .expressions import (
     leaves,
     lift,
     ordered,
+    parameters,
     replaced,
     symbol,
     trace,
 )
 from .series import RECURSIONS, Expansion, kind_of
+from .values import Function
 
 STRUCTS = """\
 /* What the motions depend on, and its rates where it changes in time. */
@@ -32,37 +34,20 @@ STRUCTS = """\
 {variation}
 /* What a motion starts with. */
 {start}
-{what}static inline void begin_{family}(const {family}_start *start, {family}_series *s) {{
-{values}}}
-
-/* Their variation, where what it starts with varies by d. */
-static inline void begin_{family}_variation(const {family}_start *start, const {family}_start *d,
-                                            {family}_variation *t) {{
-{changes}}}
 """
 SERIES = """\
 /* Factors that all coefficients have, and what is divided by. */
 {factors}
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
 {sums}
-{adds}/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
+{pairs}
+/* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
 KERNEL void begin_{case}_sums(const {family}_series *s, int i, {case}_sums *sum, {case}_sums *next) {{
 {middle}}}
 
 {what}KERNEL void expand_{case}_on(const {family}_coefficients *c, const {case}_factors *by, int k,
                            const {case}_sums *sum, {family}_series *s) {{
 {step}}}
-
-/* From coefficient k, even, two further. */
-KERNEL void expand_{case}_by_two(const {family}_coefficients *c, const {case}_factors *by, int k,
-                                 {family}_series *s) {{
-    const int middle = k / 2;
-    static const {case}_sums none = {{0}};
-    {case}_sums sum = none, next = none;
-    begin_{case}_sums(s, middle, &sum, &next);
-    {loops}expand_{case}_on(c, by, k, &sum, s);
-    {last}    expand_{case}_on(c, by, k + 1, &next, s);
-}}
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
 KERNEL void expand_{case}(const {family}_coefficients *given, int order, {family}_series *s) {{
@@ -77,27 +62,30 @@ KERNEL void expand_{case}(const {family}_coefficients *given, int order, {family
     begin_{case}_sums(s, 0, &sum, &next);
     expand_{case}_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {{
-        expand_{case}_by_two(c, by, k, s);
+        begin_{case}_sums(s, k / 2, &sum, &next);
+{loops}        expand_{case}_on(c, by, k, &sum, s);
+{last}        expand_{case}_on(c, by, k + 1, &next, s);
     }}
 }}
 """
+# One for all inner terms, and before it another for those of what is known a coefficient ahead.
 ADD = """\
 /* Adds the terms with coefficient i of one factor and j of the other{ahead}. */
-KERNEL void add_{group}(const {family}_series *s, int i, int j, {case}_sums *sum) {{
+KERNEL void add_{sums}(const {family}_series *s, int i, int j, {case}_sums *sum) {{
 {pairs}}}
 
 """
 LOOP = """\
-for (int i = middle, j = middle + 1; i > 1; --i, ++j) {{
-    add_{group}(s, i, j, &next);
-    add_{group}(s, i - 1, j, &sum);
+for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {{
+    add_{sums}(s, i, j, &next);
+    add_{sums}(s, i - 1, j, &sum);
 }}
 """
 VARIATION = """\
 /* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
 static inline void vary_{case}(const {family}_coefficients *c, const {family}_series *s,
                                const {family}_coefficients *d, int order, {family}_variation *t) {{
-{local}{factors}{begin}for (int k = 0; k < order; ++k) {{
+{local}{begin}for (int k = 0; k < order; ++k) {{
 {step}}}
 }}
 """
@@ -116,59 +104,64 @@ class Family:
         self.noted, self.varied = given["noted"].split(), given["varied"].split()
         self.ramps, self.rates, self.cases = given["ramps"], given["rates"], given["cases"]
         self.constants = [c for c in given["constants"] if c.removesuffix("_rate") not in self.ramps]
+        asked = Record(**dict.fromkeys(given["start"].split(), 1.0))
+        self.start, self.states = list(vars(asked)), list(vars(page.start(asked)))
 
     def motion(self, case: str) -> "Motion":
         """Trace one case, alone."""
         forget()
         return Motion(self, case, **self.cases[case])
 
-    def begin(self) -> tuple[dict[str, Expression], dict[str, Expression], list[str]]:
-        """Give the states by what a motion starts with, their variations, and the names of that."""
-        forget()
-        code = self.page.start.__code__
-        names = code.co_varnames[: code.co_argcount]
-        changes = {symbol("start->" + name): symbol("d->" + name) for name in names}
-        states = vars(trace(self.page.start, *changes))
-        return states, {state: derivative(value, changes) for state, value in states.items()}, list(names)
-
     def structs(self) -> str:
         """Write the structs, and the states by what a motion starts with."""
         motions = [self.motion(case) for case in self.cases]
-        states, changes, names = self.begin()
         given = [*self.constants, *self.ramps, *(ramp + "_rate" for ramp in self.ramps)]
-        lines = [f"t->{state}[0] = {c_text(value)};\n" for state, value in changes.items()]
-        unused = "" if any("start->" in line for line in lines) else "(void)start;\n"
-        return STRUCTS.format(
-            family=self.name,
-            what=comment(self.page.start.__doc__),
-            coefficients=struct(f"{self.name}_coefficients", given, "real"),
-            series=self.stored("series", [member for motion in motions for member in motion.members("s->")]),
-            variation=self.stored(
-                "variation", [name for motion in motions for name in motion.members("t->")]
-            ),
-            start=struct(f"{self.name}_start", names, "real"),
-            values="".join(f"s->{state}[0] = {c_text(value)};\n" for state, value in states.items()),
-            changes=unused + "".join(lines),
+        types = {"start": f"const {self.name}_start *", "written": f"{self.name}_series *"}
+        begin = Function("void", f"begin_{self.name}", types, self.page.start, number="real")
+        stored = {
+            what: struct(
+                f"{self.name}_{what}",
+                (m for motion in motions for m in motion.members(of)),
+                "real",
+                "[SERIES_TERMS]",
+            )
+            for what, of in (("series", "s->"), ("variation", "t->"))
+        }
+        return (
+            STRUCTS.format(
+                coefficients=struct(f"{self.name}_coefficients", given, "real"),
+                start=struct(f"{self.name}_start", self.start, "real"),
+                **stored,
+            )
+            + begin.c()
         )
 
-    def stored(self, what: str, members: list[str]) -> str:
-        """Write a struct of series."""
-        return struct(f"{self.name}_{what}", members, "real", "[SERIES_TERMS]")
+    def end(self) -> str:
+        """Write where a motion leads in some time, and the change of that."""
+
+        def handed(s: Any, elapsed: Expression, order: Expression, *case: Any) -> Any:
+            """Give the states then."""
+            states = {name: Expression("value_at", getattr(s, name), elapsed, order) for name in self.states}
+            return Record(**{name: value.named(name) for name, value in states.items()}), *case
+
+        types = {"s": f"const {self.name}_series *", "elapsed": "const elapsed_time *", "order": "int"}
+        types |= dict.fromkeys(parameters(self.page.end)[1:], "bool")
+        return Function(
+            f"{self.name}_start", f"end_{self.name}", types, self.page.end, handed, number="real"
+        ).c()
 
 
 class Motion:
     """One case of a family, traced: its expansion, and that of its variation."""
 
     def __init__(self, family: Family, case: str, noted: str = "", ramp: bool = True, **told: Any) -> None:
-        self.family, self.case, start = family, case, family.page.start
+        self.family, self.case = family, case
         held = {name: symbol(f"c->{name}", constant=True) for name in family.constants}
         for name, word in family.ramps.items():
             rate = symbol(f"c->{name}_rate", constant=True)
-            changes = ramp or word == "drift"
-            held[name] = symbol(
-                f"c->{name}", **{"ramp": rate, "word": word} if changes else {"constant": True}
-            )
-        states = {name: symbol(f"s->{name}") for name in vars(start(*[1.0] * start.__code__.co_argcount))}
+            marks = {"ramp": rate, "word": word} if ramp or word == "drift" else {"constant": True}
+            held[name] = symbol(f"c->{name}", **marks)
+        states = {name: symbol(f"s->{name}") for name in family.states}
         traced = vars(trace(family.page.motion, Record(**held), Record(**states), **told))
         rates = {states[name]: lift(rate) for name, rate in vars(traced.pop("rates")).items()}
         names = [*family.noted, *noted.split()]
@@ -212,35 +205,43 @@ class Motion:
 
     def source(self) -> str:
         """Write the functions of the case, the last of which expands the series."""
-        value, step = self.value, self.value.step()
+        value, arrays, step = self.value, self.value.arrays, self.value.step()
         summed = [node for node in value.made if "{inner}" in "".join(RECURSIONS.get(kind_of(node), ""))]
+        ahead = [node for node in summed if node in value.ahead]
+        groups = {f"{self.case}_sums_ahead": ahead} if ahead else {}
+        groups[f"{self.case}_sums"] = [node for node in summed if node not in ahead]
         divisors = [value.series_in(node)[-1] for node in summed if kind_of(node) in ("quotient", "sqrt")]
-        made = {f"inverse_{node.name}": f"1.0 / {value.arrays[node]}[0]" for node in divisors}
+        made = {f"inverse_{node.name}": f"1.0 / {arrays[node]}[0]" for node in divisors}
         made |= {name: c_text(node) for node, name in value.factors.items()}
-        first = [node for node in ordered(divisors) if node in value.arrays and node.operands]
-        ahead, sums = [node for node in summed if node in value.ahead], f"{self.case}_sums"
-        groups = {f"{sums}_ahead": ahead} if ahead else {}
-        groups[sums] = [node for node in summed if node not in ahead]
+        first = [node for node in ordered(divisors) if node in arrays and node.operands]
+        zero = {node: f"{array}[0]" for node, array in arrays.items()}
+        lines = [
+            f"{zero[node]} = {c_text(node, {n: t for n, t in zero.items() if n is not node}.get, 'real_')};"
+            for node in first
+        ]
         return SERIES.format(
             family=self.family.name,
             case=self.case,
             what=comment(self.family.page.motion.__doc__, " From coefficient k of the states to the next."),
             factors=struct(f"{self.case}_factors", made, "real"),
             sums=struct(f"{self.case}_sums", [str(node.name) for node in summed], "real"),
-            adds="".join(self.adding(group, nodes) for group, nodes in groups.items()),
-            loops="".join(LOOP.format(group=group) for group in groups),
-            last="".join(f"add_{group}(s, 1, k, &next);\n" for group in groups),
-            middle="".join(self.middle(node) for node in summed) + ("" if value.ahead else "(void)next;\n"),
+            pairs="".join(
+                ADD.format(
+                    ahead=" + 1" if "ahead" in sums else "",
+                    pairs="".join(map(self.pairs, nodes)),
+                    sums=sums,
+                    family=self.family.name,
+                    case=self.case,
+                )
+                for sums, nodes in groups.items()
+            ),
+            loops="".join(LOOP.format(sums=sums) for sums in groups),
+            last="".join(f"add_{sums}(s, 1, k, &next);\n" for sums in groups),
+            middle="".join(map(self.middle, summed)) + ("" if value.ahead else "(void)next;\n"),
             step="\n".join(step),
-            first="\n".join(f"{value.arrays[node]}[0] = {self.first(node)};" for node in first),
+            first="\n".join(lines),
             products="".join(f".{name} = {text},\n" for name, text in made.items()),
         )
-
-    def adding(self, group: str, nodes: list[Expression]) -> str:
-        """Write the function that adds terms to some of the sums."""
-        names = {"family": self.family.name, "case": self.case, "group": group}
-        ahead = " + 1, for what is known a coefficient ahead" if nodes[0] in self.value.ahead else ""
-        return ADD.format(ahead=ahead, pairs="".join(map(self.pairs, nodes)), **names)
 
     def pairs(self, node: Expression) -> str:
         """Add the terms of a sum with coefficients i and j of its factors."""
@@ -252,33 +253,21 @@ class Motion:
     def middle(self, node: Expression) -> str:
         """Begin a sum with its terms in the middle."""
         a, b = (self.value.arrays[series] for series in self.value.series_in(node))
-
-        def squares(i: str) -> str:
-            return f"0.5 * ({a}[{i}] * {b}[{i}])" if a == b else f"{a}[{i}] * {b}[{i}]"
-
+        half = "0.5 * " if a == b else ""
         if node not in self.value.ahead:
-            return f"sum->{node.name} = {squares('i')};\n"
+            return f"sum->{node.name} = {half}({a}[i] * {b}[i]);\nnext->{node.name} = broadcast(0.0);\n"
         both = " + ".join(dict.fromkeys([f"{a}[i] * {b}[i + 1]", f"{b}[i] * {a}[i + 1]"]))
-        return f"sum->{node.name} = {both};\nnext->{node.name} = {squares('i + 1')};\n"
-
-    def first(self, node: Expression) -> str:
-        """Write coefficient 0 of what is divided by, or part of it."""
-        arrays = self.value.arrays
-        return c_text(
-            node, lambda part: f"{arrays[part]}[0]" if part in arrays and part is not node else None, "real_"
-        )
+        return f"sum->{node.name} = {both};\nnext->{node.name} = {half}({a}[i + 1] * {b}[i + 1]);\n"
 
     def variation(self) -> str:
         """Write the first variation of the series."""
         begin, step = self.varied.begin(), self.varied.step()
         local = [array for array in self.varied.arrays.values() if "->" not in array]
+        factors = [f"const real {name} = {c_text(node)};\n" for node, name in self.varied.factors.items()]
         return VARIATION.format(
             family=self.family.name,
             case=self.case,
-            local="".join(f"real {array}[SERIES_TERMS];\n" for array in local),
-            factors="".join(
-                f"const real {name} = {c_text(node)};\n" for node, name in self.varied.factors.items()
-            ),
+            local="".join([*(f"real {array}[SERIES_TERMS];\n" for array in local), *factors]),
             begin="".join(f"{line}\n" for line in begin),
             step="\n".join(step),
         )

@@ -1,6 +1,5 @@
 """Which motions are expanded into series, in which cases, and what of them is noted: a header a mode."""
 
-from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -8,26 +7,14 @@ from .. import constants, flight, ground, hip
 from .c import comment, header, struct
 from .law_series import law_series
 from .motion import Family
-from .values import symbol
-
-
-def members(law: Callable[..., Any]) -> list[str]:
-    """Name what a law gives."""
-    code = law.__code__
-    return list(vars(law(*(symbol(name, pointer=True) for name in code.co_varnames[: code.co_argcount]))))
-
+from .values import Function, Record, members
 
 GROUND = Family(
     "ground",
     ground,
+    start="x y vx vy foot_vx",
     constants=members(constants.on_ground),
-    ramps={
-        "rest_length": "ramp",
-        "gravity_x": "ramp",
-        "gravity_y": "ramp",
-        "friction": "ramp",
-        "torque": "ramp",
-    },
+    ramps=dict.fromkeys(("rest_length", "gravity_x", "gravity_y", "friction", "torque"), "ramp"),
     rates={"length_rate": "length"},
     noted="length length_rate normal_force tangential_push torque power speed_square",
     varied="torque power friction_power",
@@ -45,6 +32,7 @@ GROUND = Family(
 FLIGHT = Family(
     "flight",
     flight,
+    start="length angle length_rate angle_rate",
     constants=members(constants.of_flight),
     ramps={"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
     rates={},
@@ -55,16 +43,48 @@ FLIGHT = Family(
         "pushed_flight": {"pushed": True, "noted": "push_moment"},
     },
 )
+FAMILIES = {"flight": FLIGHT, "ground": GROUND}
 
 
-def of_cases(mode: str, family: Family, cases: list[str], varied: list[str]) -> str:
+def of_cases(mode: str, family: Family, cases: list[str]) -> str:
     """Write a header of some cases; without a torque variations are those of a leg that turns."""
     parts = [family.motion(case).source() for case in cases]
-    parts += [family.motion(case).variation() for case in varied]
+    parts += [family.motion(case).variation() for case in cases if family.cases[case].get("has_torque", True)]
     is_first = mode == family.name
     include = "series_products.h" if is_first else f"{family.name}_series.h"
     parts = [family.structs(), *parts] if is_first else parts
     return header(f"{mode}_series", f"{family.name}.py", f'#include "{include}"\n', *parts)
+
+
+# The structs that the model has the coordinates in.
+COORDINATES = {"flight": "tdmf_flying", "ground": "tdmf_standing"}
+
+
+def copies() -> str:
+    """Write copies between what motions start with and the coordinates of the model."""
+    parts = []
+    for name, family in FAMILIES.items():
+
+        def same(at: Any, family: Family = family) -> Record:
+            """What a motion starts with, of the model's coordinates, or back."""
+            return Record(**{name: getattr(at, name) for name in family.start})
+
+        model, start = COORDINATES[name], f"{name}_start"
+        parts += [
+            Function(start, f"{name}_start_of", {"at": f"const {model} *"}, same, varied=False).c(),
+            Function(
+                "void", f"set_{name}", {"at": f"const {start} *", "written": f"{model} *"}, same, varied=False
+            ).c(),
+        ]
+    includes = "".join(f'#include "{name}.h"\n' for name in ("coordinate_laws", "motion_series"))
+    return header("motion_coordinates", "flight.py and ground.py", includes, *parts)
+
+
+def ends() -> str:
+    """Write where motions lead."""
+    includes = '#include "motion_series.h"\n#include "step_sums.h"\n'
+    ends = [family.end() for family in FAMILIES.values()]
+    return header("motion_ends", "flight.py and ground.py", includes, *ends)
 
 
 LAW = members(hip.signed)
@@ -93,12 +113,12 @@ def guard_series() -> str:
 
 FILES = {
     "guard_series.h": guard_series,
-    "ground_series.h": partial(of_cases, "ground", GROUND, [], []),
-    "stick_series.h": partial(
-        of_cases, "stick", GROUND, ["stick", "stick_with_torque"], ["stick_with_torque"]
-    ),
-    "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_with_torque"], ["slip_with_torque"]),
-    "falling_slip_series.h": partial(of_cases, "falling_slip", GROUND, ["falling_slip"], ["falling_slip"]),
-    "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"], ["graze"]),
-    "flight_series.h": partial(of_cases, "flight", FLIGHT, list(FLIGHT.cases), list(FLIGHT.cases)),
+    "motion_coordinates.h": copies,
+    "motion_ends.h": ends,
+    "ground_series.h": partial(of_cases, "ground", GROUND, []),
+    "stick_series.h": partial(of_cases, "stick", GROUND, ["stick", "stick_with_torque"]),
+    "slip_series.h": partial(of_cases, "slip", GROUND, ["slip", "slip_with_torque"]),
+    "falling_slip_series.h": partial(of_cases, "falling_slip", GROUND, ["falling_slip"]),
+    "graze_series.h": partial(of_cases, "graze", GROUND, ["graze"]),
+    "flight_series.h": partial(of_cases, "flight", FLIGHT, list(FLIGHT.cases)),
 }

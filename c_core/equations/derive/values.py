@@ -7,17 +7,18 @@ variation.
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container
 from types import SimpleNamespace as Record
 from typing import Any
 
-from .c import TextOf, c_text, comment
-from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, trace
+from .c import c_text, comment
+from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, parameters, trace
 
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
 FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "falls", "upright", "rises")
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
+WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "const elapsed_time *")
 
 decided: dict[str, bool] = {}
 known: dict[Expression, str] = {}  # what C has under a name already
@@ -119,12 +120,13 @@ class Function:
         fixed: tuple[str, ...] = (),
         value: str = "",
         varied: bool = True,
+        number: str = "double",
     ) -> None:
-        self.result, self.name, self.law, self.arguments, self.varied = result, name, law, arguments, varied
-        self.written = [declared(types[name], name) for name in types if name == "written"]
-        self.types = {name: type_ for name, type_ in types.items() if name != "written"}
-        self.fixed = {name for name, type_ in self.types.items() if is_constant(type_)} | set(fixed)
-        self.value = value
+        self.result, self.name, self.law, self.arguments = result, name, law, arguments
+        self.value, self.varied, self.number = value, varied, number
+        self.types = dict(types)
+        self.written = self.types.pop("written", "")
+        self.fixed = {n for n, type_ in types.items() if type_ in WITHOUT_CHANGE or n in fixed}
 
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
@@ -138,53 +140,72 @@ class Function:
         """Give the changes of the results."""
         results = self.run()
         if self.value:
-            known.update({v: self.member_of_value(name) for name, v in results.items() if v.operands})
-        changing = [
-            leaf for leaf in leaves(results.values()) if re.split(r"\W", leaf.value)[0] not in self.fixed
-        ]
-        changes = {leaf: symbol(f"d_{leaf.value}") for leaf in changing}
+            places = {v: self.place(self.value, name) for name, v in results.items() if v.operands}
+            known.update(places)
+        parameters = {leaf: re.split(r"\W", leaf.value)[0] for leaf in leaves(results.values())}
+        changes = {
+            leaf: symbol(f"d_{leaf.value}")
+            for leaf, parameter in parameters.items()
+            if parameter not in self.fixed and not leaf.is_constant
+        }
         return {name: derivative(value, changes, "d_") for name, value in results.items()}
+
+    def place(self, of: str, name: str) -> str:
+        """Write where a result is, in what has all."""
+        if self.written.endswith("*"):
+            return f"{of}->{name}" + ("[0]" if re.search("series|variation", self.written) else "")
+        if self.written:
+            return f"{of}[TDMF_{name.upper()}]"
+        return f"{of}->{name}" if name else of
 
     def c(self) -> str:
         """Write the function, and its variation."""
-        given = [declared(type_, name) for name, type_ in self.types.items()]
-        text = comment(self.law.__doc__) + self.function(self.name, [*given, *self.written], self.run)
-        if not self.varied:
-            return text
-        value = [self.value_declared()] if self.value else []
-        changes = [declared(t, f"d_{name}") for name, t in self.types.items() if name not in self.fixed]
-        parameters = [*given, *value, *changes, *self.written]
-        return text + "\n/* Its change. */\n" + self.function(f"vary_{self.name}", parameters, self.vary)
+        return f"{self.c_of_value()}\n{self.c_of_change()}" if self.varied else self.c_of_value()
 
-    def value_declared(self) -> str:
-        """Declare what a variation is given the value by."""
-        if self.result == "void":
-            return f"const double {self.value}[TDMF_STATE_COUNT]"
-        return f"double {self.value}" if self.result == "double" else f"const {self.result} *{self.value}"
+    def c_of_value(self) -> str:
+        """Write the function alone."""
+        types = self.types | ({"written": self.written} if self.written else {})
+        return comment(self.law.__doc__) + self.function(self.name, types, self.run)
 
-    def member_of_value(self, name: str) -> str:
-        """Write what has a result in it."""
-        if self.result == "void":
-            return f"{self.value}[TDMF_{name.upper()}]"
-        return self.value if self.result == "double" else f"{self.value}->{name}"
+    def c_of_change(self) -> str:
+        """Write its variation, which is handed the value, if it asks for that, and the changes."""
+        types = dict(self.types)
+        if self.value:
+            is_number = not self.written and self.result == "double"
+            types[self.value] = "double" if is_number else f"const {self.written or self.result + ' *'}"
+        changing = {name: type_ for name, type_ in self.types.items() if name not in self.fixed}
+        changing |= {"written": self.written} if self.written else {}
+        for name, type_ in changing.items():
+            types[name if name == "written" else f"d_{name}"] = type_.replace("series", "variation")
+        return "/* Its change. */\n" + self.function(f"vary_{self.name}", types, self.vary)
 
-    def function(self, name: str, parameters: list[str], results: Callable[[], dict[str, Expression]]) -> str:
+    def function(self, name: str, types: dict[str, str], results: Callable[[], dict[str, Expression]]) -> str:
         """Write one C function."""
         forget()
-        names = [re.findall(r"\w+", parameter.partition("[")[0])[-1] for parameter in parameters]
-        body = of_all_cases(lambda: self.statements(results(), names))
-        unused = [n for n in names if not re.search(rf"(?<![.>])\b{n}\b", body)]
-        voids = "".join(f"(void){n};\n" for n in unused)
-        return f"static inline {self.result} tdmf_{name}({', '.join(parameters)}) {{\n{voids}{body}}}\n"
+        body = of_all_cases(lambda: self.statements(results(), types))
+        voids = "".join(f"(void){n};\n" for n in types if not re.search(rf"(?<![.>])\b{n}\b", body))
+        declared = ", ".join(f"{type_} {n}" for n, type_ in types.items())
+        declared = re.sub(r"(\[\w+\]) (\w+)", r" \2\1", declared)
+        return f"static inline {self.result} tdmf_{name}({declared}) {{\n{voids}{body}}}\n"
 
-    def statements(self, results: dict[str, Expression], taken: list[str]) -> str:
-        """Write what makes the results, and gives them."""
-        lines, text_of = local_variables(list(results.values()), taken)
-        texts = {name: c_text(value, text_of) for name, value in results.items()}
-        if self.result == "double":
+    def statements(self, results: dict[str, Expression], taken: Container[str]) -> str:
+        """Write what makes the results, and gives them.
+
+        What the law has given a name is a C variable; what has none stands where it is used.
+        """
+        roots, variables, lines = list(results.values()), dict(known), list[str]()
+        nodes = ordered(roots, known)
+        used = {operand for node in nodes if node not in known for operand in node.operands}
+        for node in nodes:
+            is_result = node in roots and node not in used and roots.count(node) == 1
+            if node.operands and node.name and node not in known and node.name not in taken and not is_result:
+                lines.append(f"const {self.number} {node.name} = {c_text(node, variables.get)};")
+                variables[node] = node.name
+        texts = {name: c_text(value, variables.get) for name, value in results.items()}
+        if self.written:
+            lines += [f"{self.place('written', name)} = {text};" for name, text in texts.items()]
+        elif "" in texts:
             lines.append(f"return {texts['']};")
-        elif self.result == "void":
-            lines += [f"written[TDMF_{name.upper()}] = {text};" for name, text in texts.items()]
         else:
             told = {name: text for name, text in texts.items() if text != "0.0"} or texts
             members = "".join(f".{name} = {text},\n" for name, text in told.items())
@@ -192,30 +213,6 @@ class Function:
         return "\n".join(lines) + "\n"
 
 
-def declared(type_: str, name: str) -> str:
-    """Declare a parameter."""
-    before, bracket, after = type_.partition("[")
-    return f"{before}{'' if before.endswith('*') else ' '}{name}{bracket}{after}"
-
-
-def is_constant(type_: str) -> bool:
-    """Whether a parameter has no change."""
-    return type_ in ("bool", "tdmf_contact_mode", "tdmf_hip_phase")
-
-
-def local_variables(roots: list[Expression], taken: Iterable[str]) -> tuple[list[str], TextOf]:
-    """Write what a law has given a name as C variables; what has none stands where it is used."""
-    nodes = ordered(roots, known)
-    used = [operand for node in nodes if node not in known for operand in node.operands]
-    written: dict[Expression, str] = {}
-    lines = []
-
-    def text_of(node: Expression) -> str | None:
-        return known.get(node) or written.get(node)
-
-    for node in nodes:
-        is_result = node in roots and node not in used and roots.count(node) == 1
-        if node.operands and node.name and node not in known and node.name not in taken and not is_result:
-            lines.append(f"const double {node.name} = {c_text(node, text_of)};")
-            written[node] = node.name
-    return lines, text_of
+def members(law: Callable[..., Any]) -> list[str]:
+    """Name what a law gives."""
+    return list(vars(law(*(symbol(name, pointer=True) for name in parameters(law)))))

@@ -6,20 +6,19 @@ series of the motion. Either has to be one series, times a constant and plus one
 is seen more cheaply for several events at once, is by hand in the kernel: `BY_HAND` has the calls.
 """
 
-from collections.abc import Callable
-from typing import Any
+from functools import partial
+from types import SimpleNamespace as Record
 
 from .. import flight, ground
 from ..events import EVENTS, Event
 from .c import c_text, comment, header, struct
-from .expressions import Expression, derivative, forget, leaves, lift, symbol, trace
+from .expressions import Expression, derivative, forget, leaves, lift, parameters, replaced
+from .values import Function, symbol
 
-MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
 PAGES = {"flight": flight, "ground": ground}
-# Of which modes of a motion an event may be watched by all, and which flags of the case tell them apart.
+# The modes of each motion, and by which flags of the case those are told that watch an event.
+MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
 CASES = {
-    ("flight",): "",
-    ("stick", "slip", "graze"): "",
     ("stick", "slip"): "!is.grazes",
     ("stick",): "!is.slips && !is.grazes",
     ("slip",): "is.slips",
@@ -27,15 +26,18 @@ CASES = {
 }
 # Flags of the mode that must be set, or must not, as the lanes have them.
 FLAGS = {"not thrusts": "c->awaits_thrust > 0.0", "mid_stance_pending": "c->drives > 0.0"}
-# Series that a law of the table may ask for, and whether they go up to the order or to one less.
-LEG = {"leg.length": ("length", 0), "leg.length_rate": ("length_rate", 1)}
-SERIES = {"flight": LEG, "ground": LEG | {"force.normal": ("normal_force", 1)}}
-CONSTANTS = {"slip_sign"}  # of a step, that a page's guard may ask for
-SHORTER = {"length_rate", "normal_force", "tangential_push"}  # on the ground
+# What guards are made of: series of the motion, which laws of the table know by other names, and constants.
+SERIES = {
+    "at->leg.length": "length",
+    "at->leg.length_rate": "length_rate",
+    "at->force.normal": "normal_force",
+}
+SHORTER = ("length_rate", "normal_force", "tangential_push")  # on the ground, by one coefficient
+CONSTANTS = ("slip_sign",)
+PARAMETERS = "at->model->parameters."
 FORCES = "watch_forces(search, c, s, !is.slips);"
 GRAZE = "watch_graze(search, c, s, at->angle);"
 HEIGHTS = "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);"
-# Calls of what is by hand, of which one may watch several events.
 BY_HAND = {
     "flight": {
         "new_ground": "if (is.awaits_ground) {watch_new_ground(search, c, s, tolerance, com);}",
@@ -54,17 +56,6 @@ GIVEN = {
     "flight": "const ballistic *com, flight_case is, real length_change, double tolerance",
     "ground": "const ground_coordinates *at, ground_case is, real length_change",
 }
-
-WATCH = """\
-{what}static inline void {name}(event_search *search, const {motion}_constants *c,
-                          const {motion}_series *s{given}) {{
-    const guard_series g = {{s->{series}, {weight}, {start}, {order}}};
-    const mask watching = {watching};
-    if (any(watching)) {{
-        watch(search, TDMF_GUARD_{guard}, watching, &g, {floor});
-    }}
-}}
-"""
 WATCH_ALL = """\
 /* What ends a step, in the order of the table. */
 static inline void watch_{motion}(event_search *search, const {motion}_constants *c, const {motion}_series *s,
@@ -72,122 +63,95 @@ static inline void watch_{motion}(event_search *search, const {motion}_constants
 {calls}search_pending(search);
 }}
 """
-PARAMETERS = """\
-/* Parameters that guards are made of. */
-{struct}
-static inline guard_parameters guard_parameters_of(const tdmf_model *model) {{
-    const guard_parameters values = {{{values}}};
-    return values;
-}}
-"""
 
 
-class Runner:
-    """What a law of the table is handed: of its members some are series, those of the model constants."""
-
-    def __init__(self, motion: str, path: str = "") -> None:
-        self.motion, self.path = motion, path
-
-    def __getattr__(self, name: str) -> Any:
-        """Give a member, or a record of members."""
-        path = f"{self.path}.{name}".removeprefix(".")
-        if path in SERIES[self.motion]:
-            return symbol(f"s->{SERIES[self.motion][path][0]}")
-        is_leaf = path.startswith("model.parameters.") and path.count(".") > 2
-        return parameter(path) if is_leaf else Runner(self.motion, path)
-
-
-def parameter(path: str) -> Expression:
-    """Give a parameter that a guard is made of, as a constant of the step."""
-    name = path.removeprefix("model.parameters.").replace(".", "_")
-    return symbol(f"c->mode.guards.{name}", constant=True, path=path)
-
-
-def guard(event: Event, motion: str) -> Expression:
-    """Give an event's guard in a motion."""
+def guard(event: Event, motion: str) -> tuple[Expression, Expression]:
+    """Give an event's guard in a motion, and the series that it is, but for a factor and its start."""
     forget()
-    law: Callable[..., Any] | None = getattr(PAGES[motion], event.name, None)
+    law = getattr(PAGES[motion], event.name, None)
     if law is None:
-        assert event.law, f"{event.name} has no law"
-        return lift(trace(event.law, Runner(motion)))
-    names = law.__code__.co_varnames[: law.__code__.co_argcount]
-    given = (symbol(f"{'cs'[n not in CONSTANTS]}->{n}", constant=n in CONSTANTS) for n in names)
-    return lift(trace(law, *given))
-
-
-def watched(event: Event, motion: str) -> tuple[str, str]:
-    """Write what watches an event whose guard is one series, times a constant and plus one, and its call."""
-    value = guard(event, motion)
+        law = event.law
+        traced = lift(law(symbol("at", pointer=True)))
+        value = replaced(traced, {leaf: of_step(leaf.value) for leaf in leaves([traced])})
+    else:
+        value = lift(law(*(of_step(name) for name in parameters(law))))
     series = [leaf for leaf in leaves([value]) if not leaf.is_constant]
-    factor = derivative(value, {series[0]: 1}) if len(series) == 1 else None
-    if event.law is None or factor is None or not factor.is_constant:
+    if len(series) != 1 or not derivative(value, {series[0]: 1}).is_constant:
         raise ValueError(f"{event.name}: give it a function by hand, it is more than a series in {motion}")
-    dead = "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor"
-    band = dead if event.band == "dead" else "search->beyond_margin"
-    flag = FLAGS.get(event.only_while, "")
-    by_length = series[0].name == "length" and (factor.is_number(1) or factor.is_number(-1))
-    near = "mask_not(g.start > length_change)" if by_length else ""
-    name = f"watch_{event.name}_{'in' if motion == 'flight' else 'on'}_{motion}"
-    text = WATCH.format(
-        what=comment(event.law.__doc__),
-        name=name,
-        motion=motion,
-        given=", real length_change" if by_length else "",
-        series=series[0].name,
-        weight=f"broadcast({c_text(factor)})" if factor.operation == "number" else c_text(factor),
-        start=c_text(value, lambda node: f"{node.value}[0]" if node is series[0] else None),
-        order="search->order - 1" if series[0].name in SHORTER else "search->order",
-        watching=" & ".join(filter(None, ["search->live", flag and f"({flag})", near])),
-        guard=event.name.upper(),
-        floor=f"{band} * c->mode.{event.scale}_scale" if event.scale else band,
+    return value, series[0]
+
+
+def of_step(text: str) -> Expression:
+    """Give what a guard asks for, as a step has it."""
+    if text.startswith(PARAMETERS):
+        name = text.removeprefix(PARAMETERS).replace(".", "_")
+        return symbol(f"c->mode.guards.{name}", constant=True, path=text.removeprefix("at->"))
+    return (
+        symbol(f"c->{text}", constant=True) if text in CONSTANTS else symbol(f"s->{SERIES.get(text, text)}")
     )
-    return text, f"{name}(search, c, s{', length_change' if by_length else ''});\n"
+
+
+def watched(event: Event, motion: str) -> str:
+    """Write the call that watches an event whose guard is one series."""
+    value, series = guard(event, motion)
+    factor = derivative(value, {series: 1})
+    start = c_text(value, lambda node: f"{node.value}[0]" if node is series else None)
+    watching = "search->live"
+    if event.only_while:
+        watching += f" & ({FLAGS[event.only_while]})"
+    if series.value == "s->length" and (factor.is_number(1) or factor.is_number(-1)):
+        watching += f" & mask_not({start} > length_change)"
+    order = "search->order - 1" if series.value.removeprefix("s->") in SHORTER else "search->order"
+    band = (
+        "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor" if event.band == "dead" else "search->beyond_margin"
+    )
+    weight = f"broadcast({c_text(factor)})" if factor.operation == "number" else c_text(factor)
+    floor = f"{band} * c->mode.{event.scale}_scale" if event.scale else band
+    told = f"{series.value}, {weight}, {start}, {order}, {floor}"
+    law = comment(event.law.__doc__) if event.law else ""
+    return f"{law}watch_series(search, TDMF_GUARD_{event.name.upper()}, {watching}, {told});\n"
 
 
 def by_motion(motion: str) -> list[Event]:
     """Give the events of a motion, in the table's order; what has no reset ends no step."""
-    return [e for e in EVENTS if e.takes != "" and set(e.watched) & set(MODES[motion])]
+    return [event for event in EVENTS if event.takes != "" and set(event.watched) & set(MODES[motion])]
 
 
 def watch(motion: str) -> str:
-    """Write who watches what in a motion: functions, and the calls of all, each once."""
-    functions, calls = list[str](), dict[str, str]()
+    """Write who watches what in a motion: each call once, in the modes of all events that it watches."""
+    modes: dict[str, set[str]] = {}
     for event in by_motion(motion):
-        together = [e for e in by_motion(motion) if e is event or shares(e, event, motion)]
-        modes = {mode for e in together for mode in e.watched}
-        case = CASES[tuple(mode for mode in MODES[motion] if mode in modes)]
-        if event.name in BY_HAND[motion]:
-            call = BY_HAND[motion][event.name] + "\n"
-        else:
-            function, call = watched(event, motion)
-            functions.append(function)
-        calls[call] = f"if ({case}) {{\n{call}}}\n" if case else call
-    text = WATCH_ALL.format(motion=motion, given=GIVEN[motion], calls="".join(calls.values()))
-    return header(f"{motion}_watch", "events.py", f'#include "{motion}_guards.h"\n', *functions, text)
+        by_hand = BY_HAND[motion].get(event.name)
+        call = f"{by_hand}\n" if by_hand else watched(event, motion)
+        modes.setdefault(call, set()).update(event.watched)
+    cases = {call: CASES.get(tuple(m for m in MODES[motion] if m in modes[call])) for call in modes}
+    calls = "".join(f"if ({case}) {{\n{call}}}\n" if case else call for call, case in cases.items())
+    text = WATCH_ALL.format(motion=motion, given=GIVEN[motion], calls=calls)
+    return header(f"{motion}_watch", "events.py", f'#include "{motion}_guards.h"\n', text)
 
 
-def shares(event: Event, other: Event, motion: str) -> bool:
-    """Whether one function by hand watches both."""
-    calls = [BY_HAND[motion].get(e.name) for e in (event, other)]
-    return calls[0] is not None and calls[0] == calls[1]
-
-
-def parameters() -> str:
+def guard_parameters() -> str:
     """Write the struct of the parameters that guards are made of, and what fills it."""
     found: dict[str, str] = {}
     for motion in MODES:
-        for event in by_motion(motion):
-            if event.name not in BY_HAND[motion]:
-                given = [leaf for leaf in leaves([guard(event, motion)]) if "path" in leaf.marks]
-                found |= {str(leaf.name): leaf.marks["path"] for leaf in given}
-    values = [f".{name} = broadcast({path.replace('model.', 'model->', 1)})," for name, path in found.items()]
-    text = PARAMETERS.format(struct=struct("guard_parameters", found, "real"), values=" ".join(values))
+        for event in (event for event in by_motion(motion) if event.name not in BY_HAND[motion]):
+            asked = [leaf for leaf in leaves([guard(event, motion)[0]]) if "path" in leaf.marks]
+            found |= {leaf.value.rpartition(".")[2]: leaf.marks["path"] for leaf in asked}
+
+    def law(model: Expression) -> Record:
+        """Parameters that guards are made of."""
+        return Record(**{name: Expression("broadcast", symbol(path)) for name, path in found.items()})
+
+    function = Function(
+        "guard_parameters", "guard_parameters_of", {"model": "const tdmf_model *"}, law, varied=False
+    )
     includes = '#include "tdmf_slip/parameters.h"\n#include "width.h"\n'
-    return header("guard_parameters", "events.py", includes, text)
+    return header(
+        "guard_parameters", "events.py", includes, struct("guard_parameters", found, "real"), function.c()
+    )
 
 
 FILES = {
-    "guard_parameters.h": parameters,
-    "flight_watch.h": lambda: watch("flight"),
-    "ground_watch.h": lambda: watch("ground"),
+    "guard_parameters.h": guard_parameters,
+    **{f"{motion}_watch.h": partial(watch, motion) for motion in MODES},
 }

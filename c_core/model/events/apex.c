@@ -7,14 +7,14 @@
 #include "apex.h"
 
 #include "event_declarations.h"
-#include "guard_laws.h"
+#include "hip_laws.h"
 #include "record.h"
 
 static void begin_place(tdmf_run *run) {
     run->mode->phase = TDMF_PHASE_PLACE;
     run->mode->clamp_closed = false;
     run->mode->rises = false;
-    tdmf_apex_jump(run->model, run->inputs, &run->mode->ground, run->state, run->direction, run->state);
+    tdmf_begin_place(run->state);
 }
 
 void tdmf_pass_apex(tdmf_run *run) {
@@ -33,4 +33,15 @@ void tdmf_take_apex(tdmf_run *run) {
     } else {
         tdmf_pass_apex(run);
     }
+}
+
+void tdmf_vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+                         const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                         double d_state[TDMF_STATE_COUNT]) {
+    (void)model;
+    (void)inputs;
+    (void)ground;
+    (void)before;
+    (void)d;
+    tdmf_vary_begin_place(d_state);
 }
