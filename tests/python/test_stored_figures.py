@@ -7,7 +7,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from tdmf_slip import Runner, compare, find_gait, strides_to_fall
-from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust
+from tdmf_slip import viability as find_viable
+from tdmf_slip.library.quantities import quantities_of
+from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust, viability
 from tdmf_slip.pictures import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -99,6 +101,29 @@ def test_runners_matched_on_the_level_are_slowed_less_uphill():
     assert compared == 2
 
 
+def test_viable_shares_of_matched_runners_are_what_is_kept():
+    """One runner anew; where angle and torque are chosen there is nothing left to match."""
+    data = stored.columns("viability")
+    both = data["choice"] == "angle and torque"
+    assert set(data["choice"]) == set(viability.CHOICES)
+    assert sorted(data["friction"][both]) == sorted(data["friction"][~both])
+    assert np.count_nonzero(both) >= 10
+    assert (data["inner_share"] <= data["outer_share"]).all()
+    assert (data["inner_robustness"] <= data["outer_robustness"]).all()
+    (place,) = np.flatnonzero(~both & (data["friction"] == 1.2))
+    names = ("hip.stance_torque", "hip.touchdown_angle")
+    values = {"ground.friction": 1.2, **{name: data[name][place] for name in names}}
+    gait, reference = (
+        find_gait(of, model="reduced") for of in (values, {"ground.friction": viability.REFERENCE})
+    )
+    for name in ("speed", "apex_height"):
+        (value,), (wanted,) = (quantities_of(of, [name]).values() for of in (gait, reference))
+        assert value == pytest.approx(wanted, rel=1e-6)
+    found = find_viable(values, axes=viability.AXES, vary=viability.CHOICES["angle"], n=viability.CELLS)
+    assert found.inner_share == pytest.approx(data["inner_share"][place], abs=1e-3)
+    assert found.outer_robustness.mean() == pytest.approx(data["outer_robustness"][place], abs=1e-3)
+
+
 def test_optimal_runners_are_what_is_kept():
     """They are gaits, the search finds no better ones from there, and the cheapest slips on purpose."""
     data = stored.columns("optimal")
@@ -141,7 +166,7 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
         save(figure, path, *arguments)
 
     monkeypatch.setattr(style, "save", look)
-    for name in ("feedback", "guinea_fowl", "optimal", "rough", "slope", "thrust"):
+    for name in ("feedback", "guinea_fowl", "optimal", "rough", "slope", "thrust", "viability"):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
     assert len(found) >= 5 and all(found)
 

@@ -105,3 +105,20 @@ def test_the_program_in_c_names_what_is_not_there(program):
     ):
         done = subprocess.run([program, *arguments], capture_output=True, text=True)
         assert done.returncode == 1 and done.stderr.strip() == says and done.stdout == ""
+
+
+def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(example):
+    """The viable set is of sections of the full model; the run is the unit's own."""
+    assert example is not None
+    viable = importlib.import_module("viable_controller")
+    found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=48, model="full")
+    gait = tdmf_slip.find_gait(viable.RUNNER)
+    law = found.controller()
+    alone, _ = viable.run(viable.Unchanged(), viable.pushed(gait), strides=6)
+    apices, settings = viable.run(law, viable.pushed(gait), strides=6)
+    assert len(alone) < 6
+    assert len(apices) == 7
+    assert settings[0][viable.ANGLE] > gait.runner.values[viable.ANGLE]
+    assert all(law.grade_at(apex) == "viable" for apex in apices)
+    run = tdmf_slip.stride_map(apices[0], viable.RUNNER, strides=6, law=law, tolerance=1e-13)
+    assert np.abs((np.array(apices[1:]) - run["next_apex"].values[0]) / gait.runner.scales).max() < 1e-8

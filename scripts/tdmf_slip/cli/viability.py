@@ -128,7 +128,7 @@ def viability_command(
         path=output,
         threads=threads,
         scheduler=scheduler,
-        show_progress=True,
+        progress=True,
         fmu=fmu,
     )
     if plot is not None:

@@ -61,7 +61,7 @@ def friction_loss(
     frictions: Sequence[float],
     *,
     threads: int | None,
-    show_progress: bool,
+    progress: bool,
 ) -> FrictionLoss:
     """The least friction of the next stride that leaves something viable.
 
@@ -79,7 +79,7 @@ def friction_loss(
         Falling, below the runner's own.
     threads : int or None
         By default one for each processor.
-    show_progress : bool
+    progress : bool
         A bar on stderr.
 
     Returns
@@ -100,7 +100,7 @@ def friction_loss(
             runner.but(FRICTION, friction),
             transitions.grid,
             threads=threads,
-            show_progress=show_progress,
+            progress=progress,
             what=f"friction {friction:g}",
         )
         for number, inner in enumerate((True, False)):

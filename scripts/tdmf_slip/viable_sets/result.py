@@ -155,7 +155,7 @@ class Viability(ByContents, Drawable):
         )
 
     def friction_loss(
-        self, frictions: Sequence[float], *, threads: int | None = None, show_progress: bool = False
+        self, frictions: Sequence[float], *, threads: int | None = None, progress: bool = False
     ) -> FrictionLoss:
         """The least friction of the next stride from which some action leads back into the viable set.
 
@@ -167,7 +167,7 @@ class Viability(ByContents, Drawable):
             Those that are tried, falling, below the runner's own.
         threads : int, optional
             By default one for each processor.
-        show_progress : bool, default False
+        progress : bool, default False
             A bar on stderr.
 
         Returns
@@ -187,7 +187,7 @@ class Viability(ByContents, Drawable):
             (self.inner_states, self.outer_states),
             frictions,
             threads=threads,
-            show_progress=show_progress,
+            progress=progress,
         )
 
     def to_xarray(self) -> "xarray.Dataset":

@@ -18,7 +18,7 @@ from ..library.noted_strides import CLOSED, STRIDE_FATES
 from ..library.one_stride import next_apices
 from ..library.runner import Runner
 from ..library.section import REDUCED
-from ..terminal import progress
+from ..terminal.progress import progress_bar
 from .grid import Grid, starts_at
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def make_transitions(
     path: Path | None = None,
     threads: int | None = None,
     scheduler: str | None = None,
-    show_progress: bool = False,
+    progress: bool = False,
     what: str = "strides",
 ) -> Transitions:
     """All strides of a grid, made anew but for those on file.
@@ -122,7 +122,7 @@ def make_transitions(
         On this machine, by default one for each processor.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
     what : str, default 'strides'
         It is called.
@@ -150,7 +150,7 @@ def make_transitions(
     parts = [Corners(runner, grid, tuple(rows), threads if here else 1) for rows in blocks]
     saved_each, unsaved = math.ceil(len(blocks) / SAVED), 0
     with (
-        progress.progress_bar(what, made.fate.size, "strides", show_progress) as bar,
+        progress_bar(what, made.fate.size, "strides", progress) as bar,
         run_blocks(strides_of, parts, scheduler=scheduler, workers=1 if here else None) as results,
     ):
         bar.update((shape[0] - len(missing)) * math.prod(shape[1:]))

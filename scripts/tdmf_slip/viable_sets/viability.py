@@ -36,7 +36,7 @@ def viability(
     path: Path | str | None = None,
     threads: int | None = None,
     scheduler: str | None = None,
-    show_progress: bool = False,
+    progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Viability:
     """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
@@ -74,7 +74,7 @@ def viability(
         On this machine, by default one for each processor.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    show_progress : bool, default False
+    progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
         Whose start values and ranges hold.
@@ -115,9 +115,7 @@ def viability(
     threads = None if threads is None else checked_whole("threads", threads, 1, MOST_THREADS)
     path = None if path is None else check_place(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n, fmu)
-    made = make_transitions(
-        runner, grid, path=path, threads=threads, scheduler=scheduler, show_progress=show_progress
-    )
+    made = make_transitions(runner, grid, path=path, threads=threads, scheduler=scheduler, progress=progress)
     found = viable_sets(runner, made, factor)
     if path is not None:
         from ..files.netcdf import write_dataset  # loads xarray

@@ -41,6 +41,7 @@ from . import (
     slope,
     stored,
     thrust,
+    viability,
 )
 from .columns import Columns, write_columns
 
@@ -187,6 +188,12 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
     def thrusts() -> Columns:
         return thrust.table(thrust.gaits(runner)) if measure else stored.columns("thrust")
 
+    @cache
+    def saved() -> Columns:
+        if measure:
+            return viability.table(viability.measure(replace(runner, reduced=True), progress=True))
+        return stored.columns("viability")
+
     falls = cache(slippery.fall_map)
 
     first, second = figure_8.FRICTIONS
@@ -220,6 +227,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
             lambda path: guinea_fowl.draw(path, falls()), lambda: guinea_fowl.table(falls())
         ),
         "thrust": Figure(lambda path: thrust.draw(path, thrusts()), thrusts),
+        "viability": Figure(lambda path: viability.draw(path, saved()), saved),
         "reduced_region": Figure(
             lambda path: reduced.draw_regions(path, regions()), lambda: reduced.region_table(regions())
         ),

@@ -1,0 +1,67 @@
+"""A controller that avoids falls, through the unit: at each apex the viable action nearest to a wish.
+
+    python examples/viable_controller.py
+
+The viable set says which settings keep the runner up for ever, as far as a grid can tell. The runner is
+pushed so that with its own settings it would fall; the controller takes others wherever it has to, and its
+own again as soon as they are viable. The script is the importer, as in examples/stride_feedback.py, which
+drives the unit in event mode from apex to apex.
+"""
+
+import tdmf_slip
+from stride_feedback import Importer
+
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+RUNNER = {"ground.friction": 10.0}
+RANGES = {"com_height": (0.5, 3.0), "com_speed": (0.0, 3.0)}
+CHOICE = {ANGLE: (0.1, 1.2, 23), TORQUE: (0.0, 0.5, 6)}
+PUSH = {"foot.y": 0.96, "foot.vx": 1.1}
+"""By which the first apex is higher and faster than that of the gait: m, m/s."""
+STRIDES = 12
+
+
+def pushed(gait):
+    """Start values at the gait's apex, but for the push."""
+    return gait.start_values | {name: gait.start_values[name] + push for name, push in PUSH.items()}
+
+
+def run(law, start_values, strides=STRIDES):
+    """The apices of a run, the first one too, and the settings of each stride; a fall ends it."""
+    with Importer(start_values) as runner:
+        apices, settings = [runner.apex], []
+        for _ in range(strides):
+            settings.append(law.settings_at(apices[-1]))
+            for name, value in settings[-1].items():
+                runner[name] = value
+            if not runner.advance_to_apex():
+                break
+            apices.append(runner.apex)
+        return apices, settings
+
+
+class Unchanged:
+    """No controller: the runner's own settings throughout."""
+
+    def settings_at(self, apex):
+        """Nothing is set."""
+        return {}
+
+
+def main():
+    """Run without and with the controller, and print each stride."""
+    found = tdmf_slip.viability(RUNNER, axes=RANGES, vary=CHOICE, n=48, model="full")
+    gait = tdmf_slip.find_gait(RUNNER)
+    law = found.controller()
+    print(found)
+    alone, _ = run(Unchanged(), pushed(gait))
+    print(f"with its own settings it makes {len(alone) - 1} of {STRIDES} strides")
+    apices, settings = run(law, pushed(gait))
+    print(f"with the controller {len(apices) - 1}")
+    print("stride  height  speed   " + "  ".join(CHOICE) + "  which is")
+    for stride, (apex, chosen) in enumerate(zip(apices, settings, strict=False)):
+        told = "  ".join(f"{value:19.3f}" for value in chosen.values())
+        print(f"{stride:6}  {apex[0]:6.3f}  {apex[1]:6.3f}  {told}  {law.grade_at(apex)}")
+
+
+if __name__ == "__main__":
+    main()

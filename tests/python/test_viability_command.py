@@ -1,0 +1,97 @@
+"""The command `viability`, its picture, and the work on a cluster."""
+
+import json
+
+import pytest
+import tdmf_slip
+from distributed import LocalCluster
+from tdmf_slip.pictures import viability_map
+
+ANGLE = "hip.touchdown_angle"
+GRID = ("--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5", "--vary", "hip.touchdown_angle=0.3:1.1:6")
+SETTINGS = {
+    "axes": {"com_height": (1, 2), "com_speed": (0.5, 1.5)},
+    "vary": {ANGLE: (0.3, 1.1, 6)},
+    "n": 6,
+}
+
+
+def test_the_command_finds_what_the_function_finds(command):
+    status, out, _ = command("viability", "--friction", 0.3, *GRID, "--n", 6, "--json")
+    assert status == 0
+    assert json.loads(out) == tdmf_slip.viability({"ground.friction": 0.3}, **SETTINGS).as_json()
+
+
+def test_the_command_draws_writes_and_goes_on(command, tmp_path):
+    files = "--output", tmp_path / "viable.nc", "--plot", tmp_path / "viable.png"
+    told = [command("viability", *GRID, "--n", 6, "--threads", 1, *files)[:2] for _ in range(2)]
+    assert told[0] == told[1]
+    assert told[0][0] == 0
+    assert "of the cells" in told[0][1]
+    assert (tmp_path / "viable.png").stat().st_size > 10_000
+    status, _, said = command("viability", *GRID, "--n", 7, *files)
+    assert status == 2
+    assert "holds another viable set" in said
+
+
+def test_units_are_read_and_sixteen_values_are_tried(command):
+    grid = (*GRID[:4], "--vary", "hip.touchdown_angle=20 deg:60 deg")
+    status, out, _ = command("viability", *grid, "--n", 4, "--model", "full", "--json")
+    found = json.loads(out)
+    assert status == 0
+    assert found["actions"] == 16
+    assert found["vary"][ANGLE][:2] == pytest.approx([0.349065850399, 1.047197551197])
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (GRID[:4], "Missing option '--vary'"),
+        (GRID[2:], "without com_height"),
+        ((*GRID, "--axes", "com_height=1:3"), "com_height is given twice"),
+        ((*GRID, "--axes", "leg_angle=0:1"), "--axes leg_angle=0:1: allowed: com_height and com_speed"),
+        ((*GRID, "--axes", "com_height"), "--axes com_height: allowed: NAME=A:B"),
+        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:2:3"), "N being how many values"),
+        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:-2"), "N being how many values"),
+        ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:0"), "values = 0 is not allowed"),
+        ((*GRID[:4], "--vary", "hip.angle=0:1"), "no such setting"),
+        ((*GRID[:4], "--vary", "hip.touchdown_angle=1:0"), "the lower one first"),
+        ((*GRID[:4], "--vary", "hip.touchdown_angle=nan:1"), "hip.touchdown_angle"),
+        ((*GRID, "--n", 1), "--n = 1 is not allowed"),
+        ((*GRID, "--factor", 0.9), "--factor = 0.9 is not allowed"),
+        ((*GRID, "--output", "viable.csv"), "viable.csv"),
+        ((*GRID, "--plot", "viable.gif"), "viable.gif"),
+    ],
+)
+def test_what_the_command_does_not_allow(command, options, message):
+    status, out, said = command("viability", *options)
+    assert status == 2
+    assert out == ""
+    assert message in said
+
+
+def test_a_cluster_makes_the_same_strides():
+    alone = tdmf_slip.viability(None, **SETTINGS)
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+        assert tdmf_slip.viability(None, **SETTINGS, scheduler=cluster.scheduler_address) == alone
+
+
+def test_the_picture_tells_the_three_kinds_of_cells_apart():
+    found = tdmf_slip.viability(
+        {"ground.friction": 10},
+        axes={"com_height": (0.3, 3), "com_speed": (0, 3)},
+        vary={ANGLE: (0.1, 1.3, 12)},
+        n=30,
+    )
+    figure = found.plot()
+    axes, bar = figure.axes
+    assert axes.get_xlim() == (0, 3)
+    assert axes.get_ylim() == (0.3, 3)
+    none, opened, viable = axes.collections
+    states = found.inner_states + found.outer_states.astype(int)
+    for mesh, level in ((none, 0), (opened, 1), (viable, 2)):
+        assert ((states == level) == ~mesh.get_array().mask).all()
+        assert (states == level).any()
+    assert viable.get_clim() == (0, found.inner_robustness.max())
+    assert "share" in bar.get_ylabel()
+    assert viability_map.OPEN != viability_map.NOT_VIABLE
