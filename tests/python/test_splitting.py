@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 from scipy import stats
-from tdmf_slip import rare_falls, strides_to_fall
+from tdmf_slip import InputError, rare_falls, strides_to_fall
 from tdmf_slip.analysis.factors import factor_of
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.analysis.splitting import levels_of, rare_event, resampled
+from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
 
 
 class RimlessWheel:
@@ -128,6 +129,36 @@ def test_a_runner_falls_as_often_as_by_waiting():
     assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low
     again = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=2)
     assert again == split
+
+
+@pytest.mark.parametrize(
+    "ground",
+    [
+        RoughGround(0.3, 5, step_weights=correlated_weights(0.7)),
+        RoughGround(0.3, 5, trips=True),
+        RoughGround(0.3, 5, friction_spread=1.5),
+        RoughGround(0.3, 5, step_weights=spectrum_weights([0.0, 1.0, 2.0]), trips=True, friction_spread=0.3),
+    ],
+    ids=["steps that hang together", "trips", "friction by stride", "all of it"],
+)
+def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(ground):
+    """Plain steps as large make another mean, so that a ground that is passed over would be seen."""
+    runner = {"ground.friction": 0.6}
+    waiting = strides_to_fall(runner, ground, 400, max_strides=2_000, workers=1)
+    split = rare_falls(runner, ground, walkers=16, strides=60, seed=3, threads=1)
+    plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000, workers=1)
+    assert waiting.falls >= 350 and split.falls >= 100
+    low, high = split.interval
+    assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low
+    apart = plain.interval[0] / waiting.interval[1], waiting.interval[0] / plain.interval[1]
+    assert max(apart) > 1.2
+
+
+def test_ground_that_splitting_does_not_know_is_refused_by_name():
+    with pytest.raises(InputError, match="friction_weights: friction that hangs together"):
+        rare_falls({}, RoughGround(0.3, friction_spread=0.1, friction_weights=(0.6, 0.8)))
+    with pytest.raises(InputError, match="roughness = 0 is not allowed"):
+        rare_falls({}, RoughGround(friction_spread=0.1))
 
 
 def test_a_factor_from_few_falls_is_told_by_its_interval_alone():

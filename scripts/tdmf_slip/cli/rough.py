@@ -114,22 +114,21 @@ def rough_command(
     """
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings))
+    ground = RoughGround(
+        roughness,
+        seed,
+        step_weights=correlated_weights(correlation),
+        trips=trips,
+        friction_spread=friction_spread,
+    )
     if rare:
-        _check_alone(
-            "runners", "max_strides", "scheduler", "workers", "correlation", "trips", "friction_spread"
-        )
-        split = rare_falls(runner, roughness, seed=seed, progress=True, fmu=fmu)
+        _check_alone("runners", "max_strides", "scheduler", "workers")
+        split = rare_falls(runner, ground, seed=seed, progress=True, fmu=fmu)
         print(json_text(split.as_json()) if as_json_object else _rare_text(split, fmu))
         return
     found = strides_to_fall(
         runner,
-        RoughGround(
-            roughness,
-            seed,
-            step_weights=correlated_weights(correlation),
-            trips=trips,
-            friction_spread=friction_spread,
-        ),
+        ground,
         runners,
         seed,
         max_strides,
