@@ -82,7 +82,7 @@ def test_ranges_that_are_none_are_refused(runner, unit, ranges):
 
 
 def test_basin_command(command):
-    options = ("--n", 4, "--range", "1.3:1.5", "1.0:1.1", "--samples", 200)
+    options = ("--n", 4, "--axes", "com_height=1.3:1.5", "--axes", "com_speed=1.0:1.1", "--samples", 200)
     status, out, _ = command("basin", *options, "--json", "--output", "map.nc", "--plot", "map.png")
     found = json.loads(out)
     assert status == 0
@@ -93,7 +93,7 @@ def test_basin_command(command):
     assert 0.6 < low < found["volume"]["share"] < high < 0.95
     status, out, _ = command("basin", *options)
     assert status == 0 and "95 % confidence" in out
-    assert command("basin", "--axes", "com_height", "height", *options)[0] == 2
+    assert command("basin", "--axes", "com_height", "--axes", "height")[0] == 2
     assert command("basin", "--n", 0)[0] == 2
 
 

@@ -259,7 +259,7 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
     """
     folder = tmp_path / "folder"
     folder.mkdir()
-    grid = ("sweep", "--friction", "0.5:0.6:2", "--over", "leg.damping=0.1:0.3:500", "--output", "grid.nc")
+    grid = ("sweep", "--friction", "0.5:0.6:2", "--vary", "leg.damping=0.1:0.3:500", "--output", "grid.nc")
     status, said = interrupted(INTERRUPT_AT, folder, places, *grid, "--workers", "2")
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "sweep"), said

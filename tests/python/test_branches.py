@@ -25,19 +25,19 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def over_torque(runner, unit):
-    return continue_branch(runner, TORQUE, 0.55, 0.6, fmu=unit)
+    return continue_branch(runner, {TORQUE: (0.55, 0.6)}, fmu=unit)
 
 
 @pytest.fixture(scope="module")
 def over_angle(runner, unit):
     """From 40 degrees upwards, around two folds."""
-    return continue_branch(runner, ANGLE, np.radians(40.0), np.radians(53.0), max_step=1.0, fmu=unit)
+    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0, fmu=unit)
 
 
 @pytest.fixture(scope="module")
 def over_rate(unit):
     """On friction 0.2, over the rate of retraction."""
-    return continue_branch({FRICTION: 0.2}, "hip.retraction_rate", 0.0, 0.03, fmu=unit)
+    return continue_branch({FRICTION: 0.2}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=unit)
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -71,7 +71,7 @@ def test_the_default_runner_over_the_touchdown_angle(over_angle):
 def test_the_fast_human_over_the_friction(command):
     """A fold beside borders: the branch comes back, and does not reach 0.2."""
     status, out, _ = command(
-        "continue", "--over", "ground.friction=0.6:0.2", "--parameters", str(FAST_HUMAN), "--json"
+        "continue", "--vary", "ground.friction=0.6:0.2", "--parameters", str(FAST_HUMAN), "--json"
     )
     told = json.loads(out)
     assert status == 0 and told["ended"] == "back at ground.friction = 0.6"
@@ -141,7 +141,7 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
 def test_a_branch_does_not_jump_to_another_sheet(unit):
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8}
-    branch = continue_branch(runner, ANGLE, 0.76, 0.72, switch=False, fmu=unit)
+    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False, fmu=unit)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
@@ -191,7 +191,7 @@ def code_of(word):
 def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, least):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner.of(read_parameters(preset) if preset else {}, unit)
-    branch = continue_branch(runner, name, begin, end, switch=False, fmu=unit)
+    branch = continue_branch(runner, {name: (begin, end)}, switch=False, fmu=unit)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -215,7 +215,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
 def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):
     """Beside a word border, on the friction; the runner falls beyond it."""
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, FRICTION, 0.6, 0.38, switch=False, fmu=unit)
+    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False, fmu=unit)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
@@ -250,7 +250,7 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
 def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
     """The fast human falls at 0.35: the branch begins above its fold."""
     human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, FRICTION, 0.35, 0.5, fmu=unit)
+    branch = continue_branch(human, {FRICTION: (0.35, 0.5)}, fmu=unit)
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]
@@ -259,7 +259,7 @@ def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
 
 def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
     status, out, _ = command(
-        *("continue", "--over", "hip.stance_torque=0.57:0.58", "--plot", "a.png", "--output", "a.nc")
+        *("continue", "--vary", "hip.stance_torque=0.57:0.58", "--plot", "a.png", "--output", "a.nc")
     )
     assert status == 0 and "period doubling" in out and "2 strides" in out
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
@@ -275,7 +275,7 @@ def test_the_reduced_map_is_followed_as_well(command):
     """It has two coordinates, and nearly the full model's borders."""
     told = {}
     for model in ("full", "reduced"):
-        options = ("--over", "ground.friction=1.2:0.4", "--model", model, "--json")
+        options = ("--vary", "ground.friction=1.2:0.4", "--model", model, "--json")
         status, out, _ = command("continue", *options)
         told[model] = json.loads(out)
         assert status == 0 and told[model]["ended"] == "end of the range"
@@ -317,7 +317,7 @@ def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
 @pytest.mark.parametrize(
     ("over", "said"),
     [
-        ("leg.damping", "--over leg.damping: allowed: NAME=A:B"),
+        ("leg.damping", "--vary leg.damping: allowed: NAME=A:B"),
         ("leg.damping=0.1", "allowed: A:B"),
         ("leg.damping=0.1:0.1", "two ends that differ"),
         ("leg.damp=0.1:0.2", "leg.damping"),
@@ -325,14 +325,14 @@ def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
     ],
 )
 def test_a_wrong_range_is_told(command, over, said):
-    status, out, complaint = command("continue", "--over", over)
+    status, out, complaint = command("continue", "--vary", over)
     assert (status, out) == (2, "") and said in complaint
 
 
 def test_a_sweep_says_that_a_fold_ends_its_branch(command):
     """The fast human down to 0.35, below the fold at 0.3836; over the friction by its own name, too."""
     options = ("--parameters", str(FAST_HUMAN), "--json")
-    for span in (("--friction", "0.5:0.35:4"), ("--over", "ground.friction=0.5:0.35:4")):
+    for span in (("--friction", "0.5:0.35:4"), ("--vary", "ground.friction=0.5:0.35:4")):
         status, out, said = command("sweep", *span, *options)
         told = json.loads(out)
         assert status == 1 and told["missing"] == [0.35]
@@ -348,7 +348,7 @@ def test_a_sweep_says_that_a_fold_ends_its_branch(command):
 
 
 def test_a_sweep_over_any_parameter_alone(command, tmp_path):
-    over = ("sweep", "--over", "leg.damping=0.15:0.25:3")
+    over = ("sweep", "--vary", "leg.damping=0.15:0.25:3")
     status, out, _ = command(*over, "--friction", "0.43", "--json", "--output", "sweep.nc")
     told = json.loads(out)
     assert status == 0 and told["over"] == "leg.damping" and told["missing"] == []
@@ -363,8 +363,8 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     assert json.loads(out)["gaits"] == told["gaits"]
     for wrong, said in (
         (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction says"),
-        (("--over", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--over says"),
-        ((), "neither --friction nor --over"),
+        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--vary says"),
+        ((), "neither --friction nor --vary"),
     ):
         status, out, complaint = command("sweep", *wrong)
         assert (status, out) == (2, "") and said in complaint

@@ -21,10 +21,10 @@ FRICTION = "ground.friction"
 RESULTS = {
     "a gait": lambda: periodic_gait({FRICTION: 0.6}, along=FRICTION),
     "a run": lambda: tdmf_slip.simulate({FRICTION: 0.6}, strides=2),
-    "a sweep": lambda: tdmf_slip.sweep({}, [0.5, 0.6]),
-    "a branch": lambda: tdmf_slip.continue_branch({}, FRICTION, 0.5, 0.6, switch=False),
+    "a sweep": lambda: tdmf_slip.sweep({}, {"ground.friction": [0.5, 0.6]}),
+    "a branch": lambda: tdmf_slip.continue_branch({}, {FRICTION: (0.5, 0.6)}, switch=False),
     "a fit": lambda: tdmf_slip.fit(
-        Measurements(({"speed": Measured(1.0, 0.01)},), "one"), ["hip.stance_torque"]
+        None, Measurements(({"speed": Measured(1.0, 0.01)},), "one"), ["hip.stance_torque"]
     ),
     "a runner": lambda: tdmf_slip.Runner.of({FRICTION: 0.6}),
     "a feedback": lambda: tdmf_slip.lqr(tdmf_slip.find_gait({FRICTION: 0.6}), ["hip.stance_torque"]),

@@ -96,7 +96,7 @@ def test_the_bialternate_product_has_the_products_of_pairs():
 
 
 def test_period_doublings_over_two_parameters(command, unit, tmp_path):
-    options = ("--over", f"{TORQUE}=0.57:0.58", "--over", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
+    options = ("--vary", f"{TORQUE}=0.57:0.58", "--vary", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
     status, out, _ = command("continue", *options, "--json")
     told = json.loads(out)
     assert status == 0 and told["over"] == [TORQUE, DAMPING]
@@ -106,7 +106,7 @@ def test_period_doublings_over_two_parameters(command, unit, tmp_path):
     assert ends[0][0] == pytest.approx(0.57, abs=1e-9) and ends[1][1] == pytest.approx(0.201, abs=1e-9)
     torque, damping = curve["points"][len(curve["points"]) // 4]
     runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, TORQUE, torque - 2e-3, torque + 2e-3, switch=False, fmu=unit)
+    branch = continue_branch(runner, {TORQUE: (torque - 2e-3, torque + 2e-3)}, switch=False, fmu=unit)
     (doubling,) = branch.specials
     assert doubling.value == pytest.approx(torque, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
@@ -118,7 +118,7 @@ def test_word_borders_over_two_parameters(unit):
     assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
     friction, damping = curve.points[len(curve.points) // 4]
     runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, FRICTION, friction + 0.01, friction - 0.01, switch=False, fmu=unit)
+    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False, fmu=unit)
     (border,) = branch.borders
     assert border.value == pytest.approx(friction, rel=1e-8)
 
@@ -144,7 +144,7 @@ def test_two_parameters_are_two(unit, command):
         continue_curves({}, {FRICTION: (0.6, 0.5)}, fmu=unit)
     with pytest.raises(InputError, match="ends differ"):
         continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, fmu=unit)
-    over = ("--over", "leg.damping=0.1:0.2", "--over", "ground.friction=0.5:0.6")
-    for more in (("--over", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
+    over = ("--vary", "leg.damping=0.1:0.2", "--vary", "ground.friction=0.5:0.6")
+    for more in (("--vary", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
         status, out, said = command("continue", *over, *more)
-        assert (status, out) == (2, "") and ("--over" in said or "--output" in said)
+        assert (status, out) == (2, "") and ("--vary" in said or "--output" in said)

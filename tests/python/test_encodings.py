@@ -16,13 +16,13 @@ NO_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
 COMMANDS = {
     "basin": ("basin", "--n", "2", "--samples", "100"),
     "gait": ("gait",),
-    "sweep": ("sweep", "--over", "hip.touchdown_angle=40 deg:41 deg:2"),
+    "sweep": ("sweep", "--vary", "hip.touchdown_angle=40 deg:41 deg:2"),
     "simulate": ("simulate", "--strides", "2"),
     "variables": ("variables",),
-    "continue": ("continue", "--over", "ground.friction=0.5:0.6", "--points", "3"),
+    "continue": ("continue", "--vary", "ground.friction=0.5:0.6", "--points", "3"),
     "rough": ("rough", "--roughness", "0.3", "--runners", "10", "--max-strides", "10"),
-    "optimize": ("optimize", "--over", "hip.stance_torque=0.15:0.3", "--minimize", "slip_distance"),
-    "fit": ("fit", "human_fast_running", "--free", "leg.stiffness", "--model", "reduced"),
+    "optimize": ("optimize", "--vary", "hip.stance_torque=0.15:0.3", "--minimize", "slip_distance"),
+    "fit": ("fit", "human_fast_running", "--vary", "leg.stiffness", "--model", "reduced"),
     "help": ("sweep", "--help"),
     "a wrong name": ("gait", "--set", "größe=√3"),
 }

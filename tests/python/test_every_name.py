@@ -27,7 +27,7 @@ def spans(unit):
 def test_all_can_be_swept_over(command, spans):
     swept = 0
     for name, (low, high) in spans.items():
-        status, out, err = command("sweep", "--over", f"{name}={low!r}:{high!r}:3", "--json")
+        status, out, err = command("sweep", "--vary", f"{name}={low!r}:{high!r}:3", "--json")
         assert status == 0, f"{name}: {err}"
         found = json.loads(out)
         assert found["over"] == name
@@ -60,8 +60,8 @@ def test_none_takes_what_is_beyond_its_range(command, unit):
         variable = unit.variables[name]
         beyond = 2.0 * float(variable.maximum)
         for arguments in (
-            ("sweep", "--over", f"{name}={unit.start_of(name)!r}:{beyond!r}:3"),
-            ("continue", "--over", f"{name}={unit.start_of(name)!r}:{beyond!r}"),
+            ("sweep", "--vary", f"{name}={unit.start_of(name)!r}:{beyond!r}:3"),
+            ("continue", "--vary", f"{name}={unit.start_of(name)!r}:{beyond!r}"),
             ("gait", "--set", f"{name}={beyond!r}"),
             ("basin", "--set", f"{name}={beyond!r}"),
         ):

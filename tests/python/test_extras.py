@@ -45,7 +45,7 @@ COMMAND = "from tdmf_slip.__main__ import main; sys.exit(main())"
 def test_a_command_names_what_is_missing_before_it_computes(extra, arguments, tmp_path):
     commands = {
         "gait.png": ["sweep", "--friction", "0.5:0.6:3", "--plot", "gait.png"],
-        "gait.nc": ["continue", "--over", "ground.friction=0.5:0.6", "--output", "gait.nc"],
+        "gait.nc": ["continue", "--vary", "ground.friction=0.5:0.6", "--output", "gait.nc"],
         "basin.nc": ["basin", "--n", "2", "--output", "basin.nc"],
         "basin": ["basin", "--n", "2", "--scheduler", "tcp://127.0.0.1:1"],
         "prove": ["prove", "--friction", "0.6"],
@@ -70,7 +70,7 @@ except tdmf_slip.InputError as problem:
     ("extra", "call"),
     [
         ("plots", "tdmf_slip.find_gait().plot()"),
-        ("data", "tdmf_slip.sweep({}, [0.6, 0.61]).to_xarray()"),
+        ("data", "tdmf_slip.sweep({}, {'ground.friction': [0.6, 0.61]}).to_xarray()"),
         ("data", "tdmf_slip.basin"),
         ("proof", "tdmf_slip.prove"),
     ],
@@ -86,8 +86,8 @@ import tdmf_slip
 gait = tdmf_slip.find_gait({"ground.friction": 0.43})
 print(gait.word)
 print(tdmf_slip.simulate({}, strides=1).stride["word"])
-print(len(tdmf_slip.sweep({}, [0.6, 0.7]).gaits))
-print(len(tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.61).gaits) > 1)
+print(len(tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.7]}).gaits))
+print(len(tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.61)}).gaits) > 1)
 print(tdmf_slip.run_ensemble([{"ground.friction": 0.43}], [gait.apex], max_strides=2)[0]["strides"][0])
 print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
 """

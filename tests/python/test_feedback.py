@@ -323,7 +323,7 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences_through_
     for value in wanted:
         assert np.abs(law.eigenvalues - value).min() < 1e-9
     moved = 1e-7 * np.vstack([np.diag(gait.runner.scales), -np.diag(gait.runner.scales)])
-    run = tdmf_slip.stride_map(gait.apex + moved, gait.runner, law=law, tolerance=1e-13)
+    run = tdmf_slip.stride_map(gait.runner, gait.apex + moved, law=law, tolerance=1e-13)
     ends = run["next_apex"].values[:, 0] / gait.runner.scales
     found = np.linalg.eigvals((ends[:6] - ends[6:]).T / 2e-7)
     for value in wanted:
@@ -354,7 +354,7 @@ def test_any_gait_is_held_stable_or_not():
         assert lqr(gait, [ANGLE, TORQUE]).lambda_max < 1.0
         law = dead_beat(gait, [ANGLE, TORQUE])
         first = away(gait, 1e-6, held)
-        run = tdmf_slip.stride_map(first, gait.runner, strides=law.strides + 1, law=law, tolerance=1e-13)
+        run = tdmf_slip.stride_map(gait.runner, first, strides=law.strides + 1, law=law, tolerance=1e-13)
         assert np.abs(deviations(law, run["next_apex"].values[0, -1])).max() < 2e-8
         held, unstable = held + 1, unstable + (not gait.stable)
     assert held >= 14 and unstable >= 1
@@ -367,7 +367,7 @@ def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
     gait = gaits[1.0]
     law = lqr(gait, [ANGLE, TORQUE, "hip.kd"], limits={TORQUE: (0.19, 0.202)})
     first = away(gait, 0.1)
-    run = tdmf_slip.stride_map(first, gait.runner, strides=5, law=law, tolerance=1e-13)
+    run = tdmf_slip.stride_map(gait.runner, first, strides=5, law=law, tolerance=1e-13)
     expected = strides_under(law, first, 5)
     assert np.abs(run["next_apex"].values[0] - expected[1:]).max() < 1e-9
     assert 0.202 in run[TORQUE].values[0] and run[TORQUE].values[0].min() < 0.202
@@ -383,8 +383,8 @@ def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction,
     strides = 40 if friction < 1.0 else 12
     assert law.lambda_max**strides < 1e-4
     run = tdmf_slip.stride_map(
-        np.tile(gait.apex, (runners, 1)),
         gait.runner,
+        np.tile(gait.apex, (runners, 1)),
         strides=strides,
         law=law,
         roughness=roughness,

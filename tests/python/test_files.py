@@ -19,7 +19,7 @@ WRITERS = {
     "rows as CSV": ("simulate", "--stop-time", 2, "--output", "{}.csv"),
     "a plot": ("simulate", "--stop-time", 2, "--plot", "{}.png"),
     "a sweep": NETCDF,
-    "a grid": ("sweep", "--friction", "0.6:0.6:1", "--over", "leg.damping=0.2:0.2:1", "--output", "{}.nc"),
+    "a grid": ("sweep", "--friction", "0.6:0.6:1", "--vary", "leg.damping=0.2:0.2:1", "--output", "{}.nc"),
     "a map": ("basin", "--n", 2, "--samples", 0, "--output", "{}.nc"),
     "a drawn map": ("basin", "--n", 2, "--samples", 0, "--plot", "{}.svg"),
 }

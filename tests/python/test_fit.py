@@ -71,7 +71,7 @@ def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
 def test_the_gait_is_found_from_elsewhere():
     true = find_gait({"ground.friction": 0.6, "hip.stance_torque": 0.24, "leg.stiffness": 1.1})
     free = ["hip.stance_torque", "leg.stiffness"]
-    found = fit(Measurements((measured(true),), "a gait"), free)
+    found = fit(None, Measurements((measured(true),), "a gait"), free)
     assert found.chi_square < 1e-12
     for name in free:
         assert found.parameters[name].value == pytest.approx(true.runner.values[name], rel=1e-7)
@@ -82,13 +82,13 @@ def test_the_gait_is_found_from_elsewhere():
 
 def test_words_that_change_on_the_way_are_told():
     true = find_gait({"ground.friction": 0.43})
-    found = fit(Measurements((measured(true),), "a gait"), ["ground.friction"])
+    found = fit(None, Measurements((measured(true),), "a gait"), ["ground.friction"])
     assert found.parameters["ground.friction"].value == pytest.approx(0.43, rel=1e-7)
     assert "the word of row 1 changed on the way: +0-0+, +0-" in found.notes
 
 
 def test_gaits_that_are_lost_on_the_way_are_told():
-    found = fit(Measurements(({"speed": Measured(4.0, 0.01)},), "too fast"), ["hip.touchdown_angle"])
+    found = fit(None, Measurements(({"speed": Measured(4.0, 0.01)},), "too fast"), ["hip.touchdown_angle"])
     told = " ".join(found.notes)
     assert "has no gait" in told and "the data are not met" in told
     assert found.residuals[0].fitted < 2.0
@@ -112,7 +112,7 @@ def test_gaits_that_are_lost_on_the_way_are_told():
 )
 def test_the_search_goes_on_across_folds(runner, model, row, free):
     """Beyond the fold at which the branch of the first gait ends there are gaits as measured."""
-    found = fit(Measurements((row,), "beyond a fold"), free, runner=runner, model=model)
+    found = fit(runner, Measurements((row,), "beyond a fold"), free, model=model)
     assert found.chi_square < 1e-9 and found.converged
     assert "the search went on across a fold, where gaits turn back" in found.notes
     again = gait_near(found.runners[0], found.apexes[0])
@@ -137,7 +137,7 @@ def test_the_search_across_folds_has_exact_derivatives():
 def test_two_measurements_of_one_speed_are_met_in_their_middle():
     """Both are one error off: chi square is 2, whose chance with one degree of freedom is erfc(1)."""
     rows = tuple({"speed": Measured(speed, 0.01)} for speed in (1.0, 1.02))
-    found = fit(Measurements(rows, "twice"), ["hip.stance_torque"])
+    found = fit(None, Measurements(rows, "twice"), ["hip.stance_torque"])
     assert [residual.fitted for residual in found.residuals] == pytest.approx([1.01, 1.01], abs=1e-6)
     assert found.chi_square == pytest.approx(2.0, rel=1e-6) and found.degrees_of_freedom == 1
     assert found.probability == pytest.approx(math.erfc(1.0), rel=1e-6)
@@ -197,7 +197,7 @@ def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch, model):
     """As with speeds in km/h where m/s are written."""
     monkeypatch.setattr(problem_module, "MOST_STRIDES", 60)
     row = {"speed": Measured(3.6, 0.01), "frequency": Measured(0.04, 0.001)}
-    found = fit(Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"], model=model)
+    found = fit(None, Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"], model=model)
     assert not found.converged
     told = next(note for note in found.notes if "the search was ended after" in note)
     strides = int(re.search(r"after (\d+) strides", told)[1])
@@ -207,9 +207,9 @@ def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch, model):
 
 def test_a_fit_shows_its_strides(capsys):
     rows = ({"speed": Measured(1.1, 0.01)},)
-    fit(Measurements(rows, "one"), ["hip.stance_torque"])
+    fit(None, Measurements(rows, "one"), ["hip.stance_torque"])
     assert capsys.readouterr().err == ""
-    fit(Measurements(rows, "one"), ["hip.stance_torque"], progress=True)
+    fit(None, Measurements(rows, "one"), ["hip.stance_torque"], progress=True)
     (strides,) = re.findall(r"fit: (\d+) strides", capsys.readouterr().err.split("\r")[-1])
     assert int(strides) > 5
 
@@ -218,7 +218,7 @@ def test_rows_share_what_is_shared_and_have_their_own():
     base, torques = {"ground.friction": 0.6, "leg.stiffness": 1.05}, (0.19, 0.21, 0.23)
     true = [find_gait({**base, "hip.stance_torque": torque}) for torque in torques]
     data = Measurements(tuple(measured(gait, ("speed", "frequency")) for gait in true), "three gaits")
-    found = fit(data, ["leg.stiffness"], free_each=["hip.stance_torque"])
+    found = fit(None, data, ["leg.stiffness"], vary_each=["hip.stance_torque"])
     assert list(found.parameters) == ["leg.stiffness", *(f"hip.stance_torque[{row}]" for row in (1, 2, 3))]
     assert found.parameters["leg.stiffness"].value == pytest.approx(1.05, rel=1e-7)
     for row, torque in enumerate(torques, start=1):
@@ -228,6 +228,7 @@ def test_rows_share_what_is_shared_and_have_their_own():
 def test_what_acts_as_a_sum_is_one_combination():
     gait = find_gait({"ground.friction": 0.6})
     found = fit(
+        None,
         Measurements((measured(gait),), "a gait"),
         ["leg.stiffness", "hip.stance_torque", "control.stance_torque"],
     )
@@ -254,7 +255,7 @@ def test_what_acts_as_a_product_is_one_combination():
     names = ("speed", "frequency", "stance_time", "slip_distance")
     true = [find_gait({"ground.friction": friction}) for friction in (0.6, 0.45, 1.3)]
     data = Measurements(tuple(measured(gait, names, 1e-4) for gait in true), "three gaits")
-    found = fit(data, scaled, free_each=["ground.friction"])
+    found = fit(None, data, scaled, vary_each=["ground.friction"])
     (combination,) = found.unidentified
     assert dict(combination.members) == pytest.approx(dict.fromkeys(scaled, 1.0), abs=1e-5)
     for row, gait in enumerate(true, start=1):
@@ -264,7 +265,7 @@ def test_what_acts_as_a_product_is_one_combination():
 
 def test_what_does_not_act_is_told():
     gait = find_gait({"ground.friction": 0.6})
-    found = fit(Measurements((measured(gait),), "a gait"), ["leg.stiffness", "leg.min_length"])
+    found = fit(None, Measurements((measured(gait),), "a gait"), ["leg.stiffness", "leg.min_length"])
     (combination,) = found.unidentified
     assert dict(combination.members) == {"leg.min_length": 1.0}
     assert "leg.min_length: it does not act" in found.as_text()
@@ -273,14 +274,14 @@ def test_what_does_not_act_is_told():
 def test_what_the_data_hardly_tell_is_told():
     gait = find_gait({"ground.friction": 0.6})
     row = {"speed": Measured(gait.stride["speed"], 3.0 * gait.stride["speed"])}
-    (combination,) = fit(Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified
+    (combination,) = fit(None, Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified
     assert np.isfinite(combination.standard_error) and combination.standard_error > 0.5
 
 
 def test_a_parameter_at_the_end_of_its_range_is_told():
     gait = find_gait({"ground.friction": 0.6})
     row = {"peak_force": Measured(0.98 * gait.stride["peak_force"], 0.01), "speed": Measured(1.0, 10.0)}
-    found = fit(Measurements((row,), "a gait"), ["leg.thrust"], runner={"leg.thrust": 0.01})
+    found = fit({"leg.thrust": 0.01}, Measurements((row,), "a gait"), ["leg.thrust"])
     assert "lower end of its range" in " ".join(found.notes)
     assert found.parameters["leg.thrust"].value == pytest.approx(0.0, abs=1e-6)
 
@@ -346,7 +347,7 @@ def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row
 )
 def test_a_bad_table_gets_one_sentence(tmp_path, command, text, words):
     table = written(tmp_path, text)
-    status, out, said = command("fit", str(table), "--free", "leg.stiffness")
+    status, out, said = command("fit", str(table), "--vary", "leg.stiffness")
     assert (status, out) == (2, "")
     assert words in said and len(said.strip().splitlines()) == 1
 
@@ -354,14 +355,14 @@ def test_a_bad_table_gets_one_sentence(tmp_path, command, text, words):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ([], "--free is missing"),
-        (["--free", "leg.stifness"], "leg.stiffness"),
-        (["--free", "leg.stiffness,leg.stiffness"], "given twice"),
-        (["--free", "leg.stiffness", "--free-each", "leg.stiffness"], "is in both"),
-        (["--free", "leg.stiffness,leg.damping,hip.kp"], "has 2 measured; allowed: no more"),
-        (["--free", "leg.stiffness", "--plot", "x.txt"], "--plot"),
-        (["--free", "leg.stiffness", "--report", "x.txt"], "--report"),
-        (["--free", "leg.stiffness", "--set", "ground.friction=0"], "ground.friction = 0"),
+        ([], "--vary is missing"),
+        (["--vary", "leg.stifness"], "leg.stiffness"),
+        (["--vary", "leg.stiffness,leg.stiffness"], "given twice"),
+        (["--vary", "leg.stiffness", "--vary-each", "leg.stiffness"], "is in both"),
+        (["--vary", "leg.stiffness,leg.damping,hip.kp"], "has 2 measured; allowed: no more"),
+        (["--vary", "leg.stiffness", "--plot", "x.txt"], "--plot"),
+        (["--vary", "leg.stiffness", "--report", "x.txt"], "--report"),
+        (["--vary", "leg.stiffness", "--set", "ground.friction=0"], "ground.friction = 0"),
     ],
 )
 def test_bad_arguments_get_one_sentence(tmp_path, command, arguments, words):
@@ -373,7 +374,7 @@ def test_bad_arguments_get_one_sentence(tmp_path, command, arguments, words):
 @pytest.mark.parametrize(("data", "free"), [(3, ["leg.stiffness"]), ("missing.csv", ["leg.stiffness"])])
 def test_what_is_no_data_is_refused(data, free):
     with pytest.raises(InputError, match=r"data|missing\.csv"):
-        fit(data, free)
+        fit(None, data, free)
 
 
 def test_the_command_prints_writes_and_draws(tmp_path, command):
@@ -383,7 +384,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     cells = ",".join(f"{of.value!r},{of.error!r}" for of in row.values())
     table = written(tmp_path, f"# made\n{header}\n{cells}\n")
     page, picture = tmp_path / "report.html", tmp_path / "fit.svg"
-    arguments = ["fit", str(table), "--free", "leg.stiffness", "--report", str(page), "--plot", str(picture)]
+    arguments = ["fit", str(table), "--vary", "leg.stiffness", "--report", str(page), "--plot", str(picture)]
     status, out, said = command(*arguments, "--json")
     told = json.loads(out)
     assert status == 0 and "fit: " in said and " strides" in said
@@ -447,7 +448,7 @@ def test_one_leg_runs_at_eight_speeds():
     """What is published of a runner, its frequencies and forces, is within its errors with one stiffness."""
     each = ["hip.stance_torque", "hip.touchdown_angle"]
     runner = read_parameters(shipped("human_running.toml"))
-    found = fit("human_running", ["leg.stiffness"], free_each=each, runner=runner, model="reduced")
+    found = fit(runner, "human_running", ["leg.stiffness"], vary_each=each, model="reduced")
     assert found.converged and found.degrees_of_freedom == 7 and found.probability > 0.1
     stiffness = found.parameters["leg.stiffness"]
     assert 14e3 < stiffness.low < stiffness.high < 16.5e3

@@ -84,7 +84,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     for seed in range(SEEDS):
         random = np.random.default_rng(seed)
         data = Measurements(tuple(disturbed(row, random) for row in rows), "disturbed gaits")
-        found = fit(data, free, free_each=each, runner=begin.runner, guess=begin.apex, profile=free)
+        found = fit(begin.runner, data, free, vary_each=each, guess=begin.apex, profile=free)
         fitted += found.converged
         for of, value in true.items():
             held[of] += found.parameters[of].low <= value <= found.parameters[of].high
@@ -99,13 +99,13 @@ def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
     random = np.random.default_rng(3)
     rows = tuple(disturbed(measured(find_gait(r, model=model), names, error), random) for r in runners)
     data = Measurements(rows, "weak")
-    found = fit(data, free, free_each=each, runner=FIRST, model=model, profile=["ground.friction"])
+    found = fit(FIRST, data, free, vary_each=each, model=model, profile=["ground.friction"])
     friction = found.parameters["ground.friction"]
     assert friction.is_profiled and not found.parameters["leg.damping"].is_profiled
     ends = 0
     for end in (friction.low, friction.high):
         held = fit(
-            data, ["leg.damping"], free_each=each, runner={"ground.friction": end}, model=model, profile=False
+            {"ground.friction": end}, data, ["leg.damping"], vary_each=each, model=model, profile=False
         )
         assert held.chi_square - found.chi_square == pytest.approx(QUANTILE**2, rel=0.05)
         ends += 1
@@ -119,15 +119,15 @@ def test_calibrated_intervals_end_where_the_profile_has_risen_by_what_is_told():
     random = np.random.default_rng(1)
     rows = tuple(disturbed(measured(find_gait(r, model=model), names, error), random) for r in runners)
     data = Measurements(rows, "weak")
-    asked = {"free_each": each, "runner": FIRST, "model": model, "profile": free}
-    plain, found = (fit(data, free, **asked, calibrate=n) for n in (0, 40))
+    asked = {"vary_each": each, "model": model, "profile": free}
+    plain, found = (fit(FIRST, data, free, **asked, calibrate=n) for n in (0, 40))
     friction, narrow = (of.parameters["ground.friction"] for of in (found, plain))
     assert narrow.rise == pytest.approx(QUANTILE**2) and friction.rise > 1.1 * narrow.rise
     assert friction.low < narrow.low < narrow.high < friction.high
     assert any("40 data sets" in note for note in found.notes)
     for end in (friction.low, friction.high):
         runner = {"ground.friction": end}
-        held = fit(data, ["leg.damping"], free_each=each, runner=runner, model=model, profile=False)
+        held = fit(runner, data, ["leg.damping"], vary_each=each, model=model, profile=False)
         assert held.chi_square - found.chi_square == pytest.approx(friction.rise, rel=0.05)
 
 
@@ -145,7 +145,9 @@ def test_the_mean_ratio_of_one_parameter_is_that_of_its_normal_errors():
     for seed in range(10):
         errors = np.random.default_rng(seed).normal(size=(20, len(names)))
         ratio = float(np.mean((errors @ slopes) ** 2))
-        found = fit(one_row(row), ["leg.stiffness"], calibrate=20, seed=seed).parameters["leg.stiffness"]
+        found = fit(None, one_row(row), ["leg.stiffness"], calibrate=20, seed=seed).parameters[
+            "leg.stiffness"
+        ]
         assert found.rise == pytest.approx(QUANTILE**2 * max(ratio, 1.0), rel=2e-2)
         above_one += ratio > 1.1
     assert above_one >= 2
@@ -154,16 +156,16 @@ def test_the_mean_ratio_of_one_parameter_is_that_of_its_normal_errors():
 def test_data_sets_have_errors_that_are_known():
     row = measured(find_gait({"ground.friction": 0.6}), PRECISE, 1e-3)
     with pytest.raises(InputError, match="calibrate: data sets are made with errors that are known"):
-        fit(one_row(row), ["leg.stiffness"], calibrate=5, scale_errors=True)
+        fit(None, one_row(row), ["leg.stiffness"], calibrate=5, scale_errors=True)
     with pytest.raises(InputError, match="calibrate = -1 is not allowed"):
-        fit(one_row(row), ["leg.stiffness"], calibrate=-1)
+        fit(None, one_row(row), ["leg.stiffness"], calibrate=-1)
 
 
 def test_where_the_data_are_precise_the_profile_is_the_linear_interval():
     row = measured(find_gait({"ground.friction": 0.2}), PRECISE, 1e-4)
     free = ["ground.friction", "leg.stiffness"]
     profiled, linear = (
-        fit(one_row(row), free, runner={"ground.friction": 0.2}, profile=profile) for profile in (True, False)
+        fit({"ground.friction": 0.2}, one_row(row), free, profile=profile) for profile in (True, False)
     )
     for name in free:
         by_profile, by_slopes = profiled.parameters[name], linear.parameters[name]
@@ -178,7 +180,7 @@ def test_an_interval_that_the_data_do_not_close_ends_at_the_range():
     """A thrust that may be none at all: its interval ends at zero, and says so."""
     gait = find_gait({"leg.thrust": 0.02})
     row = measured(gait, ("peak_force",), 0.1)
-    estimate = fit(one_row(row), ["leg.thrust"], runner={"leg.thrust": 0.02}).parameters["leg.thrust"]
+    estimate = fit({"leg.thrust": 0.02}, one_row(row), ["leg.thrust"]).parameters["leg.thrust"]
     assert estimate.low == 0.0 and "range" in estimate.ends_at
     assert estimate.high > 0.03
 
@@ -187,7 +189,7 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
     table = tmp_path / "data.csv"
     header = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]"
     table.write_text(f"{header}\n1.05,0.01,0.0405,0.0004\n", encoding="utf-8")
-    arguments = ["fit", str(table), "--free", "hip.stance_torque", "--prior", "leg.stiffness=1.0,0.05"]
+    arguments = ["fit", str(table), "--vary", "hip.stance_torque", "--prior", "leg.stiffness=1.0,0.05"]
     status, out, _ = command(*arguments, "--robust", "--without-each", "--json")
     told = json.loads(out)
     assert status == 0 and set(told["parameters"]) == {"hip.stance_torque", "leg.stiffness"}
@@ -210,9 +212,9 @@ def test_a_prior_and_a_datum_weigh_by_their_errors():
     gait = find_gait({"ground.friction": 0.6})
     row = measured(gait, PRECISE, 1e-3)
     free = ["leg.stiffness"]
-    alone = fit(one_row(row), free, profile=False).parameters["leg.stiffness"]
+    alone = fit(None, one_row(row), free, profile=False).parameters["leg.stiffness"]
     known = (1.002, 0.5 * alone.standard_error)
-    both = fit(one_row(row), free, priors={"leg.stiffness": known}, profile=False)
+    both = fit(None, one_row(row), free, priors={"leg.stiffness": known}, profile=False)
     weights = np.array([1.0 / alone.standard_error**2, 1.0 / known[1] ** 2])
     estimate = both.parameters["leg.stiffness"]
     assert estimate.value == pytest.approx(weights @ [alone.value, known[0]] / weights.sum(), rel=1e-5)
@@ -228,11 +230,11 @@ def test_what_is_assumed_is_carried_into_the_interval():
     gait = find_gait({"ground.friction": 0.6})
     row = measured(gait, ("speed", "frequency", "peak_force", "stance_time"), 0.005)
     free = ["leg.stiffness", "hip.stance_torque"]
-    fixed = fit(one_row(row), free, profile=False)
-    assumed = fit(one_row(row), free, priors={"leg.free_length": (1.0, 0.03)}, profile=False)
+    fixed = fit(None, one_row(row), free, profile=False)
+    assumed = fit(None, one_row(row), free, priors={"leg.free_length": (1.0, 0.03)}, profile=False)
     slope = {}
     for length in (0.999, 1.001):
-        moved = fit(one_row(row), free, runner={"leg.free_length": length}, profile=False)
+        moved = fit({"leg.free_length": length}, one_row(row), free, profile=False)
         slope[length] = np.array([moved.parameters[name].value for name in free])
     per_length = (slope[1.001] - slope[0.999]) / 0.002
     for name, by_length in zip(free, per_length, strict=True):
@@ -258,7 +260,7 @@ def test_what_is_assumed_is_carried_into_the_interval():
 def test_a_bad_prior_gets_one_sentence(priors, words):
     row = {"speed": Measured(1.0, 0.01), "frequency": Measured(0.04, 0.001)}
     with pytest.raises(InputError, match=words):
-        fit(one_row(row), ["leg.stiffness"], free_each=["hip.stance_torque"], priors=priors)
+        fit(None, one_row(row), ["leg.stiffness"], vary_each=["hip.stance_torque"], priors=priors)
 
 
 def far_off(count=6):
@@ -274,7 +276,7 @@ def far_off(count=6):
 def test_a_datum_that_is_far_off_changes_a_robust_fit_little():
     gait, data = far_off()
     true = gait.runner.values["hip.stance_torque"]
-    plain, robust = (fit(data, ["hip.stance_torque"], robust=robust) for robust in (False, True))
+    plain, robust = (fit(None, data, ["hip.stance_torque"], robust=robust) for robust in (False, True))
     off = [abs(found.parameters["hip.stance_torque"].value / true - 1.0) for found in (plain, robust)]
     assert off[1] < 0.3 * off[0]
     assert robust.converged and plain.converged
@@ -296,9 +298,9 @@ def test_hubers_loss_has_the_slope_that_the_weights_say():
 
 def test_a_fit_without_a_datum_is_that_of_the_others():
     _, data = far_off()
-    found = fit(data, ["hip.stance_torque"])
+    found = fit(None, data, ["hip.stance_torque"])
     fewer = found.without(6, "speed")
-    again = fit(Measurements(data.rows[:5], "others"), ["hip.stance_torque"])
+    again = fit(None, Measurements(data.rows[:5], "others"), ["hip.stance_torque"])
     name = "hip.stance_torque"
     for of in ("value", "low", "high"):
         assert getattr(fewer.parameters[name], of) == pytest.approx(
@@ -314,7 +316,7 @@ def test_a_fit_without_a_datum_is_that_of_the_others():
 
 def test_no_datum_can_be_spared_where_as_many_are_fitted():
     row = {"speed": Measured(1.05, 0.01), "frequency": Measured(0.04, 0.0004)}
-    found = fit(one_row(row), ["hip.stance_torque", "leg.stiffness"])
+    found = fit(None, one_row(row), ["hip.stance_torque", "leg.stiffness"])
     assert found.without_each() == ()
     with pytest.raises(InputError, match="less is left than is fitted"):
         found.without(1, "speed")
@@ -329,22 +331,22 @@ def test_errors_are_scaled_by_the_residuals_on_request():
     )
     intervals = []
     for measurements in (data, smaller):
-        found = fit(measurements, ["hip.stance_torque"], scale_errors=True, profile=False)
+        found = fit(None, measurements, ["hip.stance_torque"], scale_errors=True, profile=False)
         estimate = found.parameters["hip.stance_torque"]
         assert estimate.high - estimate.value == pytest.approx(2.5706 * estimate.standard_error, rel=1e-4)
         intervals.append((estimate.low, estimate.high))
     assert intervals[0] == pytest.approx(intervals[1], rel=1e-4)
-    known = fit(data, ["hip.stance_torque"], profile=False).parameters["hip.stance_torque"]
-    scaled = fit(data, ["hip.stance_torque"], scale_errors=True).parameters["hip.stance_torque"]
+    known = fit(None, data, ["hip.stance_torque"], profile=False).parameters["hip.stance_torque"]
+    scaled = fit(None, data, ["hip.stance_torque"], scale_errors=True).parameters["hip.stance_torque"]
     assert scaled.low < known.low < known.high < scaled.high and scaled.is_profiled
     with pytest.raises(InputError, match="scale_errors"):
-        fit(one_row({"speed": Measured(1.0, 0.1)}), ["hip.stance_torque"], scale_errors=True)
+        fit(None, one_row({"speed": Measured(1.0, 0.1)}), ["hip.stance_torque"], scale_errors=True)
 
 
 def test_a_fit_that_is_far_from_the_data_has_not_converged():
     """A speed that no gait has by this parameter, told precisely: chi square is above 1e8."""
     row = {"speed": Measured(4.0, 1e-4)}
-    found = fit(one_row(row), ["hip.touchdown_angle"])
+    found = fit(None, one_row(row), ["hip.touchdown_angle"])
     assert found.chi_square > 1e8 and not found.converged
     assert "tell nothing" in " ".join(found.notes)
     assert not any(estimate.is_profiled for estimate in found.estimates)
@@ -354,7 +356,7 @@ def test_a_search_that_ends_for_want_of_gaits_has_not_converged(monkeypatch):
     """Four errors off, at a fold: chi square is small enough, but is not least there."""
     row = {"speed": Measured(0.3, 0.1)}
     monkeypatch.setattr("tdmf_slip.fitting.fitted.cross", lambda *arguments: None)
-    found = fit(one_row(row), ["hip.stance_torque"])
+    found = fit(None, one_row(row), ["hip.stance_torque"])
     assert found.chi_square > 1.0 and not found.converged
     assert not any(estimate.is_profiled for estimate in found.estimates)
 
@@ -370,7 +372,7 @@ def test_other_starts_find_what_the_first_does_not():
         else measured(true, ("speed", "peak_force"), 0.01)
     )
     free = ["hip.stance_torque", "hip.touchdown_angle"]
-    one, more = (fit(one_row(row), free, runner={"ground.friction": 2.5479}, starts=n) for n in (1, 5))
+    one, more = (fit({"ground.friction": 2.5479}, one_row(row), free, starts=n) for n in (1, 5))
     assert more.chi_square < 1e-6 and more.converged
     assert more.starts > 1 and one.starts == 1 and more.chi_square <= one.chi_square
 
@@ -381,8 +383,6 @@ def test_a_profile_that_finds_a_better_fit_begins_anew():
     random = np.random.default_rng(0)
     gaits = [find_gait({**runner, "leg.damping": 0.2}, model=model) for runner in runners]
     data = Measurements(tuple(disturbed(measured(gait, names, error), random) for gait in gaits), "weak")
-    linear = fit(data, free, free_each=each, runner=FIRST, model=model, profile=False)
-    found = fit(
-        data, free, free_each=each, runner=FIRST, model=model, profile=["leg.damping", "ground.friction"]
-    )
+    linear = fit(FIRST, data, free, vary_each=each, model=model, profile=False)
+    found = fit(FIRST, data, free, vary_each=each, model=model, profile=["leg.damping", "ground.friction"])
     assert found.chi_square < linear.chi_square - 1.0

@@ -47,7 +47,7 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def swept(runner):
-    return sweep(runner, np.geomspace(10.0, 0.05, 24))
+    return sweep(runner, {"ground.friction": np.geomspace(10.0, 0.05, 24)})
 
 
 @pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: gait.word)
@@ -108,7 +108,7 @@ def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
     found = {(b.before, b.after): b.value for b in swept.borders}
     for words, value in BORDERS.items():
         assert found[words] == pytest.approx(value, abs=5e-5)
-    upwards = sweep(runner, np.linspace(0.05, 10.0, 9))
+    upwards = sweep(runner, {"ground.friction": np.linspace(0.05, 10.0, 9)})
     assert upwards.problem is None
     for border in upwards.borders:
         assert found[border.after, border.before] == pytest.approx(border.value, rel=1e-9)
@@ -224,7 +224,7 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
         yield
 
     monkeypatch.setattr(sweeps, "crossings", none)
-    found = sweep(runner, [0.6, 0.7])
+    found = sweep(runner, {"ground.friction": [0.6, 0.7]})
     assert len(found.gaits) == 2 and found.problem == "not located"
 
 
@@ -303,7 +303,7 @@ def test_what_cannot_be_found_is_said(runner):
 def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
     """Only digits beyond those written here may differ."""
     known = [0.265851556, 0.499106647, 0.499109883, 1.144140497, 8.454847622]
-    borders = [border.value for border in sweep(runner, ends).borders]
+    borders = [border.value for border in sweep(runner, {"ground.friction": ends}).borders]
     expected = [value for value in known if ends[0] < value < ends[1]]
     assert borders == pytest.approx(expected, rel=0.0, abs=1e-9)
 
@@ -311,24 +311,24 @@ def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--over", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "another"]),
-        (("--friction", "-1:0.4:2", "--over", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
+        (("--vary", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "another"]),
+        (("--friction", "-1:0.4:2", "--vary", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
         (("--friction", "0.3:0.4:1000000000"), ["1000000"]),
         (("--friction", "0.3:0.4:1000000"), ["1,000,000", "100,000"]),
         (("--friction", "0.3:0:2"), ["ground.friction = 0", "above 0"]),
         (("--set", "ground.friction=1"), ["--friction", "one of the two"]),
         (
-            ("--over", "leg.damping=0.1:0.2:2", "--set", "leg.damping=1", "--output", "g.nc"),
-            ["--over", "one of the two"],
+            ("--vary", "leg.damping=0.1:0.2:2", "--set", "leg.damping=1", "--output", "g.nc"),
+            ["--vary", "one of the two"],
         ),
         (
-            ("--friction", "1:2:2000", "--over", "leg.damping=0.1:0.2:2000", "--output", "g.nc"),
+            ("--friction", "1:2:2000", "--vary", "leg.damping=0.1:0.2:2000", "--output", "g.nc"),
             ["2000 by 2000"],
         ),
-        (("--scheduler", "tcp://nowhere:1"), ["--scheduler", "--over"]),
+        (("--scheduler", "tcp://nowhere:1"), ["--scheduler", "--vary"]),
         (("--output", "grid.nc"), ["holds a grid"]),
-        (("--over", "leg.damping=0.1:0.2:2", "--output", "text.nc"), ["text.nc"]),
-        (("--over", "leg.damping=0.1:0.3:2", "--output", "grid.nc"), ["leg.damping"]),
+        (("--vary", "leg.damping=0.1:0.2:2", "--output", "text.nc"), ["text.nc"]),
+        (("--vary", "leg.damping=0.1:0.3:2", "--output", "grid.nc"), ["leg.damping"]),
     ],
 )
 def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
@@ -336,7 +336,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
     grid = (
         "--friction",
         "0.3:0.4:2",
-        "--over",
+        "--vary",
         "leg.damping=0.1:0.2:2",
         "--output",
         "grid.nc",
@@ -352,7 +352,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
 
 
 def test_a_grid_without_gaits_says_why(command):
-    over = ("--over", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--workers", 1)
+    over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--workers", 1)
     status, out, said = command("sweep", "--friction", "0.3:1:3", *over, "--json")
     assert status == 1 and json.loads(out)["gaits"] == 0
     assert "the runner fell" in said and "0 of 6" in said
@@ -470,7 +470,7 @@ def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
 def test_a_sweep_goes_on_beyond_a_gap(unit):
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
     runner = Runner.of(read_parameters(FAST_HUMAN), unit)
-    found = sweep(runner, [0.6, 0.3, 0.405])
+    found = sweep(runner, {"ground.friction": [0.6, 0.3, 0.405]})
     assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
     assert "friction 0.3" in found.problem
     assert found.borders == ()

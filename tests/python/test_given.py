@@ -64,7 +64,7 @@ SAME = {
         [SERIES],
     ),
     "sweep": (
-        lambda given, gait: [gait.apex for gait in tdmf_slip.sweep({}, given).gaits],
+        lambda given, gait: [gait.apex for gait in tdmf_slip.sweep({}, {"ground.friction": given}).gaits],
         [0.5, 0.6],
         pandas.Series([0.5, 0.6]),
     ),
@@ -84,7 +84,7 @@ SAME = {
         lambda gait: pandas.Series(dict(zip(COORDINATES, gait.apex, strict=True)))[BACKWARD],
     ),
     "apices by their columns": (
-        lambda given, gait: tdmf_slip.stride_map(given(gait), GIVEN)["next_apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(GIVEN, given(gait))["next_apex"].values,
         lambda gait: [gait.apex, gait.apex],
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
@@ -99,12 +99,12 @@ SAME = {
         pandas.DataFrame([GIVEN]),
     ),
     "parameters of each runner": (
-        lambda given, gait: tdmf_slip.stride_map(gait.apex, given)["next_apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(given, gait.apex)["next_apex"].values,
         {DAMPING: [0.19, 0.2]},
         pandas.DataFrame({DAMPING: [0.19, 0.2]}),
     ),
     "settings": (
-        lambda given, gait: tdmf_slip.stride_map(gait.apex, GIVEN, strides=2, settings=given)["apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(GIVEN, gait.apex, strides=2, inputs=given)["apex"].values,
         {TORQUE: [0.2, 0.21]},
         pandas.DataFrame({TORQUE: [0.2, 0.21]}),
     ),
@@ -124,7 +124,7 @@ SAME = {
         pandas.DataFrame({TORQUE: [0.15, 0.3]}),
     ),
     "measurements": (
-        lambda given, gait: tdmf_slip.fit(given, [TORQUE]).estimates[0].value,
+        lambda given, gait: tdmf_slip.fit(None, given, [TORQUE]).estimates[0].value,
         pandas.DataFrame({"speed [m/s]": [1.1], "speed_error [m/s]": [0.01]}),
         pandas.DataFrame(
             {
@@ -152,10 +152,10 @@ def test_measurements_of_a_table_have_gaps_as_a_file_has():
             "frequency_error [Hz]": [None, 0.01],
         }
     )
-    found = tdmf_slip.fit(table, [TORQUE])
+    found = tdmf_slip.fit(None, table, [TORQUE])
     assert [residual.name for residual in found.residuals] == ["speed", "speed", "frequency"]
     with pytest.raises(InputError, match=r"row 2: speed = -1\.1 is not allowed"):
-        tdmf_slip.fit(table.assign(**{"speed [m/s]": [1.0, -1.1]}), [TORQUE])
+        tdmf_slip.fit(None, table.assign(**{"speed [m/s]": [1.0, -1.1]}), [TORQUE])
 
 
 def test_pandas_is_not_loaded_for_what_needs_it_not():
@@ -170,19 +170,19 @@ LONG = np.broadcast_to(1.3, 10**5)
 AXES = ("com_height", "com_speed")
 REFUSED = {
     "stride_map": (
-        lambda gait: tdmf_slip.stride_map(MANY, GIVEN),
+        lambda gait: tdmf_slip.stride_map(GIVEN, MANY),
         r"apices: 1,000,000,000 .*up to 10,000,000",
     ),
     "strides in all": (
-        lambda gait: tdmf_slip.stride_map([gait.apex] * 100, GIVEN, strides=10**6),
+        lambda gait: tdmf_slip.stride_map(GIVEN, [gait.apex] * 100, strides=10**6),
         r"100,000,000 strides in all; allowed: up to 10,000,000",
     ),
     "varied parameters": (
-        lambda gait: tdmf_slip.stride_map(gait.apex, {DAMPING: HALF}),
+        lambda gait: tdmf_slip.stride_map({DAMPING: HALF}, gait.apex),
         r"1,000,000,000 numbers; allowed: up to",
     ),
     "settings": (
-        lambda gait: tdmf_slip.stride_map(gait.apex, {}, strides=10**6, settings={TORQUE: HALF}),
+        lambda gait: tdmf_slip.stride_map({}, gait.apex, strides=10**6, inputs={TORQUE: HALF}),
         r"1,000,000,000 numbers; allowed: up to",
     ),
     "run_ensemble": (
@@ -200,7 +200,10 @@ REFUSED = {
         lambda gait: tdmf_slip.basin(GIVEN, AXES, (LONG, LONG)),
         r"10,000,000,000 starts \(100,000 by 100,000\); allowed: up to 268,435,456",
     ),
-    "sweep": (lambda gait: tdmf_slip.sweep({}, HALF), r"values: 1,000,000,000 values; allowed: up to"),
+    "sweep": (
+        lambda gait: tdmf_slip.sweep({}, {"ground.friction": HALF}),
+        r"vary ground.friction: 1,000,000,000 values; allowed: up to",
+    ),
     "stability": (
         lambda gait: stability.stability({}, {FRICTION: HALF, DAMPING: [0.2]}),
         r"1,000,000,000 values; allowed: up to",
@@ -217,7 +220,7 @@ REFUSED = {
         lambda gait: tdmf_slip.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
         "instructions array.*allowed",
     ),
-    "an array for a name": (lambda gait: tdmf_slip.sweep({}, [0.5], over=np.zeros(2)), "over array.*allowed"),
+    "an array for a name": (lambda gait: tdmf_slip.sweep({}, {np.zeros(2): [0.5]}), "over array.*allowed"),
     "an array for an axis": (
         lambda gait: tdmf_slip.basin({}, (np.zeros(2), "com_speed"), ([1.3], [1.0])),
         "axes: array.*allowed",

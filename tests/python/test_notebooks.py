@@ -13,7 +13,7 @@ def results():
     return {
         "run": tdmf_slip.simulate({"ground.friction": 0.43}, strides=2),
         "gait": gait,
-        "sweep": tdmf_slip.sweep({}, [0.7, 0.6, 0.45, 0.43]),
+        "sweep": tdmf_slip.sweep({}, {"ground.friction": [0.7, 0.6, 0.45, 0.43]}),
         "branch": trace(gait.runner, "leg.damping", gait, 0.22),
     }
 

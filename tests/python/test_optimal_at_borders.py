@@ -133,7 +133,7 @@ def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction,
     assert (border.short.gait.word, border.beyond.gait.word) == words
     assert border.is_smooth
     assert border.beyond.slopes == pytest.approx(border.short.slopes, rel=1e-5, abs=1e-6)
-    row = sweep({}, [0.99 * friction, 1.01 * friction])
+    row = sweep({}, {"ground.friction": [0.99 * friction, 1.01 * friction]})
     assert space.values(border.short.at)["ground.friction"] == pytest.approx(row.borders[0].value, rel=1e-8)
 
 
@@ -142,7 +142,7 @@ def test_the_cheapest_runner_on_slippery_ground_is_at_a_border():
     angle, torque, thrust = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
     near = {"ground.friction": 0.2924, angle: 0.62, torque: 0.12, thrust: 0.06}
     over = {angle: (0.5, 0.7), torque: (0.08, 0.16), thrust: (0.0, 0.15)}
-    best = optimize(near, over, minimize="cost_of_transport", at={"speed": 0.8}, starts=1)
+    best = optimize(near, over, minimize="cost_of_transport", target={"speed": 0.8}, starts=1)
     assert best.why == "" and set(best.falls) == {"+0-", "+0-0-"} and max(best.falls.values()) <= 1e-4
     words = set()
     for turn in np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False):

@@ -73,7 +73,7 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
     over, setting = ("ground.friction", {}) if sign < 0 else (ANGLE, SLIPPING)
     low, high = (0.45, 0.55) if sign < 0 else (0.7, 0.82)
     best = optimize(setting, {over: (low, high)}, starts=1, **{asked: quantity})
-    grid = sweep(setting, np.linspace(low, high, 41), over=over)
+    grid = sweep(setting, {over: np.linspace(low, high, 41)})
     values = np.array([gait.stride[quantity] for gait in grid.gaits])
     place = np.argmin(sign * values)
     assert len(values) == 41 and 0 < place < 40
@@ -85,14 +85,12 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
 def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
     """Cheapest at a speed: over the torque, by the speed the angle is set; so one is free along a curve."""
     over = {ANGLE: (0.6, 0.95), TORQUE: (0.1, 0.5)}
-    best = optimize(SLIPPING, over, minimize="cost_of_transport", at={"speed": 0.9}, starts=1)
+    best = optimize(SLIPPING, over, minimize="cost_of_transport", target={"speed": 0.9}, starts=1)
     assert best.gait.stride["speed"] == pytest.approx(0.9, rel=1e-8)
     assert best.active_bounds == {} and best.why == ""
     least = []
     for angle in best.parameters[ANGLE] + np.linspace(-0.05, 0.05, 11):
-        row = sweep(
-            {**SLIPPING, ANGLE: angle}, best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9), over=TORQUE
-        )
+        row = sweep({**SLIPPING, ANGLE: angle}, {TORQUE: best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9)})
         speeds, costs = (
             np.array([gait.stride[name] for gait in row.gaits]) for name in ("speed", "cost_of_transport")
         )
@@ -106,7 +104,7 @@ def test_an_optimum_at_a_bound_says_so():
     best = optimize(STICKING, {ANGLE: (0.5, 0.9)}, minimize="cost_of_transport", starts=1)
     assert best.active_bounds == {ANGLE: "upper"}
     assert best.parameters[ANGLE] == 0.9 and best.why == ""
-    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, [0.88, 0.9], over=ANGLE).gaits]
+    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, {ANGLE: [0.88, 0.9]}).gaits]
     assert best.value == pytest.approx(costs[1], rel=1e-9) and costs[1] < costs[0]
 
 
@@ -131,7 +129,7 @@ def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
 
 def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
     with pytest.raises(TargetNotMetError, match="no gait with speed 9 was found") as refused:
-        optimize({}, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", at={"speed": 9}, starts=1)
+        optimize({}, {TORQUE: (0.1, 0.3)}, minimize="cost_of_transport", target={"speed": 9}, starts=1)
     nearest = refused.value.nearest
     fastest = optimize({}, {TORQUE: (0.1, 0.3)}, maximize="speed", starts=1)
     assert nearest.stride["speed"] == pytest.approx(fastest.value, rel=1e-6)
@@ -140,34 +138,37 @@ def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--minimize", "sped", "--over", f"{ANGLE}=0.5:0.9"], "minimize 'sped'"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.9:0.5"], "A below B"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5"], "A:B"),
-        (["--maximize", "speed", "--over", "leg.stifness=1:2"], "leg.stiffness"),
-        (["--maximize", "speed", "--over", "leg.min_length=0.01:0.02"], "does not act"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:9"], "not allowed"),
-        (["--maximize", "speed", "--minimize", "speed", "--over", f"{ANGLE}=0.5:0.9"], "that differ"),
-        (["--over", f"{ANGLE}=0.5:0.9"], "neither given"),
-        (["--maximize", "speed", "--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9"], "two quantities"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "speed=1"], "another quantity"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "slip_distance"], "QUANTITY=VALUE"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "slips=1"], "slip_distance"),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--at", "length=nan"], "length = nan"),
+        (["--minimize", "sped", "--vary", f"{ANGLE}=0.5:0.9"], "minimize 'sped'"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.9:0.5"], "A below B"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5"], "A:B"),
+        (["--maximize", "speed", "--vary", "leg.stifness=1:2"], "leg.stiffness"),
+        (["--maximize", "speed", "--vary", "leg.min_length=0.01:0.02"], "does not act"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:9"], "not allowed"),
+        (["--maximize", "speed", "--minimize", "speed", "--vary", f"{ANGLE}=0.5:0.9"], "that differ"),
+        (["--vary", f"{ANGLE}=0.5:0.9"], "neither given"),
+        (["--maximize", "speed", "--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9"], "two quantities"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "speed=1"], "another quantity"),
+        (
+            ["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "slip_distance"],
+            "QUANTITY=VALUE",
+        ),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "slips=1"], "slip_distance"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--target", "length=nan"], "length = nan"),
         (
             [
                 "--maximize",
                 "speed",
-                "--over",
+                "--vary",
                 f"{ANGLE}=0.5:0.9",
-                "--at",
+                "--target",
                 "length=1",
-                "--at",
+                "--target",
                 "duty_factor=1",
             ],
             "no more quantities than parameters",
         ),
-        (["--maximize", "speed", "--over", f"{ANGLE}=0.5:0.9", "--set", f"{ANGLE}=0.6"], "one of the two"),
-        (["--maximize", "speed", *(2 * ["--over", f"{ANGLE}=0.5:0.9"])], "given twice"),
+        (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:0.9", "--set", f"{ANGLE}=0.6"], "one of the two"),
+        (["--maximize", "speed", *(2 * ["--vary", f"{ANGLE}=0.5:0.9"])], "given twice"),
     ],
 )
 def test_what_cannot_be_asked_is_refused_in_a_line(command, arguments, words):
@@ -177,7 +178,7 @@ def test_what_cannot_be_asked_is_refused_in_a_line(command, arguments, words):
 
 
 def test_the_command_prints_a_table_before_and_after(command):
-    arguments = ["--maximize", "speed", "--over", f"{TORQUE}=0.1:0.25", "--starts", "1"]
+    arguments = ["--maximize", "speed", "--vary", f"{TORQUE}=0.1:0.25", "--starts", "1"]
     status, out, _ = command("optimize", *arguments)
     assert status == 0
     rows = {line.split()[0]: line.split() for line in out.splitlines() if line}
@@ -196,15 +197,15 @@ def test_the_command_prints_a_table_before_and_after(command):
 
 
 def test_the_command_tells_the_nearest_gait_where_none_will_do(command):
-    arguments = ["--minimize", "cost_of_transport", "--over", f"{TORQUE}=0.1:0.3", "--at", "speed=9"]
+    arguments = ["--minimize", "cost_of_transport", "--vary", f"{TORQUE}=0.1:0.3", "--target", "speed=9"]
     status, out, said = command("optimize", *arguments, "--starts", "1", "--json")
     assert status == 1 and "no gait with speed 9" in said
     assert json.loads(out)["nearest"]["speed"] < 9.0
 
 
 def test_a_pareto_front_leads_from_one_best_to_the_other(command):
-    arguments = ["--minimize", "cost_of_transport", "--maximize", "speed", "--over", f"{TORQUE}=0.15:0.3"]
-    arguments += ["--over", f"{ANGLE}=0.65:0.75", "--starts", "1", "--points", "3"]
+    arguments = ["--minimize", "cost_of_transport", "--maximize", "speed", "--vary", f"{TORQUE}=0.15:0.3"]
+    arguments += ["--vary", f"{ANGLE}=0.65:0.75", "--starts", "1", "--points", "3"]
     status, out, _ = command("optimize", *arguments, "--json")
     told = json.loads(out)
     assert status == 0 and told["objectives"] == ["cost_of_transport", "speed"]
@@ -216,7 +217,7 @@ def test_a_pareto_front_leads_from_one_best_to_the_other(command):
         {},
         {TORQUE: (0.15, 0.3), ANGLE: (0.65, 0.75)},
         minimize="cost_of_transport",
-        at={"speed": speeds[1]},
+        target={"speed": speeds[1]},
         starts=1,
     )
     assert cheaper.value == pytest.approx(costs[1], rel=1e-8)

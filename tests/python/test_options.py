@@ -5,7 +5,9 @@ import json
 import click
 import numpy as np
 import pytest
+import tdmf_slip
 import xarray
+from tdmf_slip import renamed
 from tdmf_slip.cli.main import COMMANDS, commands
 from tdmf_slip.cli.ranges import ends_of, values_of
 
@@ -46,7 +48,7 @@ def test_no_option_is_given_twice(command, tmp_path, command_name, option, value
         ("gait --set solver.method=cvode", ["solver.method", "no meaning"]),
         ("basin --set solver.relative_tolerance=1e-5", ["solver.relative_tolerance", "no meaning"]),
         ("sweep --friction 1:2:2 --set status.terminate_on_fall=false", ["terminate_on_fall", "no meaning"]),
-        ("sweep --friction 1:2:2 --over solver.relative_tolerance=1e-5:1e-4:2 --output x.nc", ["solver"]),
+        ("sweep --friction 1:2:2 --vary solver.relative_tolerance=1e-5:1e-4:2 --output x.nc", ["solver"]),
         ("simulate --set solver.method=cvode", ["solver.method", "--interface cs"]),
         ("simulate --interface cs --set status.terminate_on_fall=false", ["--interface me"]),
         ("simulate --interface cs --tolerance 1e-6", ["--tolerance", "solver.relative_tolerance = 1e-11"]),
@@ -54,7 +56,7 @@ def test_no_option_is_given_twice(command, tmp_path, command_name, option, value
         ("simulate --inputs ice.csv --set ground.friction=0.6", ["--set ground.friction", "--inputs"]),
         ("simulate --from-gait gait.json --parameters human", ["--parameters", "--from-gait"]),
         ("sweep --friction 0.6:1:1", ["0.6:1:1", "A and B"]),
-        ("basin --range 1:1 0:2", ["--range 1:1", "differ"]),
+        ("basin --axes com_height=1:1 --axes com_speed=0:2", ["com_height = 1:1", "differ"]),
         ("basin --n 1", ["--n", "1"]),
     ],
 )
@@ -73,18 +75,18 @@ def test_a_tighter_tolerance_has_a_meaning_in_co_simulation(command):
 
 def test_a_range_may_be_in_degrees(unit):
     angle = unit.variables["hip.touchdown_angle"]
-    assert values_of("35 deg:45 deg:3", "linear", angle, "--over") == pytest.approx(np.radians([35, 40, 45]))
-    assert ends_of("60 deg:80 deg", unit.variables["apex.leg_angle"], "--range") == pytest.approx(
+    assert values_of("35 deg:45 deg:3", "linear", angle, "--vary") == pytest.approx(np.radians([35, 40, 45]))
+    assert ends_of("60 deg:80 deg", unit.variables["apex.leg_angle"], "--axes") == pytest.approx(
         np.radians([60, 80])
     )
 
 
 def test_options_take_ranges_in_degrees(command):
-    over = ("--over", "hip.touchdown_angle=39 deg:41 deg:2", "--output", "grid.nc", "--workers", 1)
+    over = ("--vary", "hip.touchdown_angle=39 deg:41 deg:2", "--output", "grid.nc", "--workers", 1)
     assert command("sweep", "--friction", "0.5:0.6:2", *over)[0] == 0
     angles = xarray.load_dataset("grid.nc")["hip.touchdown_angle"]
     assert angles.values == pytest.approx(np.radians([39.0, 41.0]))
-    slice_ = ("--axes", "leg_angle", "com_speed", "--range", "65 deg:75 deg", "1:1.1", "--n", 2)
+    slice_ = ("--axes", "leg_angle=65 deg:75 deg", "--axes", "com_speed=1:1.1", "--n", 2)
     assert command("basin", *slice_, "--samples", 0, "--output", "map.nc")[0] == 0
     assert xarray.load_dataset("map.nc")["leg_angle"].values == pytest.approx(np.radians([65.0, 75.0]))
 
@@ -92,17 +94,17 @@ def test_options_take_ranges_in_degrees(command):
 @pytest.mark.parametrize(
     ("arguments", "typed"),
     [
-        (("basin", "--range", "0:2.5", "3"), "--range 3:"),
-        (("basin", "--range", "0:2.5", "3:x"), "--range 3:x:"),
-        (("basin", "--range", "1:2", "nan:3"), "--range nan:3:"),
-        (("basin", "--range", "1 kg:2 kg", "1:2"), "--range 1 kg:2 kg:"),
+        (("basin", "--axes", "com_height=0:2.5", "--axes", "com_speed=3"), "com_speed = 3:"),
+        (("basin", "--axes", "com_height=0:2.5", "--axes", "com_speed=3:x"), "com_speed = 3:x:"),
+        (("basin", "--axes", "com_height=1:2", "--axes", "com_speed=nan:3"), "com_speed = nan:3:"),
+        (("basin", "--axes", "com_height=1 kg:2 kg", "--axes", "com_speed=1:2"), "com_height = 1 kg:2 kg:"),
         (
-            ("basin", "--axes", "leg_angle", "com_speed", "--range", "1:2 deg", "1:2"),
-            "--range 1:2 deg: a unit",
+            ("basin", "--axes", "leg_angle=1:2 deg", "--axes", "com_speed=1:2"),
+            "leg_angle = 1:2 deg: a unit",
         ),
         (("sweep", "--friction", "0.6"), "--friction 0.6:"),
         (("sweep", "--friction", "0.6:1:2.5"), "--friction 0.6:1:2.5: N = 2.5"),
-        (("sweep", "--friction", "1:2:2", "--over", "leg.damping=1", "--output", "x.nc"), "leg.damping = 1:"),
+        (("sweep", "--friction", "1:2:2", "--vary", "leg.damping=1", "--output", "x.nc"), "leg.damping = 1:"),
         (("simulate", "--stop-time", "inf"), "--stop-time = inf"),
         (("simulate", "--output-interval", "0"), "--output-interval = 0"),
         (("validate", "--tolerance", "3"), "--tolerance = 3"),
@@ -121,7 +123,7 @@ def test_messages_show_what_was_typed(command, arguments, typed):
         ("simulate", "--strides", 100000, "--output", "missing/run.csv"),
         ("simulate", "--strides", 100000, "--plot", "missing/run.png"),
         ("sweep", "--friction", "1:2:100000", "--output", "missing/sweep.nc"),
-        ("sweep", "--friction", "1:2:99999", "--over", "gravity=1:2:9", "--output", "missing/grid.nc"),
+        ("sweep", "--friction", "1:2:99999", "--vary", "gravity=1:2:9", "--output", "missing/grid.nc"),
         ("basin", "--n", 9999, "--output", "missing/map.nc"),
         ("basin", "--n", 9999, "--plot", "missing/map.png"),
         ("figures", "--output", "missing/figures"),
@@ -165,7 +167,9 @@ def test_quantities_are_printed_with_their_units(command):
         ("apex.leg_angle_rate", "rad/s"),
     ):
         assert lines[name].split()[1:] == [unit], lines[name]
-    _, out, _ = command("basin", "--n", 2, "--range", "1.3:1.4", "1:1.1", "--samples", 0)
+    _, out, _ = command(
+        "basin", "--n", 2, "--axes", "com_height=1.3:1.4", "--axes", "com_speed=1:1.1", "--samples", 0
+    )
     lines = dict(line.split(maxsplit=1) for line in out.splitlines())
     assert lines["settled_area"].endswith(" m·m/s")
     assert lines["step_up"].endswith(" m")
@@ -175,3 +179,21 @@ def test_quantities_are_printed_with_their_units(command):
 def test_a_preset_may_be_changed_by_an_option(command):
     _, out, _ = command("gait", "--parameters", "human", "--friction", 0.5, "--json")
     assert json.loads(out)["friction"] == 0.5
+
+
+def test_replaced_names_are_answered_with_the_new_ones(command):
+    """Options by the command, names by the package: each that is listed, and none of them works still."""
+    for old, new in renamed.OPTIONS.items():
+        takers = [
+            name
+            for name in COMMANDS
+            if old in {part for param in commands.get_command(None, name).params for part in param.opts}
+        ]
+        assert takers == [], old
+        status, out, said = command("gait", old, "1")
+        assert (status, out) == (2, "") and f"{old} is called {new} now" in said
+    for old, new in renamed.NAMES.items():
+        with pytest.raises(AttributeError, match=f"tdmf_slip.{old} is called tdmf_slip.{new} now"):
+            getattr(tdmf_slip, old)
+        assert getattr(tdmf_slip, new) is not None and old not in tdmf_slip.__all__
+    assert len(renamed.OPTIONS) > 20 and len(renamed.NAMES) > 4

@@ -24,7 +24,7 @@ def given(gait, name, values, first_steps=0.0):
     """What is given is there at the start, where the engine's ground steps: the apex is as much lower."""
     starts = np.tile(gait.apex, (RUNNERS, 1))
     starts[:, 0] -= first_steps
-    return stride_map(starts, gait.runner, strides=STRIDES, settings={name: values})
+    return stride_map(gait.runner, starts, strides=STRIDES, inputs={name: values})
 
 
 def same_apices(ends, data):

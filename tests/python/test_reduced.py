@@ -68,7 +68,7 @@ def test_the_command_tells_the_same_keys(command):
 
 
 def test_a_sweep_has_the_borders_of_the_reduced_map():
-    found = sweep(reduced(), [1.2, 0.6, 0.5, 0.4])
+    found = sweep(reduced(), {"ground.friction": [1.2, 0.6, 0.5, 0.4]})
     assert [gait.word for gait in found.gaits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
     assert found.problem is None
     for border in found.borders:
@@ -144,7 +144,9 @@ def test_what_makes_no_sense_is_refused(command):
         run_ensemble([reduced()], np.ones((1, 6)), max_strides=1)
     with pytest.raises(RunError, match="the foot is not above the ground at the apex"):
         find_gait(guess=[0.3, 1.0], model="reduced")
-    status, said, problem = command("basin", "--model", "reduced", "--axes", "com_height", "leg_angle")
+    status, said, problem = command(
+        "basin", "--model", "reduced", "--axes", "com_height", "--axes", "leg_angle"
+    )
     assert (status, said) == (2, "")
     assert "'leg_angle' is not allowed; allowed: com_height, com_speed" in problem
 

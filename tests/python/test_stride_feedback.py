@@ -28,7 +28,7 @@ def gait():
 
 def strides_of_library(law, first, count):
     """The apices of the library's run, the first one too."""
-    run = tdmf_slip.stride_map(first, {}, strides=count, law=law, tolerance=1e-13)
+    run = tdmf_slip.stride_map({}, first, strides=count, law=law, tolerance=1e-13)
     return np.vstack([first, run["next_apex"].values[0]])
 
 
@@ -58,7 +58,7 @@ def test_a_fall_ends_the_run_of_the_unit(example, gait):
     law = tdmf_slip.dead_beat(gait, example.SETTINGS)
     apices, settings = example.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
     assert len(apices) == 1 and len(settings) == 1
-    assert tdmf_slip.stride_map(apices, {}, law=law)["fate"].item() == STRIDE_FATES.index("fell")
+    assert tdmf_slip.stride_map({}, apices, law=law)["fate"].item() == STRIDE_FATES.index("fell")
 
 
 def test_the_example_prints_each_stride(example, capsys):

@@ -73,7 +73,7 @@ def assert_same(one, other):
 def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
     """With a torque of its own in coast, so that its power changes its sign."""
     runner = gait.runner.but("hip.external_torque", 0.01)
-    found = stride_map(starts, runner, strides=2, tolerance=1e-13, instructions=instructions)
+    found = stride_map(runner, starts, strides=2, tolerance=1e-13, instructions=instructions)
     compared = 0
     for number, start in enumerate(starts):
         for stride in (0, 1):
@@ -93,10 +93,10 @@ def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
 
 def test_a_runner_below_its_ground_for_a_whole_stride_has_fallen_and_the_rule_is_told(gait):
     """A ground of 2 m is never in force: the stride below it closes as on the one before; it is the last."""
-    found = stride_map(gait.apex, gait.runner, strides=4, settings={"ground.height": [0.0, 2.0, 0.0, 0.0]})
+    found = stride_map(gait.runner, gait.apex, strides=4, inputs={"ground.height": [0.0, 2.0, 0.0, 0.0]})
     assert [STRIDE_FATES[fate] for fate in found["fate"].values[0]] == ["closed", "closed", "fell", "fell"]
     np.testing.assert_allclose(found["period"].values[0, :2], gait.period, rtol=1e-9)
-    low = stride_map(gait.apex, gait.runner, strides=4, settings={"ground.height": [0.0, 0.2, 0.2, 0.2]})
+    low = stride_map(gait.runner, gait.apex, strides=4, inputs={"ground.height": [0.0, 0.2, 0.2, 0.2]})
     assert (low["fate"] == CLOSED).all()
     assert "below a new ground for a whole stride" in found["fate"].attrs["comment"]
     assert "below it for a whole stride has fallen" in " ".join(stride_map.__doc__.split())
@@ -107,10 +107,10 @@ def test_after_a_fall_there_is_nothing_but_the_fate(gait):
     below = gait.apex * [0.1, 1.0, 1.0, 1.0, 1.0, 1.0]
     angle = gait.runner.values[ANGLE]
     found = stride_map(
-        [gait.apex, gait.apex, low, below],
         gait.runner,
+        [gait.apex, gait.apex, low, below],
         strides=4,
-        settings={ANGLE: [[angle] * 4, [angle, -0.5, angle, angle], [angle] * 4, [angle] * 4]},
+        inputs={ANGLE: [[angle] * 4, [angle, -0.5, angle, angle], [angle] * 4, [angle] * 4]},
     )
     fates = [[STRIDE_FATES[fate] for fate in row] for row in found["fate"].values]
     assert fates[0] == ["closed"] * 4
@@ -127,7 +127,7 @@ def test_after_a_fall_there_is_nothing_but_the_fate(gait):
 
 
 def test_the_dataset_goes_through_a_file_and_back(gait, starts, tmp_path):
-    made = stride_map(starts, gait.runner, strides=2, roughness=0.3, seed=2**63)
+    made = stride_map(gait.runner, starts, strides=2, roughness=0.3, seed=2**63)
     made.to_netcdf(tmp_path / "strides.nc")
     with xarray.open_dataset(tmp_path / "strides.nc") as found:
         xarray.testing.assert_equal(found.load(), made)
@@ -144,10 +144,10 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
     stiffness, friction = rng.uniform(0.9, 1.1, RUNNERS), rng.uniform(0.4, 0.8, RUNNERS)
     angle, torque = rng.uniform(0.69, 0.71, (RUNNERS, 2)), rng.uniform(0.195, 0.205, 2)
     found = stride_map(
-        starts,
         {"foot.mass": 0.11, "leg.stiffness": stiffness, "ground.friction": friction},
+        starts,
         strides=2,
-        settings={ANGLE: angle, TORQUE: torque, "hip.kd": 0.5},
+        inputs={ANGLE: angle, TORQUE: torque, "hip.kd": 0.5},
         tolerance=1e-13,
     )
     compared = 0
@@ -176,11 +176,11 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
 def test_every_setting_may_change_and_acts(gait):
     """From the second stride on."""
     usual = gait.runner.values
-    as_ever = stride_map(gait.apex, gait.runner, strides=2)
+    as_ever = stride_map(gait.runner, gait.apex, strides=2)
     for name in SETTINGS:
         change = 1e-3 if name.startswith(("leg", "hip", "control")) else 1e-4
         settings = {name: [usual[name], usual[name] + change]}
-        found = stride_map(gait.apex, gait.runner, strides=2, settings=settings)
+        found = stride_map(gait.runner, gait.apex, strides=2, inputs=settings)
         np.testing.assert_array_equal(found["next_apex"][:, 0], as_ever["next_apex"][:, 0], err_msg=name)
         moved = (
             np.abs(found["next_apex"] - as_ever["next_apex"])[:, 1].max() if name != "ground.height" else 1
@@ -197,8 +197,8 @@ def test_the_law_of_the_engine_is_the_function_that_does_the_same(gait, starts, 
     law = law_of(gait)
     function = function_of(law)
     how = {"strides": STRIDES, "roughness": roughness, "seed": 3, "instructions": instructions}
-    found = stride_map(starts, gait.runner, law=law, **how)
-    assert_same(stride_map(starts, gait.runner, law=function, **how), found)
+    found = stride_map(gait.runner, starts, law=law, **how)
+    assert_same(stride_map(gait.runner, starts, law=function, **how), found)
     assert function.calls == [RUNNERS] * STRIDES
     settings = np.array([found[name].values for name in NAMES])
     at_limits = settings == np.array(law.low)[:, None, None]
@@ -216,7 +216,7 @@ def test_a_law_that_is_told_what_the_ground_does_sees_it_before_it_steps(gait, s
         seen.append(apices.copy())
         return {ANGLE: gait.runner.values[ANGLE]}
 
-    found = stride_map(starts, gait.runner, strides=2, law=look, roughness=0.05, seed=3)
+    found = stride_map(gait.runner, starts, strides=2, law=look, roughness=0.05, seed=3)
     np.testing.assert_array_equal(seen[0], starts)
     np.testing.assert_array_equal(seen[1], found["next_apex"][:, 0])
     np.testing.assert_allclose(found["ground.height"], np.cumsum(steps, axis=1), atol=1e-15)
@@ -229,22 +229,22 @@ def test_one_law_sets_while_another_is_given(gait, starts):
     friction = np.random.default_rng(5).uniform(0.5, 0.7, (RUNNERS, STRIDES))
     law = law_of(gait)
     how = {"strides": STRIDES, "settings": {"ground.friction": friction}}
-    found = stride_map(starts, gait.runner, law=law, **how)
-    assert_same(stride_map(starts, gait.runner, law=function_of(law), **how), found)
+    found = stride_map(gait.runner, starts, law=law, **how)
+    assert_same(stride_map(gait.runner, starts, law=function_of(law), **how), found)
     np.testing.assert_array_equal(found["ground.friction"], friction)
 
 
 def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypatch):
     law = law_of(gait, noise=[0.01] * 6)
     how = {"strides": STRIDES, "law": law, "roughness": 0.1}
-    whole = stride_map(starts, gait.runner, **how)
-    part = stride_map(starts[7:19], gait.runner, first_number=7, **how)
+    whole = stride_map(gait.runner, starts, **how)
+    part = stride_map(gait.runner, starts[7:19], first_number=7, **how)
     assert_same(whole.isel(runner=slice(7, 19)), part)
     np.testing.assert_array_equal(part["runner"], np.arange(7, 19))
     monkeypatch.setattr(module, "LEAST_IN_A_BLOCK", 11)
     monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
-    assert_same(stride_map(starts, gait.runner, **how), whole)
-    assert_same(stride_map(starts, gait.runner, workers=2, **how), whole)
+    assert_same(stride_map(gait.runner, starts, **how), whole)
+    assert_same(stride_map(gait.runner, starts, workers=2, **how), whole)
 
 
 # ---- noise ------------------------------------------------------------------------------------------------
@@ -314,9 +314,9 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
     law = law_of(gait, deviations, seed)
     assert law.is_noisy
     how = {"strides": 3, "first_number": first}
-    found = stride_map(starts, gait.runner, law=law, **how)
-    assert_same(stride_map(starts, gait.runner, law=function_of(law, noise), **how), found)
-    other = stride_map(starts, gait.runner, law=law_of(gait, deviations, seed + 1), **how)
+    found = stride_map(gait.runner, starts, law=law, **how)
+    assert_same(stride_map(gait.runner, starts, law=function_of(law, noise), **how), found)
+    other = stride_map(gait.runner, starts, law=law_of(gait, deviations, seed + 1), **how)
     assert not np.array_equal(other[ANGLE], found[ANGLE])
     told = law.settings_at(starts[2], runner=first + 2)
     assert told == {name: found[name].values[2, 0] for name in NAMES}
@@ -336,8 +336,8 @@ def test_the_reduced_map_has_laws_too(unit):
         value = (nominal + law.gain[0][0] * deviation[:, 0]) + law.gain[0][1] * deviation[:, 1]
         return {ANGLE: np.clip(value, law.low[0], law.high[0])}
 
-    found = stride_map(starts, gait.runner, strides=3, law=law)
-    assert_same(stride_map(starts, gait.runner, strides=3, law=function), found)
+    found = stride_map(gait.runner, starts, strides=3, law=law)
+    assert_same(stride_map(gait.runner, starts, strides=3, law=function), found)
     assert found["apex"].shape == (RUNNERS, 3, 2) and found.attrs["model"] == "reduced"
     compared = 0
     for number in range(RUNNERS):
@@ -381,7 +381,7 @@ def test_settings_that_do_not_act_are_told(gait, unit):
     slack = gait.runner.but("hip.kp", 0.0).but("hip.kd", 0.0)
     message = "settings: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, settings={ANGLE: 0.6})
-    assert stride_map(gait.apex, slack, settings={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
+    assert stride_map(slack, gait.apex, inputs={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
     reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
     message = "settings: hip.kp does not act in the reduced map"
     refuses(message, reduced.apex, reduced.runner, settings={"hip.kp": 1.0})
@@ -422,8 +422,8 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
 
 def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
     found = stride_map(
-        starts,
         gait.runner,
+        starts,
         strides=STRIDES,
         law=lambda apices: {ANGLE: np.where(np.isnan(apices[:, 0]), np.nan, 0.698)},
         roughness=0.6,

@@ -53,13 +53,13 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
         assert exact[:, k] == pytest.approx(difference, abs=1e-6 * size), (k, names)
 
 
-ORDERED = [
+PRESCRIBED = [
     *((name, "full") for name in QUANTITIES if name != "positive_leg_work"),
     *((name, "reduced") for name in REDUCED_QUANTITIES),
 ]
 
 
-@pytest.mark.parametrize(("quantity", "model"), ORDERED)
+@pytest.mark.parametrize(("quantity", "model"), PRESCRIBED)
 def test_each_quantity_can_be_prescribed(quantity, model):
     target = relative_change(find_gait({"ground.friction": 0.6}, model=model), quantity, 1.03)
     gait = find_gait({"ground.friction": 0.6}, target=target, vary=["hip.stance_torque"], model=model)
@@ -126,9 +126,9 @@ def test_the_preset_is_a_jogger():
 
 @pytest.mark.parametrize("target", [{"speed": 3.5, "frequency": 2.75}, {"speed": 5.0}])
 def test_the_jogger_runs_with_a_target(command, target):
-    options = [part for name, value in target.items() for part in (f"--{name}", value)]
+    options = [part for name, value in target.items() for part in ("--target", f"{name}={value}")]
     vary = "hip.stance_torque,leg.stiffness"
-    status, out, said = command("gait", *options, "--free", vary, "--parameters", "human", "--json")
+    status, out, said = command("gait", *options, "--vary", vary, "--parameters", "human", "--json")
     told = json.loads(out)
     assert (status, said) == (0, "") and told["stable"] and set(told["free"]) == set(vary.split(","))
     gait = gait_near(Runner.of(told["start_values"]), told["apex"])
@@ -198,7 +198,14 @@ def test_what_helps_meets_the_target(refused):
 
 def test_the_command_prints_a_gait_with_what_was_varied(command):
     status, out, said = command(
-        "gait", "--parameters", str(FAST_HUMAN), "--speed", "5", "--free", "hip.stance_torque", "--json"
+        "gait",
+        "--parameters",
+        str(FAST_HUMAN),
+        "--target",
+        "speed=5",
+        "--vary",
+        "hip.stance_torque",
+        "--json",
     )
     told = json.loads(out)
     assert (status, said) == (0, "")
@@ -207,7 +214,7 @@ def test_the_command_prints_a_gait_with_what_was_varied(command):
 
 
 def test_the_command_tells_what_is_nearest_and_what_helps(command):
-    target = ["--cost-of-transport", "0.001", "--free", "hip.stance_torque"]
+    target = ["--target", "cost_of_transport=0.001", "--vary", "hip.stance_torque"]
     status, out, said = command("gait", "--friction", "0.6", "--model", "reduced", *target, "--json")
     told = json.loads(out)
     assert status == 1 and "no gait with cost_of_transport 0.001" in said
@@ -219,38 +226,48 @@ def test_the_command_tells_what_is_nearest_and_what_helps(command):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--speed", "1"], "--free is missing"),
-        (["--free", "leg.stiffness"], "nothing is ordered"),
+        (["--target", "speed=1"], "--vary is missing"),
+        (["--vary", "leg.stiffness"], "nothing is prescribed"),
         (
-            ["--speed", "1", "--frequency", "1", "--free", "leg.damping"],
+            ["--target", "speed=1", "--target", "frequency=1", "--vary", "leg.damping"],
             "as many parameters as are prescribed, 2",
         ),
-        (["--speed", "1", "--frequency", "1", "--free", "leg.damping,leg.damping"], "given twice"),
-        (["--speed", "1", "--free", "leg.stifness"], "leg.stiffness"),
-        (["--speed", "1", "--free", "leg.min_length"], "does not act"),
         (
-            ["--speed", "1", "--length", "9", "--free", "hip.stance_torque,control.stance_torque"],
-            "each in its own way",
+            ["--target", "speed=1", "--target", "frequency=1", "--vary", "leg.damping,leg.damping"],
+            "given twice",
         ),
-        (["--speed", "nan", "--free", "leg.stiffness"], "speed = nan is not allowed"),
-        (["--frequency", "-1", "--free", "leg.stiffness"], "frequency = -1.0 is not allowed"),
-        (["--duty-factor", "1.5", "--free", "leg.stiffness"], "duty_factor = 1.5 is not allowed"),
+        (["--target", "speed=1", "--vary", "leg.stifness"], "leg.stiffness"),
+        (["--target", "speed=1", "--vary", "leg.min_length"], "does not act"),
         (
             [
-                "--speed",
-                "1",
-                "--length",
-                "1",
-                "--frequency",
-                "1",
-                "--free",
+                "--target",
+                "speed=1",
+                "--target",
+                "length=9",
+                "--vary",
+                "hip.stance_torque,control.stance_torque",
+            ],
+            "each in its own way",
+        ),
+        (["--target", "speed=nan", "--vary", "leg.stiffness"], "speed = nan is not allowed"),
+        (["--target", "frequency=-1", "--vary", "leg.stiffness"], "frequency = -1.0 is not allowed"),
+        (["--target", "duty_factor=1.5", "--vary", "leg.stiffness"], "duty_factor = 1.5 is not allowed"),
+        (
+            [
+                "--target",
+                "speed=1",
+                "--target",
+                "length=1",
+                "--target",
+                "frequency=1",
+                "--vary",
                 "leg.stiffness,leg.damping,hip.kp",
             ],
             "two of them",
         ),
     ],
 )
-def test_a_bad_order_gets_one_sentence(command, arguments, words):
+def test_a_bad_target_gets_one_sentence(command, arguments, words):
     status, out, said = command("gait", *arguments)
     assert (status, out) == (2, "")
     assert words in said and len(said.strip().splitlines()) == 1

@@ -69,13 +69,13 @@ def check_degrees(axis, label):
 
 def test_pictures_are_marked_in_the_unit_that_was_given():
     told, ends = Told(load_fmu(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
-    found = continue_branch({FRICTION: 0.6}, ANGLE, *ends, switch=False)
+    found = continue_branch({FRICTION: 0.6}, {ANGLE: ends}, switch=False)
     figure = branch_diagram.figure_of(found, told=told)
     check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
     assert f"{ANGLE} from 40:" in figure.axes[0].get_title("left")
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
-    swept = sweep({FRICTION: 0.6}, np.linspace(*ends, 3), over=ANGLE)
+    swept = sweep({FRICTION: 0.6}, {ANGLE: np.linspace(*ends, 3)})
     figure = branch.figure_of(*branch.drawn_of(swept), load_fmu(), told)
     check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
     figure = branch_diagram.figure_of(found)
@@ -94,12 +94,12 @@ def test_curves_are_marked_in_the_units_that_were_given():
 
 
 def test_tables_are_in_the_unit_that_was_given(command):
-    status, out, err = command("continue", "--over", OVER, "--no-switch", "--friction", "0.6")
+    status, out, err = command("continue", "--vary", OVER, "--no-switch", "--friction", "0.6")
     assert status == 0, err
     assert f"{ANGLE} (deg)" in out
     first, last = re.search(r"from (\S+) \(.*\) to (\S+) \(", out.splitlines()[0]).groups()
     assert (float(first), float(last)) == pytest.approx((40.0, 42.0), abs=1e-6)
-    status, out, err = command("sweep", "--over", f"{OVER}:3", "--set", "ground.friction=0.6")
+    status, out, err = command("sweep", "--vary", f"{OVER}:3", "--set", "ground.friction=0.6")
     assert status == 0, err
     header, _, *rows = out.splitlines()
     assert header.startswith(f"{ANGLE} (deg)")
@@ -107,7 +107,7 @@ def test_tables_are_in_the_unit_that_was_given(command):
 
 
 def test_what_an_order_frees_is_told_in_the_unit_that_it_was_given_in(command):
-    arguments = ("gait", "--speed", "1.05", "--free", ANGLE, "--friction", "0.6")
+    arguments = ("gait", "--target", "speed=1.05", "--vary", ANGLE, "--friction", "0.6")
     degrees, radians = (
         re.search(rf"{ANGLE}\s+(\S+) (\S+)", command(*arguments, *more)[1]).groups()
         for more in (("--set", f"{ANGLE}=40 deg"), ())
@@ -117,7 +117,7 @@ def test_what_an_order_frees_is_told_in_the_unit_that_it_was_given_in(command):
 
 
 def test_what_an_optimum_has_is_told_in_the_unit_that_it_was_given_in(command):
-    over = ("--over", f"{ANGLE}=38 deg:42 deg", "--minimize", "slip_distance", "--friction", "0.6")
+    over = ("--vary", f"{ANGLE}=38 deg:42 deg", "--minimize", "slip_distance", "--friction", "0.6")
     status, out, err = command("optimize", *over, "--starts", "1")
     assert status == 0, err
     name, unit, before, after, *_ = next(line.split() for line in out.splitlines() if line.startswith(ANGLE))
@@ -142,9 +142,9 @@ def test_a_sweep_is_drawn_and_written_as_any_result(command, tmp_path):
     [
         (("--friction", "0.5:0.6:3", "--output", "gaits.txt"), "allowed: .nc, .json"),
         (("--friction", "0.5:0.6:3", "--plot", "gaits.txt"), "--plot"),
-        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--output", "g.json"), "FILE.nc"),
-        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--output", "-"), "FILE.nc"),
-        (("--friction", "0.5:0.6:2", "--over", f"{DAMPING}=0.2:0.3:2", "--plot", "g.png"), "--plot"),
+        (("--friction", "0.5:0.6:2", "--vary", f"{DAMPING}=0.2:0.3:2", "--output", "g.json"), "FILE.nc"),
+        (("--friction", "0.5:0.6:2", "--vary", f"{DAMPING}=0.2:0.3:2", "--output", "-"), "FILE.nc"),
+        (("--friction", "0.5:0.6:2", "--vary", f"{DAMPING}=0.2:0.3:2", "--plot", "g.png"), "--plot"),
     ],
 )
 def test_what_a_sweep_cannot_write_is_told_before_the_work(command, tmp_path, arguments, words):

@@ -32,7 +32,7 @@ SAME = 1e-6
 
 def continue_curves(
     runner: Runner | Mapping[str, Given] | None,
-    over: Mapping[str, tuple[float, float]],
+    vary: Mapping[str, tuple[float, float]],
     *,
     max_points: int = 200,
     progress: bool = False,
@@ -47,7 +47,7 @@ def continue_curves(
     ----------
     runner : Runner or mapping of str to float, optional
         Whose gaits.
-    over : mapping of str to pair of float
+    vary : mapping of str to pair of float
         By name of two parameters or inputs: the ends of their ranges.
     max_points : int, default 200
         Of a curve in each direction.
@@ -71,22 +71,22 @@ def continue_curves(
     Examples
     --------
     >>> import tdmf_slip
-    >>> over = {"ground.friction": (0.45, 0.55), "leg.damping": (0.19, 0.21)}
-    >>> curves = tdmf_slip.continue_curves({}, over, max_points=5)
+    >>> vary = {"ground.friction": (0.45, 0.55), "leg.damping": (0.19, 0.21)}
+    >>> curves = tdmf_slip.continue_curves({}, vary, max_points=5)
     >>> print({curve.kind for curve in curves})
     {'word border'}
     """
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu)
     checked_whole("max_points", max_points, 1, MOST_POINTS)
-    names, spans = _checked_ranges(over, fmu)
+    names, spans = _checked_ranges(vary, fmu)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
-        raise InputError(f"over {first} and {second}: allowed: ranges whose ends differ")
+        raise InputError(f"vary {first} and {second}: allowed: ranges whose ends differ")
     home = runner.values[second]
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.but(second, float(spans[1, 0]))
-    branch = continue_branch(runner, first, *map(float, spans[0]), switch=False, fmu=fmu)
+    branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False, fmu=fmu)
     sizes = np.array([abs(runner.values[name]) or 1.0 for name in names])
     box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
     found: list[Curve] = []
@@ -110,19 +110,19 @@ def continue_curves(
     return tuple(found)
 
 
-def _checked_ranges(over: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np.float64]]:
+def _checked_ranges(vary: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
-    given = mapping_of(over, "over", allowed)
+    given = mapping_of(vary, "vary", allowed)
     if len(given) != 2:
-        raise InputError(f"over = {shown(over)} is not allowed; allowed: {allowed}")
+        raise InputError(f"vary = {shown(vary)} is not allowed; allowed: {allowed}")
     spans = []
     for name, ends in given.items():
-        check_varied(name, "over")
-        pair = row_of(ends, f"over {name}", allowed)
+        check_varied(name, "vary")
+        pair = row_of(ends, f"vary {name}", allowed)
         if len(pair) != 2:
-            raise InputError(f"over {name} = {shown(ends)} is not allowed; allowed: {allowed}")
-        spans.append([float(fmu.find(name, "over").value_of(value, f"over {name}")) for value in pair])
+            raise InputError(f"vary {name} = {shown(ends)} is not allowed; allowed: {allowed}")
+        spans.append([float(fmu.find(name, "vary").value_of(value, f"vary {name}")) for value in pair])
     first, second = given
     return (first, second), np.array(spans)
 

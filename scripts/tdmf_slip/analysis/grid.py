@@ -1,8 +1,10 @@
 """Gaits over the friction and a second parameter: a grid on file, made row by row."""
 
+import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,6 +64,18 @@ def as_dataset(
     for name in set(names) & set(fmu.variables):
         data[name].attrs = attributes_of(fmu, name)
     return data
+
+
+def grid_over(
+    runner: Runner, vary: Mapping[str, Values], path: Path | str | None, **where: Any
+) -> xarray.Dataset:
+    """A grid over the friction and another name; in a file that is not kept where none is asked for."""
+    if FRICTION not in vary:
+        raise InputError(f"vary {', '.join(map(str, vary))}: allowed: one name, or {FRICTION} and another")
+    ((name, values),) = ((name, values) for name, values in vary.items() if name != FRICTION)
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder) / "grid.nc" if path is None else path
+        return grid(runner, vary[FRICTION], name, values, place, **where).load()
 
 
 def grid(

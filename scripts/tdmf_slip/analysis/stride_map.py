@@ -39,11 +39,11 @@ LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
 
 
 def stride_map(
+    runner: Runner | Mapping[str, Given | ArrayLike] | None,
     apices: ArrayLike,
-    parameters: Runner | Mapping[str, Given | ArrayLike],
     *,
     strides: int = 1,
-    settings: Mapping[str, ArrayLike] | None = None,
+    inputs: Mapping[str, ArrayLike] | None = None,
     law: Law | AffineLaw | None = None,
     roughness: float = 0.0,
     seed: int = 0,
@@ -57,7 +57,7 @@ def stride_map(
 ) -> xarray.Dataset:
     """Strides of many runners in a row, each kept with its apices and quantities.
 
-    Settings are in force from the apex on at which a stride begins, and what they are is up to `settings` or
+    Settings are in force from the apex on at which a stride begins, and what they are is up to `inputs` or
     to a law. A stride that does not close leaves NaN in all its quantities and those of the strides to come,
     and `fate` says why: a ground that is set by `ground.height` or `ground.slope` is in force once the foot
     flies above it, and a runner whose foot stays below it for a whole stride has fallen, at the apex after
@@ -68,15 +68,15 @@ def stride_map(
 
     Parameters
     ----------
+    runner : Runner or mapping of str to float or array_like of float, optional
+        A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
+        for each runner.
     apices : array_like of float, shape (n,) or (runners, n)
         Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; of
         runners by the reduced map the first two.
-    parameters : Runner or mapping of str to float or array_like of float
-        A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
-        for each runner.
     strides : int, default 1
         How many each runner makes.
-    settings : mapping of str to array_like of float, optional
+    inputs : mapping of str to array_like of float, optional
         By name, one of `library.settings.SETTINGS`: tunable settings of the control law, as
         `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
         (strides,), or of each runner and stride, shape (runners, strides).
@@ -124,7 +124,7 @@ def stride_map(
     >>> import tdmf_slip
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> low = gait.apex - [0.01, 0, 0, 0, 0, 0]
-    >>> run = tdmf_slip.stride_map([gait.apex, low], gait.runner, strides=3)
+    >>> run = tdmf_slip.stride_map(gait.runner, [gait.apex, low], strides=3)
     >>> run["word"].shape, bool((run["fate"] == 0).all())
     ((2, 3), True)
 
@@ -132,14 +132,14 @@ def stride_map(
 
     >>> def by_height(apices):
     ...     return {"hip.touchdown_angle": 0.64 + 0.1 * (apices[:, 0] - gait.apex[0])}
-    >>> run = tdmf_slip.stride_map(low, gait.runner, strides=3, law=by_height)
+    >>> run = tdmf_slip.stride_map(gait.runner, low, strides=3, law=by_height)
     >>> run["hip.touchdown_angle"].shape
     (1, 3)
     """
     fmu = load_fmu(fmu)
-    crowd = Crowd.of(parameters, fmu)  # type: ignore[arg-type] # which refuses what is none of it
+    crowd = Crowd.of(runner, fmu)  # type: ignore[arg-type] # which refuses what is none of it
     strides = checked_whole("strides", strides, 1, MOST_STRIDES)
-    starts, given = _broadcast(apices, crowd, settings, strides)
+    starts, given = _broadcast(apices, crowd, inputs, strides)
     ground = RoughGround(roughness, seed)
     _check_all(crowd, given, law, ground)
     affine = law if isinstance(law, AffineLaw) else None
@@ -168,7 +168,7 @@ def stride_map(
 
 
 def _broadcast(
-    apices: ArrayLike, crowd: Crowd, settings: Mapping[str, ArrayLike] | None, strides: int
+    apices: ArrayLike, crowd: Crowd, inputs: Mapping[str, ArrayLike] | None, strides: int
 ) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
     coordinates = crowd.runner.coordinates
@@ -178,16 +178,16 @@ def _broadcast(
     if starts.shape[1] != len(coordinates):
         raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
     given: dict[str, NDArray[np.float64]] = {}
-    for name, values in mapping_of(settings, "settings", "numbers or arrays by name").items():
-        setting_number(name, "settings")
-        given[name] = np.atleast_2d(numbers(f"settings: {name}", values, 2))
+    for name, values in mapping_of(inputs, "inputs", "numbers or arrays by name").items():
+        setting_number(name, "inputs")
+        given[name] = np.atleast_2d(numbers(f"inputs: {name}", values, 2))
         if given[name].shape[1] not in (1, strides):
             raise InputError(
-                f"settings: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
+                f"inputs: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
                 f"(runners, {strides}), for each stride one"
             )
-    counts = {"apices": len(starts), "parameters": crowd.size or 1}
-    counts |= {f"settings: {name}": len(values) for name, values in given.items()}
+    counts = {"apices": len(starts), "runner": crowd.size or 1}
+    counts |= {f"inputs: {name}": len(values) for name, values in given.items()}
     runners = max(counts.values())
     check_size("runners", runners * strides, "strides in all", MOST_IN_ALL)
     for what, count in counts.items():
@@ -198,7 +198,7 @@ def _broadcast(
             )
     for name, values in given.items():
         first = {"runner": 0, "stride": 0}
-        given[name] = np.broadcast_to(checked_values(name, values, "settings", first), (runners, strides))
+        given[name] = np.broadcast_to(checked_values(name, values, "inputs", first), (runners, strides))
     return np.broadcast_to(starts, (runners, len(coordinates))), given
 
 
@@ -216,9 +216,9 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
             f"law = {reprlib.repr(law)} is not allowed; allowed: a function of apices, or an AffineLaw"
         )
     for name in given:
-        check_acts(name, runner, (*given, *crowd.varied), "settings")
+        check_acts(name, runner, (*given, *crowd.varied), "inputs")
     check_set(set_by_law, tuple(given), ground, "law")
-    check_set(tuple(given), (), ground, "settings")
+    check_set(tuple(given), (), ground, "inputs")
 
 
 def _in_blocks(request: Request, scheduler: str | None, workers: int | None, progress: bool) -> Columns:

@@ -3,15 +3,17 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
+from ..given import mapping_of
 from ..library.gait import Gait, settled_gait
-from ..library.members import check_has_gaits, check_varied
+from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
 from ..unit.unit import FRICTION, Fmu, load_fmu
@@ -113,12 +115,15 @@ def short(name: str) -> str:
 
 
 def sweep(
-    runner: Runner | Mapping[str, Given],
-    values: Values,
+    runner: Runner | Mapping[str, Given] | None,
+    vary: Mapping[str, Values],
     *,
-    over: str = FRICTION,
+    path: Path | str | None = None,
+    scheduler: str | None = None,
+    workers: int | None = None,
     progress: bool = False,
-) -> Sweep:
+    fmu: Fmu | None = None,
+) -> Any:
     """The gait at each value of a parameter, each from the one before, and every change of the gait word.
 
     Where the first values have no gait, the sweep begins at the first that has one, and follows its branch
@@ -128,19 +133,27 @@ def sweep(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
+    runner : Runner or mapping of str to float, optional
         Parameters and start, or start values by name; the value of what is varied does not matter.
-    values : sequence of float
-        In order; of the friction, above 0.
-    over : str, default "ground.friction"
-        The parameter or input that is varied.
+    vary : mapping of str to sequence of float
+        The parameter or input that is varied, and its values in order; of the friction, above 0. With the
+        friction and another one, a grid.
+    path : Path or str, optional
+        Of a grid: the NetCDF file that it is written to row by row, and gone on with where it has some.
+    scheduler : str, optional
+        Of a grid: address of a Dask cluster, see `run_blocks`.
+    workers : int, optional
+        Of a grid: processes on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
+    fmu : Fmu, optional
+        Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
-    Sweep
-        The gaits, and the borders between their words.
+    Sweep or xarray.Dataset
+        The gaits, and the borders between their words; of a grid, its data over both names, see
+        `analysis.grid.grid`.
 
     Raises
     ------
@@ -152,17 +165,24 @@ def sweep(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gaits = tdmf_slip.sweep({}, [0.7, 0.6, 0.45, 0.43])
+    >>> gaits = tdmf_slip.sweep({}, {"ground.friction": [0.7, 0.6, 0.45, 0.43]})
     >>> print([gait.word for gait in gaits.gaits])
     ['+0-0+', '+0-0+', '+0-', '+0-']
     """
-    runner = Runner.of(runner)
-    check_varied(over, "over")
-    row = load_fmu().find(over, "values").values_of(values, "values")
+    fmu = load_fmu(fmu)
+    runner = Runner.of(runner, fmu)
+    if len(mapping_of(vary, "vary", "values by the name of one parameter or input, or of two")) == 2:
+        from .grid import grid_over  # xarray is slow to load
+
+        return grid_over(runner, vary, path, scheduler=scheduler, workers=workers, progress=progress, fmu=fmu)
+    if (path, scheduler, workers) != (None, None, None):
+        raise InputError("path, scheduler, workers: of a sweep over one name; allowed: of a grid over two")
+    name, values = varied_alone(vary, "values of one parameter or input by its name")
+    row = fmu.find(name, "vary").values_of(values, f"vary {name}")
     if len(row) > MOST_GAITS:
-        raise InputError(f"{len(row):,} values: allowed: {MOST_GAITS:,}, or a grid, which is on file")
-    check_values(runner, over, row)
-    return sweep_row(runner, over, row, progress)
+        raise InputError(f"vary {name}: {len(row):,} values; allowed: {MOST_GAITS:,}, or a grid, on file")
+    check_values(runner, name, row)
+    return sweep_row(runner, name, row, progress)
 
 
 def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Sweep:

@@ -4,9 +4,11 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from ..checks import checked, checked_whole, is_number
+from ..checks import checked, checked_whole, is_number, shown
 from ..errors import InputError, RunError
+from ..given import row_of
 from ..library.gait import Gait, check_is_gait, settled_gait
+from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
@@ -29,9 +31,7 @@ STARTS = 24
 
 def continue_branch(
     runner: Runner | Mapping[str, Given] | None,
-    name: str,
-    begin: float,
-    end: float,
+    vary: Mapping[str, tuple[float, float]],
     *,
     max_step: float = 0.2,
     max_points: int = 1000,
@@ -48,10 +48,8 @@ def continue_branch(
     ----------
     runner : Runner or mapping of str to float, optional
         Whose gaits: a runner, or start values by the unit's names, over the unit's own.
-    name : str
-        Parameter or input that is varied.
-    begin, end : float
-        The range, in the parameter's unit.
+    vary : mapping of str to pair of float
+        The parameter or input that is varied, and both ends of its range, in its unit.
     max_step : float, default 0.2
         Along the branch, over the coordinates' scales and the parameter's value.
     max_points : int, default 1000
@@ -78,17 +76,20 @@ def continue_branch(
     Examples
     --------
     >>> import tdmf_slip
-    >>> branch = tdmf_slip.continue_branch({}, "ground.friction", 0.6, 0.2)
+    >>> branch = tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.2)})
     >>> branch.ended, [special.kind for special in branch.specials]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu)
-    family = Family(runner, name)
-    variable = fmu.find(name, "name")
-    begin, end = (float(variable.value_of(v, w)) for v, w in ((begin, "begin"), (end, "end")))
+    allowed = "both ends of a range, by the name of one parameter or input"
+    name, ends = varied_alone(vary, allowed)
+    family, where = Family(runner, name), f"vary {name}"
+    if len(row_of(ends, where, allowed)) != 2:
+        raise InputError(f"{where} = {shown(ends)} is not allowed; allowed: {allowed}")
+    begin, end = (float(fmu.find(name, "vary").value_of(value, where)) for value in ends)
     if begin == end:
-        raise InputError(f"end = {end:g} of {name}: allowed: a number other than begin")
+        raise InputError(f"{where}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
 
         def tell() -> None:

@@ -1,6 +1,6 @@
 """The command `basin`: what a gait attracts."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,7 @@ import numpy as np
 from ..analysis.fates import MOST_ALONG
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
+from ..errors import InputError
 from ..files.whole import check_place
 from ..library.ensemble import FATES
 from ..library.section import COORDINATES, MODELS, check_axes
@@ -30,23 +31,19 @@ from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
 
+AXES = ("com_height", "com_speed")
+"""Where none are given."""
+
 
 @click.command("basin", cls=Command)
 @FRICTION_OPTION
 @click.option(
     "--axes",
-    nargs=2,
-    default=("com_height", "com_speed"),
-    show_default=True,
-    metavar="NAME NAME",
-    help="Coordinates of the apex section that are varied.",
-)
-@click.option(
-    "--range",
     "spans",
-    nargs=2,
-    metavar="A:B C:D",
-    help="Their ranges, as in 1:4 or '60 deg:80 deg'.  [default: around the gait]",
+    multiple=True,
+    metavar="NAME[=A:B]",
+    help="Coordinate of the apex section and its range, as in com_height=1:4 or leg_angle='60 deg:80 deg'; "
+    "two of them.  [default: com_height and com_speed, around the gait]",
 )
 @click.option(
     "--n",
@@ -80,8 +77,7 @@ from .runner import runner_of
 @JSON_OPTION
 def basin_command(
     friction: float | None,
-    axes: tuple[str, str],
-    spans: tuple[str, str] | None,
+    spans: tuple[str, ...],
     count: int,
     output: Path | None,
     plot: Path | None,
@@ -100,7 +96,7 @@ def basin_command(
     """
     from ..analysis.basin import basin, range_around, stable_gait  # xarray is slow to load
 
-    check_axes(axes, MODELS[model])
+    axes, ranges = _axes(spans, MODELS[model])
     if output is not None:
         check_place(output, (".nc",), "--output")
     if plot is not None:
@@ -109,10 +105,12 @@ def basin_command(
         check_place(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
-    variables = [fmu.variables[f"apex.{axis}"] for axis in axes]
-    ends = [ends_of(*pair, "--range") for pair in zip(spans, variables, strict=True)] if spans else None
+    given = [
+        ends_of(span, fmu.variables[f"apex.{axis}"], f"--axes {axis} =") if span else None
+        for axis, span in zip(axes, ranges, strict=True)
+    ]
     gait = stable_gait(runner, fmu)
-    ends = ends or [range_around(gait, axis) for axis in axes]
+    ends = [pair or range_around(gait, axis) for axis, pair in zip(axes, given, strict=True)]
     rows, across = (np.linspace(*pair, count) for pair in ends)
     data = basin(
         runner,
@@ -140,6 +138,22 @@ def basin_command(
         found = volume(gait, samples, scheduler=scheduler, workers=workers, progress=True)
         result["volume"] = found.as_json()
     print(json_text(result) if as_json_object else _basin_text(result, axes, fmu))
+
+
+def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> tuple[tuple[str, str], tuple[str, str]]:
+    """Names and ranges of --axes, each range empty where it is to be around the gait.
+
+    Raises
+    ------
+    InputError
+        There are not two, they are the same, or one is no coordinate.
+    """
+    if len(spans) not in (0, 2):
+        raise InputError(f"--axes is given {len(spans)} times; allowed: twice, or not at all")
+    parts = [tuple(part.strip() for part in text.partition("=")) for text in spans or AXES]
+    (first, _, rows), (second, _, columns) = parts
+    check_axes((first, second), coordinates)
+    return (first, second), (rows, columns)
 
 
 def _basin_text(result: Mapping[str, Any], axes: tuple[str, str], fmu: Fmu) -> str:

@@ -35,7 +35,7 @@ from .runner import runner_of
 
 @click.command("continue", cls=Command)
 @click.option(
-    "--over",
+    "--vary",
     "ranges",
     required=True,
     multiple=True,
@@ -104,9 +104,9 @@ def continue_command(
     given = values_given(friction, settings)
     spans = dict(span_of(fmu, text) for text in ranges)
     for name in spans:
-        refuse_given(given, name, "--over")
+        refuse_given(given, name, "--vary")
     if len(spans) != len(ranges) or len(spans) > 2:
-        raise InputError(f"--over is given {len(ranges)} times; allowed: once, or twice for two parameters")
+        raise InputError(f"--vary is given {len(ranges)} times; allowed: once, or twice for two parameters")
     if output is not None:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
@@ -119,15 +119,13 @@ def continue_command(
     told = Told(fmu, ranges_given(ranges))
     if len(spans) == 2:
         if output is not None:
-            raise InputError("--output: curves over two parameters have no file; allowed: with one --over")
+            raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
         _curves(runner, spans, points, plot, as_json_object, fmu, told)
         return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
         runner,
-        name,
-        begin,
-        end,
+        {name: (begin, end)},
         max_step=step,
         max_points=points,
         switch=not no_switch,
@@ -168,7 +166,7 @@ def _curves(
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
-def span_of(fmu: Fmu, over: str) -> tuple[str, tuple[float, float]]:
+def span_of(fmu: Fmu, vary: str) -> tuple[str, tuple[float, float]]:
     """The parameter or input, and the range of it, that NAME=A:B stands for.
 
     Raises
@@ -176,11 +174,11 @@ def span_of(fmu: Fmu, over: str) -> tuple[str, tuple[float, float]]:
     InputError
         It is not of that form, or there is no such parameter or value.
     """
-    name, equals, span = (part.strip() for part in over.partition("="))
+    name, equals, span = (part.strip() for part in vary.partition("="))
     if not equals:
-        raise InputError(f"--over {over}: allowed: NAME=A:B")
-    check_varied(name, "--over")
-    return name, ends_of(span, fmu.variables[name], f"--over {name} =")
+        raise InputError(f"--vary {vary}: allowed: NAME=A:B")
+    check_varied(name, "--vary")
+    return name, ends_of(span, fmu.variables[name], f"--vary {name} =")
 
 
 def _branch_text(branch: Branch, told: Told) -> str:

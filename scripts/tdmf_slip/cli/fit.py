@@ -22,6 +22,7 @@ from .options import (
     SET_OPTION,
     Command,
     Number,
+    names_given,
     values_given,
 )
 from .output import json_text
@@ -31,13 +32,13 @@ from .runner import runner_of
 @click.command("fit", cls=Command)
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option(
-    "--free",
+    "--vary",
     metavar="NAMES",
     help="Parameters to be found that all rows share, as in leg.stiffness,leg.damping; they begin with the "
     "values given.",
 )
 @click.option(
-    "--free-each",
+    "--vary-each",
     metavar="NAMES",
     help="Parameters to be found of which each row has its own value, as in hip.stance_torque.",
 )
@@ -47,7 +48,7 @@ from .runner import runner_of
     multiple=True,
     metavar="NAME=VALUE,ERROR",
     help="What is known of a parameter beside the data: its value and standard error, as in "
-    "leg.free_length=0.95,0.02. One that is not among --free is fitted, too. Repeatable.",
+    "leg.free_length=0.95,0.02. One that is not among --vary is fitted, too. Repeatable.",
 )
 @click.option(
     "--robust", is_flag=True, help="Huber's loss instead of squares: data that are far off change little."
@@ -81,7 +82,7 @@ from .runner import runner_of
     type=Number(1, MOST_STARTS, whole=True),
     default=STARTS,
     show_default=True,
-    help="How many fits are made at the most, from gaits all over what is free.",
+    help="How many fits are made at the most, from gaits all over what varies.",
 )
 @click.option(
     "--without-each", is_flag=True, help="Also the shared parameters without one datum, for each datum."
@@ -102,8 +103,8 @@ from .runner import runner_of
 @JSON_OPTION
 def fit_command(
     file: Path,
-    free: str | None,
-    free_each: str | None,
+    vary: str | None,
+    vary_each: str | None,
     priors: tuple[str, ...],
     robust: bool,
     scale_errors: bool,
@@ -129,9 +130,9 @@ def fit_command(
     next. The status is 1 where the search does not end.
     """
     fmu = load_fmu()
-    names, each = _names(free), _names(free_each)
+    names, each = names_given(vary), names_given(vary_each)
     if not names and not each:
-        raise InputError("--free is missing; allowed: --free or --free-each, or both")
+        raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
@@ -142,11 +143,11 @@ def fit_command(
         check_place(report, fit_page.FORMATS, "--report")
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     found = fit(
+        runner,
         file,
         names,
-        free_each=each,
+        vary_each=each,
         priors=_priors(priors),
-        runner=runner,
         robust=robust,
         scale_errors=scale_errors,
         profile=not linear,
@@ -210,7 +211,3 @@ def _left_text(found: Fit, left_out: Sequence[LeftOut]) -> str:
         cells = (f"{moved[label]:+.2f}" for label in labels)
         rows.append((one.name, str(one.row), *cells, f"{one.fit.chi_square:.4g}"))
     return table(header, rows)
-
-
-def _names(given: str | None) -> list[str]:
-    return [] if given is None else [name.strip() for name in given.split(",")]

@@ -1,15 +1,14 @@
-"""The command `gait`: one periodic gait, as the runner has it or to order."""
+"""The command `gait`: one periodic gait, as the runner has it or with a target."""
 
 from collections.abc import Mapping, Sequence
 
 import click
 
-from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
 from ..library.gait import TOLD, Gait
 from ..library.measures import MEASURE_UNITS
-from ..library.quantities import QUANTITIES, quantities_of
+from ..library.quantities import quantities_of
 from ..terminal.text import columns, quantity
 from ..unit.told import Told
 from ..unit.unit import Fmu, load_fmu
@@ -19,96 +18,104 @@ from .options import (
     MODEL_OPTION,
     PARAMETERS_OPTION,
     SET_OPTION,
+    TARGET_OPTION,
     Command,
-    ordering,
+    names_given,
+    targets_given,
     texts_of,
     values_given,
 )
 from .output import json_text
 from .runner import runner_of
 
+VARY_OPTION = click.option(
+    "--vary",
+    metavar="NAMES",
+    help="Parameters that may change for a target, at least as many as it prescribes, as in "
+    "hip.stance_torque,leg.stiffness; they begin with the values given.",
+)
+
 
 @click.command("gait", cls=Command)
-@ordering
+@TARGET_OPTION
+@VARY_OPTION
 @FRICTION_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
 @JSON_OPTION
 def gait_command(
+    targets: tuple[str, ...],
+    vary: str | None,
     friction: float | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
     as_json_object: bool,
-    free: str | None,
-    **ordered: float | None,
 ) -> None:
     """The periodic gait, stable or not, with the eigenvalues of its return map.
 
-    With --speed and the like, the gait that has what is ordered, by freeing as many parameters or more with
-    --free.
+    With --target, the gait that has what is prescribed, by the parameters that --vary names.
     Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
     """
     fmu = load_fmu()
-    order = {name: value for name, value in ordered.items() if value is not None}
-    names = _names(free, order)
+    target = targets_given(targets)
+    names = _names(vary, target)
     given = values_given(friction, settings)
     runner = runner_of(fmu, parameters, given, model)
-    if not order:
-        gait = periodic_gait(runner, fmu=fmu)
+    if not target:
+        gait = find_gait(runner, fmu=fmu)
         print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu))
         return
     try:
-        gait = find_gait(runner, target=order, vary=names, progress=True, fmu=fmu)
+        gait = find_gait(runner, target=target, vary=names, progress=True, fmu=fmu)
     except TargetNotMetError as problem:
         if as_json_object:
-            nearest = _ordered_json(problem.nearest, order, names)
+            nearest = _target_json(problem.nearest, target, names)
             print(json_text({"nearest": nearest, "helps": list(problem.helps)}))
         raise
     if as_json_object:
-        print(json_text(_ordered_json(gait, order, names)))
+        print(json_text(_target_json(gait, target, names)))
     else:
-        print(_gait_text(gait, fmu, list(order), names, Told(fmu, texts_of(given))))
+        print(_gait_text(gait, fmu, list(target), names, Told(fmu, texts_of(given))))
 
 
-def _names(free: str | None, order: Mapping[str, float]) -> list[str]:
-    """Of --free, which has a meaning with an order only.
+def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
+    """Of --vary, which has a meaning with a target only.
 
     Raises
     ------
     InputError
         One is given without the other.
     """
-    options = ", ".join(f"--{name.replace('_', '-')}" for name in QUANTITIES)
-    if free is not None and not order:
-        raise InputError(f"--free {free}: nothing is ordered; allowed: with {options}")
-    if free is None and order:
-        raise InputError("--free is missing; allowed: with an order, at least as many parameters as ordered")
-    return [] if free is None else [name.strip() for name in free.split(",")]
+    if vary is not None and not target:
+        raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
+    if vary is None and target:
+        raise InputError("--vary is missing; allowed: with --target, at least as many names as prescribed")
+    return names_given(vary)
 
 
-def _ordered_json(gait: Gait, order: Mapping[str, float], free: list[str]) -> dict[str, object]:
-    """As any gait, with the freed parameters' values and what it has of what is ordered."""
+def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> dict[str, object]:
+    """As any gait, with the varied parameters' values and what it has of what is prescribed."""
     return {
         **gait.as_json(),
-        "free": {name: gait.runner.values[name] for name in free},
-        "ordered": quantities_of(gait, list(order)),
+        "free": {name: gait.runner.values[name] for name in vary},
+        "ordered": quantities_of(gait, list(target)),
     }
 
 
 def _gait_text(
-    gait: Gait, fmu: Fmu, order: Sequence[str] = (), free: Sequence[str] = (), told_in: Told | None = None
+    gait: Gait, fmu: Fmu, target: Sequence[str] = (), vary: Sequence[str] = (), told_in: Told | None = None
 ) -> str:
     units = told_in or Told(fmu)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
-    basic = [name for name in order if name in gait.stride and name not in MEASURE_UNITS]
+    basic = [name for name in target if name in gait.stride and name not in MEASURE_UNITS]
     told = dict.fromkeys([*TOLD, *basic])
     measured = {
-        name: quantity(gait.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in order
+        name: quantity(gait.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in target
     }
     apex = dict(zip(gait.runner.coordinates, gait.apex, strict=True))
     rows = {
@@ -116,8 +123,8 @@ def _gait_text(
         "friction": of("ground.friction", gait.friction),
         **{name: of(f"stride.{name}", gait.stride[name]) for name in told},
         **measured,
-        **({"frequency": quantity(1.0 / gait.period, "Hz", 12)} if "frequency" in order else {}),
-        **{name: of(name, gait.runner.values[name]) for name in free},
+        **({"frequency": quantity(1.0 / gait.period, "Hz", 12)} if "frequency" in target else {}),
+        **{name: of(name, gait.runner.values[name]) for name in vary},
         "liftoff_angle": of("hip.liftoff_angle", gait.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
         "eigenvalues": ", ".join(_complex(value) for value in gait.eigenvalues),

@@ -22,9 +22,11 @@ from .options import (
     MODEL_OPTION,
     PARAMETERS_OPTION,
     SET_OPTION,
+    TARGET_OPTION,
     Command,
     Number,
     refuse_given,
+    targets_given,
     values_given,
 )
 from .output import json_text
@@ -44,7 +46,7 @@ UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 )
 @click.option("--maximize", multiple=True, metavar="QUANTITY", help="What is to be the most, likewise.")
 @click.option(
-    "--over",
+    "--vary",
     "ranges",
     required=True,
     multiple=True,
@@ -52,13 +54,7 @@ UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
     help="Parameter or input that is varied, and its bounds, as in hip.touchdown_angle='30 deg:50 deg'. "
     "Repeatable.",
 )
-@click.option(
-    "--at",
-    "prescribed",
-    multiple=True,
-    metavar="QUANTITY=VALUE",
-    help="Quantity that is prescribed, in SI units, as in speed=1. Repeatable.",
-)
+@TARGET_OPTION
 @click.option("--stable", is_flag=True, help="Only gaits whose spectral radius is 0.99 at the most.")
 @click.option(
     "--starts",
@@ -83,7 +79,7 @@ def optimize_command(
     minimize: tuple[str, ...],
     maximize: tuple[str, ...],
     ranges: tuple[str, ...],
-    prescribed: tuple[str, ...],
+    targets: tuple[str, ...],
     stable: bool,
     starts: int,
     points: int,
@@ -101,49 +97,29 @@ def optimize_command(
     """
     fmu = load_fmu()
     given = values_given(friction, settings)
-    over = dict(span_of(fmu, text) for text in ranges)
-    for name in over:
-        refuse_given(given, name, "--over")
-    if len(over) != len(ranges):
-        raise InputError("--over: a parameter is given twice; allowed: once")
+    vary = dict(span_of(fmu, text) for text in ranges)
+    for name in vary:
+        refuse_given(given, name, "--vary")
+    if len(vary) != len(ranges):
+        raise InputError("--vary: a parameter is given twice; allowed: once")
     runner = runner_of(fmu, parameters, given, model)
     told_in = Told(fmu, ranges_given(ranges))
-    common: dict[str, Any] = {"at": _values(prescribed), "stable": stable, "starts": starts}
-    common |= {"progress": True, "unit": fmu}
+    common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
+    common |= {"progress": True, "fmu": fmu}
     if len(minimize) + len(maximize) > 2:
         raise InputError("--minimize, --maximize: more than two quantities; allowed: one or two")
     try:
         if len(minimize) + len(maximize) == 2:
-            front = pareto_front(runner, over, minimize=minimize, maximize=maximize, points=points, **common)
+            front = pareto_front(runner, vary, minimize=minimize, maximize=maximize, points=points, **common)
             print(json_text(front.as_json()) if as_json_object else _front_text(front, told_in))
             return
         least, most = (next(iter(names), None) for names in (minimize, maximize))
-        best = optimize(runner, over, minimize=least, maximize=most, **common)
+        best = optimize(runner, vary, minimize=least, maximize=most, **common)
     except TargetNotMetError as problem:
         if as_json_object:
             print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
         raise
     print(json_text(best.as_json()) if as_json_object else _text(best, fmu, told_in))
-
-
-def _values(prescribed: tuple[str, ...]) -> dict[str, float]:
-    """Of --at.
-
-    Raises
-    ------
-    InputError
-        One is not of the form QUANTITY=VALUE, or given twice.
-    """
-    values: dict[str, float] = {}
-    for text in prescribed:
-        name, _, value = (part.strip() for part in text.partition("="))
-        if name in values:
-            raise InputError(f"--at {text}: {name} is given twice; allowed: once")
-        try:
-            values[name] = float(value)
-        except ValueError:
-            raise InputError(f"--at {text}: allowed: QUANTITY=VALUE, a number in SI units") from None
-    return values
 
 
 def _text(best: Optimum, fmu: Fmu, told_in: Told) -> str:

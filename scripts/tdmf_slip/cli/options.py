@@ -1,13 +1,15 @@
 """What several commands share: options, and how start values are read from them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import click
 
 from ..checks import checked, checked_whole
 from ..errors import InputError
+from ..library.quantities import QUANTITIES
 from ..library.section import MODELS
+from ..renamed import OPTIONS, sentence
 from ..unit.parameters import preset_names, read_parameters
 from ..unit.unit import FRICTION, Fmu
 from ..unit.variable import Given, Value
@@ -33,6 +35,9 @@ class Command(click.Command):
             _, _, given = self.make_parser(ctx).parse_args(args=list(args))
         except click.UsageError as problem:
             problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
+            if isinstance(problem, click.NoSuchOption) and problem.option_name in OPTIONS:
+                now = sentence(problem.option_name, OPTIONS[problem.option_name])
+                raise click.UsageError(now, ctx) from None
             raise
         once = [option for option in given if isinstance(option, click.Option) and takes_one_value(option)]
         twice = next((option for option in once if once.count(option) > 1), None)
@@ -90,34 +95,13 @@ MODEL_OPTION = click.option(
     help="Of flight: in full, or reduced to where the leg is to be placed, so that an apex is a height and a "
     "speed.",
 )
-_ORDERS = {
-    "speed": ("V", "Order: mean speed, m/s."),
-    "frequency": ("F", "Order: strides in a second, Hz."),
-    "length": ("L", "Order: length of a stride, m."),
-    "stance_time": ("T", "Order: time on the ground in a stride, s."),
-    "duty_factor": ("D", "Order: share of the stride that is stance."),
-    "slip_distance": ("S", "Order: path that the foot slides in a stride, m."),
-    "peak_force": ("N", "Order: largest ground force across the ground, N."),
-    "peak_vertical_force": ("N", "Order: largest vertical ground force, N."),
-    "cost_of_transport": ("C", "Order: work over weight and length."),
-    "apex_height": ("H", "Order: height of the centre of mass at the apex, m."),
-    "apex_speed": ("V", "Order: its speed there, m/s."),
-    "apex_leg_angle": ("A", "Order: leg angle at the apex, rad."),
-    "foot_clearance": ("H", "Order: height of the foot above the ground at the apex, m."),
-    "greatest_foot_height": ("H", "Order: its greatest height in flight, m."),
-    "positive_hip_work": ("W", "Order: work of the hip at positive power, J."),
-    "positive_leg_work": ("W", "Order: positive work of the leg's changes of rest length, J."),
-    "positive_work": ("W", "Order: positive work of hip and leg, J."),
-    "positive_cost_of_transport": ("C", "Order: positive work over weight and length."),
-    "squared_torque": ("Q", "Order: integral of the squared hip torque, N2 m2 s."),
-    "greatest_slip_velocity": ("V", "Order: greatest speed of the foot in slip, m/s."),
-    "friction_loss": ("W", "Order: energy that friction takes, J."),
-}
-_FREE_OPTION = click.option(
-    "--free",
-    metavar="NAMES",
-    help="Parameters to be found for an order, at least as many as are ordered, as in "
-    "hip.stance_torque,leg.stiffness; they begin with the values given.",
+TARGET_OPTION = click.option(
+    "--target",
+    "targets",
+    multiple=True,
+    metavar="QUANTITY=VALUE",
+    help="Quantity that is prescribed, in SI units, as in speed=1. Repeatable. Quantities: "
+    f"{', '.join(QUANTITIES)}.",
 )
 SCHEDULER_OPTION = click.option(
     "--scheduler",
@@ -132,13 +116,29 @@ WORKERS_OPTION = click.option(
 )
 
 
-def ordering(command: Callable[..., None]) -> Callable[..., None]:
-    """Options of what a gait is to have, named as `library.quantities` has it, and --free."""
-    command = _FREE_OPTION(command)
-    for name, (metavar, meaning) in reversed(_ORDERS.items()):
-        option = f"--{name.replace('_', '-')}"
-        command = click.option(option, type=float, metavar=metavar, help=meaning)(command)
-    return command
+def targets_given(targets: tuple[str, ...]) -> dict[str, float]:
+    """Of --target, by quantity.
+
+    Raises
+    ------
+    InputError
+        One is not of the form QUANTITY=VALUE, or given twice.
+    """
+    values: dict[str, float] = {}
+    for text in targets:
+        name, _, value = (part.strip() for part in text.partition("="))
+        if name in values:
+            raise InputError(f"--target {text}: {name} is given twice; allowed: once")
+        try:
+            values[name] = float(value)
+        except ValueError:
+            raise InputError(f"--target {text}: allowed: QUANTITY=VALUE, a number in SI units") from None
+    return values
+
+
+def names_given(names: str | None) -> list[str]:
+    """Of an option that takes names with commas between them."""
+    return [] if names is None else [name.strip() for name in names.split(",")]
 
 
 def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:

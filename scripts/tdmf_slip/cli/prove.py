@@ -142,7 +142,7 @@ def _prove_borders(
     from ..proof.prove_border import prove_border
 
     ends = ends_of(border, load_fmu().variables[FRICTION], "--border")
-    borders = sweep(runner, list(ends)).borders
+    borders = sweep(runner, {"ground.friction": list(ends)}).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
     proofs = [prove_border(one, told, digits=digits) for one in borders]

@@ -82,7 +82,7 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
 
 
 def ranges_given(ranges: Sequence[str]) -> dict[str, str]:
-    """The ranges of --over as they were written, by name."""
+    """The ranges of --vary as they were written, by name."""
     parts = (text.partition("=") for text in ranges)
     return {name.strip(): span for name, _, span in parts}
 

@@ -46,10 +46,10 @@ SPACING_OPTION = click.option(
 @click.option(
     "--friction",
     metavar="A:B:N",
-    help="N values from A to B; with --over also a single one, MU, for all gaits.",
+    help="N values from A to B; with --vary also a single one, MU, for all gaits.",
 )
 @click.option(
-    "--over",
+    "--vary",
     metavar="NAME=A:B:N",
     help="A parameter or input that is varied, as in leg.damping=0.1:0.3:20 or "
     "hip.touchdown_angle='35 deg:45 deg:11'. With a range of friction a grid of gaits, written to "
@@ -73,7 +73,7 @@ SPACING_OPTION = click.option(
 @JSON_OPTION
 def sweep_command(
     friction: str | None,
-    over: str | None,
+    vary: str | None,
     spacing: str,
     output: Path | None,
     plot: Path | None,
@@ -100,25 +100,25 @@ def sweep_command(
         check_place(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     given = values_given(None, settings)
-    if over is None and friction is None:
-        raise InputError("neither --friction nor --over: allowed: one of the two, or both")
+    if vary is None and friction is None:
+        raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
     if friction is not None:
         refuse_given(given, FRICTION, "--friction")
-        if over is not None and ":" not in friction:
+        if vary is not None and ":" not in friction:
             given, friction = {**given, FRICTION: ("--friction", friction)}, None
-    if over is not None:
-        refuse_given(given, over.partition("=")[0], "--over")
+    if vary is not None:
+        refuse_given(given, vary.partition("=")[0], "--vary")
     runner = runner_of(fmu, parameters, given, model)
-    if friction is None or over is None:
+    if friction is None or vary is None:
         if scheduler is not None or workers is not None:
             raise InputError(
-                "--scheduler, --workers: without --over each gait is found from the one before, nor are they "
-                "of use for a single friction; allowed: with --over and --friction A:B:N"
+                "--scheduler, --workers: without --vary each gait is found from the one before, nor are they "
+                "of use for a single friction; allowed: with --vary and --friction A:B:N"
             )
-        span = over if friction is None else f"{FRICTION}={friction}"
+        span = vary if friction is None else f"{FRICTION}={friction}"
         _row(
             runner,
-            *_span(fmu, str(span), spacing, "--over" if over else "--friction"),
+            *_span(fmu, str(span), spacing, "--vary" if vary else "--friction"),
             output,
             plot,
             as_json_object,
@@ -128,16 +128,16 @@ def sweep_command(
     if plot is not None:
         raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
     frictions = _span(fmu, f"{FRICTION}={friction}", spacing, "--friction")[1]
-    _grid(runner, frictions, over, spacing, output, scheduler, workers, as_json_object)
+    _grid(runner, frictions, vary, spacing, output, scheduler, workers, as_json_object)
 
 
-def _span(fmu: Fmu, over: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
+def _span(fmu: Fmu, vary: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
     """The parameter of a range NAME=A:B:N, and its values."""
-    name, equals, span = (part.strip() for part in over.partition("="))
+    name, equals, span = (part.strip() for part in vary.partition("="))
     if not equals:
-        raise InputError(f"--over {over}: allowed: NAME=A:B:N")
-    check_varied(name, "--over")
-    where = option if option == "--friction" else f"--over {name} ="
+        raise InputError(f"--vary {vary}: allowed: NAME=A:B:N")
+    check_varied(name, "--vary")
+    where = option if option == "--friction" else f"--vary {name} ="
     return name, values_of(span, spacing, fmu.variables[name], where)
 
 
@@ -155,7 +155,7 @@ def _row(
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
-    found = sweep(runner, values, over=name, progress=True)
+    found = sweep(runner, {name: values}, progress=True)
     if output is not None:
         _write(output, found, fmu)
     if plot is not None:
@@ -181,7 +181,7 @@ def _write(path: Path, found: Sweep, fmu: Fmu) -> None:
 def _grid(
     runner: Runner,
     frictions: NDArray[np.float64],
-    over: str,
+    vary: str,
     spacing: str,
     output: Path | None,
     scheduler: str | None,
@@ -191,9 +191,9 @@ def _grid(
     from ..analysis.grid import grid  # xarray is slow to load
 
     if output is None or output.suffix.lower() != NETCDF:
-        raise InputError("--over: a grid of gaits goes to a file; allowed: with --output FILE.nc")
+        raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
     fmu = load_fmu()
-    name, rows = _span(fmu, over, spacing, "--over")
+    name, rows = _span(fmu, vary, spacing, "--vary")
     data = grid(
         runner,
         frictions,

@@ -88,7 +88,7 @@ class Across:
         blocks = []
         for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
             problem.count_strides(1)
-            varied = varied_stride(problem.runner_of(values, number), apex, tuple(row), problem.free)
+            varied = varied_stride(problem.runner_of(values, number), apex, tuple(row), problem.vary)
             errors = np.array([of.error for of in row.values()])
             weights = np.append(problem.runner.scales / WEIGHT, errors)
             weighted = varied.by_all / weights[:, None]

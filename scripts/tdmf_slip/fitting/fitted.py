@@ -21,7 +21,6 @@ from ..unit.variable import Given
 from .across import cross
 from .calibration import MOST_DATA_SETS
 from .concluded import Conclusion, is_met
-from .free_names import check_names, checked_names, profiled_names
 from .kinks import past_kinks
 from .measurements import Measurements, measurements_of
 from .priors import PriorGiven, checked_priors
@@ -31,6 +30,7 @@ from .request import Request
 from .result import Fit
 from .search import Bounds, Ended, searched
 from .starts import starts as starts_of
+from .varied_names import check_names, checked_names, profiled_names
 
 STARTS, MOST_STARTS = 1, 100
 AGAIN = 3
@@ -38,12 +38,12 @@ AGAIN = 3
 
 
 def fit(
+    runner: Runner | Mapping[str, Given] | None,
     data: Measurements | str | Path,
-    free: Sequence[str],
+    vary: Sequence[str] = (),
     *,
-    free_each: Sequence[str] = (),
+    vary_each: Sequence[str] = (),
     priors: Mapping[str, PriorGiven] | None = None,
-    runner: Runner | Mapping[str, Given] | None = None,
     guess: Apex | None = None,
     model: str | None = None,
     robust: bool = False,
@@ -65,20 +65,21 @@ def fit(
 
     Parameters
     ----------
+    runner : Runner or mapping of str to float, optional
+        What does not vary: a runner, or start values by the unit's names and in its units, over the unit's
+        own.
     data : Measurements, str or Path
         What was measured, a CSV file, see `read_measurements`, or the name of one that comes with the
         package, as `human_running`. Each row is a condition with a gait of its own.
-    free : sequence of str
+    vary : sequence of str
         Names of parameters and inputs to be found, of which all rows share one value. They begin with the
         values that the runner has.
-    free_each : sequence of str, optional
+    vary_each : sequence of str, optional
         Names of those of which each row has its own value, as what a runner changes to run faster.
     priors : mapping of str to pair of float, optional
         What is known beside the data: value and standard error of parameters that all rows share, in the
-        unit's units. One that is not among `free` is an assumed constant: it begins with this value, is
+        unit's units. One that is not among `vary` is an assumed constant: it begins with this value, is
         fitted, too, and so its uncertainty is in all intervals.
-    runner : Runner or mapping of str to float, optional
-        What is not free: a runner, or start values by the unit's names and in its units, over the unit's own.
     guess : sequence of float, optional
         An apex near that of the gait that all rows begin with; see `find_gait`. By default the gait that
         the runner settles on, else that near its start values.
@@ -100,7 +101,7 @@ def fit(
     seed : int, default 1
         Of the errors of these data sets.
     starts : int, default 1
-        How many fits are made at the most, from gaits all over what is free, of which the best counts.
+        How many fits are made at the most, from gaits all over what varies, of which the best counts.
     progress : bool, default False
         A count of strides on stderr.
     fmu : Fmu, optional
@@ -115,7 +116,7 @@ def fit(
     Raises
     ------
     InputError
-        The data are no such table, a name is unknown or given twice, or more is free than was measured.
+        The data are no such table, a name is unknown or given twice, or more varies than was measured.
     RunError
         There is no gait to begin with, or a gait has no derivatives.
 
@@ -124,12 +125,12 @@ def fit(
     >>> import tdmf_slip
     >>> from tdmf_slip.fitting.measurements import Measured, Measurements
     >>> row = {"speed": Measured(1.0, 0.01)}
-    >>> found = tdmf_slip.fit(Measurements((row,), "one gait"), ["hip.stance_torque"])
+    >>> found = tdmf_slip.fit(None, Measurements((row,), "one gait"), ["hip.stance_torque"])
     >>> round(found.residuals[0].fitted, 6)
     1.0
     """
     measurements = measurements_of(data)
-    shared, each = checked_names(free, "free"), checked_names(free_each, "free_each")
+    shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
     loaded = load_fmu(fmu)
     known = checked_priors(priors, each, loaded)
     begun = runner_by(Runner.of(runner, fmu), model)

@@ -80,7 +80,7 @@ class Problem:
             *(Parameter(name, None) for name in shared),
             *(Parameter(name, row) for row in range(count) for name in each),
         )
-        self.free = (*shared, *each)
+        self.vary = (*shared, *each)
         self.columns = [
             [*range(len(shared)), *(len(shared) + row * len(each) + k for k in range(len(each)))]
             for row in range(count)
@@ -94,8 +94,8 @@ class Problem:
         self.count = measurements.count + len(self.priors)
         self._granted = 0
         self.happenings = Happenings(words=[[first.word] for _ in self.rows])
-        start = varied_gait(self.runner, first.apex, (), self.free)
-        own = np.array([self.runner.values[name] for name in self.free])
+        start = varied_gait(self.runner, first.apex, (), self.vary)
+        own = np.array([self.runner.values[name] for name in self.vary])
         self._bases = [_Place(first.apex, start, own)] * count
         self._words = [first.word] * count
         self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
@@ -124,7 +124,7 @@ class Problem:
     def runner_of(self, values: NDArray[np.float64], row: int) -> Runner:
         """The runner of a row."""
         runner = self.runner
-        for name, value in zip(self.free, values[self.columns[row]], strict=True):
+        for name, value in zip(self.vary, values[self.columns[row]], strict=True):
             runner = runner.but(name, float(value))
         return runner
 
@@ -238,7 +238,7 @@ class Problem:
     def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:
         self.count_strides(1)
         try:
-            return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self.free)
+            return varied_gait(self.runner_of(values, row), apex, tuple(self.rows[row]), self.vary)
         except RunError as problem:
             raise RunError(
                 f"the fit stops at row {row + 1}: {problem}; other first values lead past it"

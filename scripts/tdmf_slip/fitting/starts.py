@@ -1,4 +1,4 @@
-"""Further gaits that a fit may begin with: of runners all over what is free, those nearest to the data."""
+"""Further gaits that a fit may begin with: of runners all over what varies, those nearest to the data."""
 
 from collections.abc import Iterator, Sequence
 
@@ -17,19 +17,19 @@ from .measurements import Measurements
 from .search import loss_of
 
 RUNNERS = 1024
-"""Spread over what is free."""
+"""Spread over what varies."""
 
 
-def starts(first: Gait, measurements: Measurements, free: Sequence[str], fmu: Fmu) -> Iterator[Gait]:
+def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fmu) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one.
 
     Parameters
     ----------
     first : Gait
-        A gait with the free parameters' own values.
+        A gait with the varied parameters' own values.
     measurements : Measurements
         What is to be fitted.
-    free : sequence of str
+    vary : sequence of str
         Parameters and inputs to be found.
     fmu : Fmu
         Whose ranges hold.
@@ -39,10 +39,10 @@ def starts(first: Gait, measurements: Measurements, free: Sequence[str], fmu: Fm
     Gait
         With which all rows begin.
     """
-    runner, shares = first.runner, evenly(RUNNERS, len(free))
+    runner, shares = first.runner, evenly(RUNNERS, len(vary))
     varied = {
         name: around(runner, fmu, name, np.ascontiguousarray(row))
-        for name, row in zip(free, shares.T, strict=True)
+        for name, row in zip(vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
     runners, apexes, places, losses = [], [], [], []

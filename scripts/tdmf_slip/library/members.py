@@ -6,6 +6,7 @@ from typing import Any
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
+from ..given import mapping_of
 from .binding import ffi
 
 STATES = (
@@ -74,6 +75,34 @@ def check_varied(name: object, what: str) -> None:
             f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
             f"{near_matches(name, VARIED)}"
         )
+
+
+def varied_alone(vary: object, allowed: str) -> tuple[str, Any]:
+    """The one name that varies, and what is given of it.
+
+    Parameters
+    ----------
+    vary : object
+        A mapping with one name of a parameter or input.
+    allowed : str
+        What it may be, for messages.
+
+    Returns
+    -------
+    pair of str and object
+        Name and what it stands for.
+
+    Raises
+    ------
+    InputError
+        It is none, or the name is that of neither a parameter nor an input.
+    """
+    given = mapping_of(vary, "vary", allowed)
+    if len(given) != 1:
+        raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
+    ((name, values),) = given.items()
+    check_varied(name, "vary")
+    return name, values
 
 
 def check_has_gaits(friction: float) -> None:

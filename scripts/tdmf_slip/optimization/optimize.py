@@ -18,11 +18,11 @@ STARTS, MOST_STARTS = 6, 100
 
 def optimize(
     runner: Runner | Mapping[str, Given] | None,
-    over: Mapping[str, tuple[Given, Given]],
+    vary: Mapping[str, tuple[Given, Given]],
     *,
     minimize: str | None = None,
     maximize: str | None = None,
-    at: Mapping[str, float] | None = None,
+    target: Mapping[str, float] | None = None,
     stable: bool | float = False,
     starts: int = STARTS,
     model: str | None = None,
@@ -50,12 +50,12 @@ def optimize(
     runner : Runner or mapping of str to float
         Who is to become better: a runner, or start values by the unit's names and in its units, over the
         unit's own. The search begins with its gait.
-    over : mapping of str to pairs of float
+    vary : mapping of str to pairs of float
         Parameters and inputs that are varied, with their lower and upper bounds; also texts like `40 deg`.
     minimize, maximize : str, optional
         One of the two: the quantity, by a name of `library.quantities.QUANTITIES`, among them
         `cost_of_transport`, `speed`, `slip_distance`.
-    at : mapping of str to float, optional
+    target : mapping of str to float, optional
         Quantities that are prescribed, by the same names, in SI units.
     stable : bool or float, default False
         Only gaits whose spectral radius is at most this; True stands for 0.99. The radius is constrained by
@@ -95,8 +95,8 @@ def optimize(
     """
     fmu = load_fmu(fmu)
     objective, sign = checked_objective(minimize, maximize)
-    space = checked_space(over, fmu)
-    prescribed = checked_values(at, (objective,), space)
+    space = checked_space(vary, fmu)
+    prescribed = checked_values(target, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MOST_STARTS)
     before = periodic_gait(runner_by(Runner.of(runner, fmu), model), fmu=fmu)

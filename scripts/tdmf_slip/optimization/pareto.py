@@ -40,11 +40,11 @@ class Front(ByContents):
 
 def pareto_front(
     runner: Runner | Mapping[str, Given] | None,
-    over: Mapping[str, tuple[Given, Given]],
+    vary: Mapping[str, tuple[Given, Given]],
     *,
     minimize: Sequence[str] = (),
     maximize: Sequence[str] = (),
-    at: Mapping[str, float] | None = None,
+    target: Mapping[str, float] | None = None,
     stable: bool | float = False,
     points: int = POINTS,
     starts: int = STARTS,
@@ -61,11 +61,11 @@ def pareto_front(
     ----------
     runner : Runner or mapping of str to float
         As in `optimize`.
-    over : mapping of str to pairs of float
+    vary : mapping of str to pairs of float
         As in `optimize`.
     minimize, maximize : sequence of str
         Two quantities in all; those to be minimized come first.
-    at : mapping of str to float, optional
+    target : mapping of str to float, optional
         As in `optimize`.
     stable : bool or float, default False
         As in `optimize`.
@@ -97,17 +97,17 @@ def pareto_front(
     Examples
     --------
     >>> import tdmf_slip
-    >>> over = {"hip.stance_torque": (0.15, 0.25)}
+    >>> vary = {"hip.stance_torque": (0.15, 0.25)}
     >>> front = tdmf_slip.pareto_front(
-    ...     {}, over, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
+    ...     {}, vary, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
     ... )
     >>> [best.parameters["hip.stance_torque"] for best in front.optima]
     [0.15, 0.25]
     """
     fmu = load_fmu(fmu)
     signs = _checked_objectives(minimize, maximize)
-    (first, second), space = tuple(signs), checked_space(over, fmu)
-    prescribed = checked_values(at, (first, second), space)
+    (first, second), space = tuple(signs), checked_space(vary, fmu)
+    prescribed = checked_values(target, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MOST_POINTS)

@@ -73,12 +73,12 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
     return checked_quantity(maximize, "maximize"), -1.0
 
 
-def checked_space(over: object, fmu: Fmu) -> Space:
+def checked_space(vary: object, fmu: Fmu) -> Space:
     """The parameters that are varied, between bounds that the unit allows.
 
     Parameters
     ----------
-    over : object
+    vary : object
         What was given as a mapping of names to bounds.
     fmu : Fmu
         Whose ranges hold.
@@ -93,15 +93,15 @@ def checked_space(over: object, fmu: Fmu) -> Space:
     InputError
         Not so many parameters, no parameter, no bounds, or bounds that the unit refuses.
     """
-    given = mapping_of(over, "over", "bounds (A, B) by the names of parameters and inputs")
+    given = mapping_of(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
     if not 1 <= len(given) <= MOST_PARAMETERS:
         raise InputError(
-            f"over: {len(given)} parameters; allowed: 1 to {MOST_PARAMETERS} parameters and inputs"
+            f"vary: {len(given)} parameters; allowed: 1 to {MOST_PARAMETERS} parameters and inputs"
         )
     bounds = {}
     for name, pair in given.items():
-        check_varied(name, "over")
-        where = f"over {name}"
+        check_varied(name, "vary")
+        where = f"vary {name}"
         bounds_given = row_of(pair, where, "two bounds, A below B")
         if len(bounds_given) != 2:
             raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
@@ -112,12 +112,12 @@ def checked_space(over: object, fmu: Fmu) -> Space:
     return Space(bounds)
 
 
-def checked_values(at: object, objectives: tuple[str, ...], space: Space) -> dict[str, float]:
+def checked_values(target: object, objectives: tuple[str, ...], space: Space) -> dict[str, float]:
     """The quantities that are prescribed.
 
     Parameters
     ----------
-    at : object
+    target : object
         What was given as a mapping of quantities to values, or None.
     objectives : tuple of str
         What is to be the least or the most.
@@ -134,16 +134,16 @@ def checked_values(at: object, objectives: tuple[str, ...], space: Space) -> dic
     InputError
         A quantity is unknown or an objective, a value is refused, or there are too many.
     """
-    given = mapping_of(at, "at", f"numbers by name: {', '.join(QUANTITIES)}")
+    given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
     for name in given:
-        checked_quantity(name, "at")
+        checked_quantity(name, "target")
         if name in objectives:
-            raise InputError(f"at {name}: is what is minimized or maximized; allowed: another quantity")
+            raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
     if all(name in given for name in TRAVEL):
-        raise InputError("at: speed, frequency and length; allowed: two of them, for they set the third")
+        raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
     if len(given) > len(space.bounds):
         raise InputError(
-            f"at: {', '.join(given)} by {', '.join(space.bounds)}; allowed: no more quantities than "
+            f"target: {', '.join(given)} by {', '.join(space.bounds)}; allowed: no more quantities than "
             "parameters"
         )
     most = {"duty_factor": 1.0}
@@ -193,4 +193,4 @@ def check_action(gait: Candidate, space: Space) -> None:
     """
     for k, name in enumerate(space.bounds):
         if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
-            raise InputError(f"over {name}: does not act on this gait; allowed: a parameter that changes it")
+            raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")

@@ -87,7 +87,7 @@ def gather(runner: Runner, progress: bool = False) -> Evidence:
     RunError
         A gait was not found.
     """
-    found = sweep(runner, SWEPT, progress=progress)
+    found = sweep(runner, {"ground.friction": SWEPT}, progress=progress)
     stable = classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0]
     return Evidence(found, stable, classic_slip.fold())
 

@@ -144,7 +144,7 @@ def prove_border(
     Examples
     --------
     >>> import tdmf_slip
-    >>> border = tdmf_slip.sweep({}, [0.3, 0.25]).borders[0]
+    >>> border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
     >>> tdmf_slip.prove_border(border).proved
     True
     """

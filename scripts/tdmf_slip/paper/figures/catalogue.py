@@ -143,7 +143,8 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def gaits() -> Sweep:
-        return sweep(runner, SWEPT)
+        found: Sweep = sweep(runner, {FRICTION: SWEPT})
+        return found
 
     @cache
     def measured() -> list[Attraction]:
@@ -156,7 +157,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def gaits_of_both() -> dict[str, Sweep]:
-        return {"full": gaits(), "reduced": sweep(replace(runner, reduced=True), SWEPT)}
+        return {"full": gaits(), "reduced": sweep(replace(runner, reduced=True), {"ground.friction": SWEPT})}
 
     @cache
     def regions() -> dict[str, xarray.Dataset]:

@@ -18,8 +18,8 @@ ASSUMED: Mapping[str, tuple[float, float]] = {
 }
 """Ends of what else they might be: m, kg, N s/m."""
 COMMAND = (
-    f"tdmf-slip fit human_running --parameters human_running.toml --free {STIFFNESS} "
-    f"--free-each {TORQUE},{ANGLE} --model reduced"
+    f"tdmf-slip fit human_running --parameters human_running.toml --vary {STIFFNESS} "
+    f"--vary-each {TORQUE},{ANGLE} --model reduced"
 )
 
 
@@ -31,10 +31,10 @@ def _fitted(name: str = "", value: float = 0.0) -> Fit:
     if name == "leg.free_length":  # the start is an apex, with a leg of this length above the ground
         changed |= {"leg.length": value, "foot.y": float(values["foot.y"]) * value + 0.02}
     return fit(
+        None, {**values, **changed},
         "human_running",
         [STIFFNESS],
-        free_each=[TORQUE, ANGLE],
-        runner={**values, **changed},
+        vary_each=[TORQUE, ANGLE],
         model="reduced",
         profile=False,
     )

@@ -20,7 +20,7 @@ from .claim import ANGLE, SLIPS, STICKS, THRUST, TORQUE, OwnClaim
 @cache
 def _least(quantity: str) -> float:
     """Of gaits over the friction, over that on friction 10."""
-    gaits = sweep({}, np.geomspace(10.0, 0.1, 80)).to_xarray()[quantity].values
+    gaits = sweep({}, {"ground.friction": np.geomspace(10.0, 0.1, 80)}).to_xarray()[quantity].values
     return float(np.nanmin(gaits) / gaits[0])
 
 
@@ -59,8 +59,8 @@ def _at_height(quantity: str) -> Callable[[int], float]:
 
 HELPED = 0.1
 """Thrust, in l0."""
-BY_TORQUE = "tdmf-slip gait --friction 0.2 --speed 1.1 --free hip.stance_torque --json"
-BY_THRUST = "tdmf-slip gait --friction 0.2 --set leg.thrust=0.1 --speed 1.1 --free leg.thrust --json"
+BY_TORQUE = "tdmf-slip gait --friction 0.2 --target speed=1.1 --vary hip.stance_torque --json"
+BY_THRUST = "tdmf-slip gait --friction 0.2 --set leg.thrust=0.1 --target speed=1.1 --vary leg.thrust --json"
 SWEEP = "tdmf-slip sweep --friction 10:0.1:80 --spacing log"
 
 CLAIMS = (

@@ -46,7 +46,7 @@ def best(friction: float, quantity: str, begin: tuple[float, float, float] | Non
         {FRICTION: friction, **values},
         BOUNDS,
         minimize=quantity,
-        at={"speed": SPEED},
+        target={"speed": SPEED},
         stable=RADIUS,
         starts=1,
     )
@@ -61,9 +61,9 @@ def _over(friction: float, quantity: str, counted: str) -> Callable[[int], float
 
 def _command(friction: float, quantity: str) -> str:
     angle, torque, thrust = BEGIN[friction]
-    over = " ".join(f"--over {name}={low}:{high}" for name, (low, high) in BOUNDS.items())
+    over = " ".join(f"--vary {name}={low}:{high}" for name, (low, high) in BOUNDS.items())
     return (
-        f"tdmf-slip optimize --minimize {quantity} {over} --at speed={SPEED} --friction {friction:g} "
+        f"tdmf-slip optimize --minimize {quantity} {over} --target speed={SPEED} --friction {friction:g} "
         f"--set {ANGLE}={angle} --set {TORQUE}={torque} --set {THRUST}={thrust} --starts 1"
     )
 

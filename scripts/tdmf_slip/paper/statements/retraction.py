@@ -16,7 +16,8 @@ ROUGH = (
     "--seed {seed}"
 )
 GAIT = (
-    f"tdmf-slip gait --friction {SLIPS} --set {RATE}={RETRACTS} --speed 0.8 --free hip.stance_torque --json"
+    f"tdmf-slip gait --friction {SLIPS} --set {RATE}={RETRACTS} "
+    "--target speed=0.8 --vary hip.stance_torque --json"
 )
 
 

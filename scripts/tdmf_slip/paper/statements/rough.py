@@ -71,14 +71,14 @@ CLAIMS = (
     ),
     OwnClaim(
         "  the foot's clearance at the apex is not equal then: at friction 0.2, l0",
-        "tdmf-slip gait --friction 0.2 --foot-clearance 1.8828 --free hip.stance_torque --json",
+        "tdmf-slip gait --friction 0.2 --target foot_clearance=1.8828 --vary hip.stance_torque --json",
         1.88,
         1.89,
         _clearance(SLIPS),
     ),
     OwnClaim(
         "  and at friction 10, l0",
-        "tdmf-slip gait --friction 10 --foot-clearance 0.7877 --free hip.stance_torque --json",
+        "tdmf-slip gait --friction 10 --target foot_clearance=0.7877 --vary hip.stance_torque --json",
         0.78,
         0.79,
         _clearance(STICKS),

@@ -79,7 +79,7 @@ def _steadily(friction: float, angle: float | None = None) -> Callable[[int], fl
 
 def _climb_command(friction: float, angle: float | None = None) -> str:
     setting = "" if angle is None else f" --set {ANGLE}={angle}"
-    return f"tdmf-slip continue --over ground.slope=0:0.33 --friction {friction:g}{setting} --no-switch"
+    return f"tdmf-slip continue --vary ground.slope=0:0.33 --friction {friction:g}{setting} --no-switch"
 
 
 UPHILL = math.radians(1.5)

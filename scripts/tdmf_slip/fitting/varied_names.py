@@ -1,4 +1,4 @@
-"""Names of what a fit is asked to free, shared by all rows or for each of them: checked."""
+"""Names of what a fit is asked to vary, shared by all rows or for each of them: checked."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
     profile : object
         As given: whether all or none, or a list of names.
     names : sequence of str
-        What is free.
+        What varies.
 
     Returns
     -------
@@ -28,14 +28,14 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
     Raises
     ------
     InputError
-        One is not free.
+        One does not vary.
     """
     if isinstance(profile, bool | np.bool_):
         return tuple(names) if profile else ()
-    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of free parameters"))
+    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of varied parameters"))
     for name in chosen:
         if name not in names:
-            raise InputError(f"profile: {name} is not free; allowed: {', '.join(names)}")
+            raise InputError(f"profile: {name} does not vary; allowed: {', '.join(names)}")
     return chosen
 
 
@@ -82,18 +82,18 @@ def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measur
     Raises
     ------
     InputError
-        A name is in both, nothing is free, or more than is measured.
+        A name is in both, nothing varies, or more than is measured.
     """
     both = next((name for name in shared if name in each), None)
     if both is not None:
-        raise InputError(f"free and free_each: {both} is in both; allowed: in one of them")
+        raise InputError(f"vary and vary_each: {both} is in both; allowed: in one of them")
     rows = len(measurements.rows)
     wanted = len(shared) + rows * len(each)
     if not wanted:
-        raise InputError("free: nothing is free; allowed: one parameter or more, shared or for each row")
+        raise InputError("vary: nothing varies; allowed: one parameter or more, shared or for each row")
     if wanted > measurements.count + priors:
         many = f" and {len(each)} for each of {rows} rows" if each else ""
         raise InputError(
-            f"free: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
+            f"vary: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
             f"{measurements.count} measured; allowed: no more than are measured"
         )
