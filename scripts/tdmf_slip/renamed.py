@@ -16,6 +16,7 @@ OPTIONS: Mapping[str, str] = {
     "--free-each": "--vary-each NAME,NAME",
     "--most-strides": "--max-strides",
     "--over": "--vary NAME=A:B",
+    "--workers": "--threads",
     "--range": "--axes NAME=A:B",
     **{
         f"--{name.replace('_', '-')}": f"--target {name}=VALUE"

@@ -49,12 +49,12 @@ TAKE_A_RUNNER = {
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, {"ground.friction": [0.3]}).gaits[0].apex,
     "grid": lambda given, found: (
-        grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", workers=1)["period"].values
+        grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", threads=1)["period"].values
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
     "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, max_points=2).values,
-    "basin": lambda given, found: basin.basin(given, AXES, RANGES, workers=1)["strides"].values,
+    "basin": lambda given, found: basin.basin(given, AXES, RANGES, threads=1)["strides"].values,
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
 }
@@ -166,7 +166,7 @@ WRONG = [
     lambda r, o: tdmf_slip.continue_branch(r, {FRICTION: (0.6, -1.0)}),
     lambda r, o: tdmf_slip.continue_branch(r, {FRICTION: (0.6, 0.6)}),
     lambda r, o: tdmf_slip.continue_branch(r, {"foot.y": (0.6, 0.7)}),
-    lambda r, o: running.run_blocks(abs, [1, 2], workers="x").__enter__(),
+    lambda r, o: running.run_blocks(abs, [1, 2], threads="x").__enter__(),
     lambda r, o: tdmf_slip.controllability(r, [ANGLE]),
     lambda r, o: tdmf_slip.controllability(o, 3),
     lambda r, o: tdmf_slip.controllability(o, [3]),

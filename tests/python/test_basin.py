@@ -25,7 +25,7 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def slice_(runner, unit):
-    return basin.basin(runner, AXES, RANGES, workers=1, fmu=unit)
+    return basin.basin(runner, AXES, RANGES, threads=1, fmu=unit)
 
 
 def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
@@ -46,9 +46,9 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
 
 def test_fates_do_not_depend_on_who_computes_them(runner, slice_, unit, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
-    two = basin.basin(runner, AXES, RANGES, workers=2, fmu=unit)
+    two = basin.basin(runner, AXES, RANGES, threads=2, fmu=unit)
     xarray.testing.assert_equal(two, slice_)
-    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), workers=1, fmu=unit)
+    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), threads=1, fmu=unit)
     np.testing.assert_array_equal(part["strides"].values, slice_["strides"].values[3:5, 1:])
 
 
@@ -65,8 +65,8 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * len(RANGES[1]))
     monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        basin.basin(runner, AXES, RANGES, workers=1, path=path, fmu=unit)
-    whole = basin.basin(runner, AXES, RANGES, workers=1, path=path, fmu=unit)
+        basin.basin(runner, AXES, RANGES, threads=1, path=path, fmu=unit)
+    whole = basin.basin(runner, AXES, RANGES, threads=1, path=path, fmu=unit)
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     xarray.testing.assert_equal(whole, slice_)
     xarray.testing.assert_equal(xarray.load_dataset(path), slice_)
@@ -78,7 +78,7 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
 @pytest.mark.parametrize("ranges", [([], [1.0]), ([1.0], [float("nan")])])
 def test_ranges_that_are_none_are_refused(runner, unit, ranges):
     with pytest.raises(InputError, match="range of com_"):
-        basin.basin(runner, AXES, ranges, workers=1, fmu=unit)
+        basin.basin(runner, AXES, ranges, threads=1, fmu=unit)
 
 
 def test_basin_command(command):
@@ -118,7 +118,7 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, unit, tmp_path, spoil
     path = tmp_path / "map.nc"
     spoil(slice_).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
-        basin.basin(runner, AXES, RANGES, path=path, workers=1, fmu=unit)
+        basin.basin(runner, AXES, RANGES, path=path, threads=1, fmu=unit)
 
 
 def drawn(data, monkeypatch):
@@ -185,7 +185,7 @@ def test_every_fate_has_a_colour():
 def test_a_map_says_friction_and_units(unit, monkeypatch, preset):
     """SI on both axes, as the ranges are given, with the scales of the runner."""
     runner = Runner.of(tdmf_slip.read_parameters(preset), unit).but("ground.friction", 0.55)
-    data = basin.basin(runner, ("leg_length", "leg_angle_rate"), ([1.2], [0.2, 0.4]), workers=1)
+    data = basin.basin(runner, ("leg_length", "leg_angle_rate"), ([1.2], [0.2, 0.4]), threads=1)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")
     rate = "1" if preset == "paper" else "16.52"

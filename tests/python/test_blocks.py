@@ -4,14 +4,15 @@ import concurrent.futures
 import contextlib
 import functools
 import json
+import math
 import os
 import pathlib
 import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
-import types
 
 import numpy as np
 import pytest
@@ -100,59 +101,65 @@ def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
         list(found)
 
 
-def test_a_block_that_kills_its_workers_is_said(monkeypatch):
+def test_a_block_that_kills_its_workers_is_said():
+    from distributed import LocalCluster
+
     with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
         pytest.raises(RunError, match="killed every worker"),
-        run_blocks(die, [0, 1], workers=2) as found,
+        run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
     ):
         list(found)
 
 
-def test_workers_that_cannot_import_a_block_are_not_waited_for(monkeypatch):
-    """They end by themselves, each as soon as it is given the block, and Dask begins no others."""
-    here_alone = types.ModuleType("here_alone")
-    monkeypatch.setitem(sys.modules, "here_alone", here_alone)
-    here_alone.Block = type("Block", (), {"__module__": "here_alone"})
-    with (
-        pytest.raises(RunError, match="every process that was started for the work has ended"),
-        run_blocks(id, [here_alone.Block(), here_alone.Block()], workers=2) as found,
-    ):
-        list(found)
-
-
-def test_a_script_without_a_guard_is_told(tmp_path):
+def test_a_script_needs_no_guard(tmp_path):
+    """Nor does it start a process or open a port, with as many threads as there are processors."""
     script = tmp_path / "script.py"
     script.write_text(
-        "from tdmf_slip.blocks.running import run_blocks\n"
-        "with run_blocks(abs, [1, 2], workers=2) as found: print(list(found))\n"
+        "import socket, subprocess, sys\n"
+        "def refused(*given, **named): raise SystemExit('a process or a port')\n"
+        "socket.socket.bind = subprocess.Popen.__init__ = refused\n"
+        "import tdmf_slip\n"
+        "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, threads=2)\n"
+        "print(found.falls > 0, 'distributed' in sys.modules, 'multiprocessing' in sys.modules)\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)
-    assert done.returncode != 0 and '__name__ == "__main__"' in done.stderr.splitlines()[-1]
+    assert (done.returncode, done.stdout.strip()) == (0, "True False False"), done.stderr
+
+
+def test_what_a_thread_raises_is_raised_here():
+    with run_blocks(math.sqrt, [4.0, 9.0], threads=2) as found:
+        assert sorted(found) == [(0, 2.0), (1, 3.0)]
+    with (
+        pytest.raises(ValueError, match="math domain"),
+        run_blocks(math.sqrt, [4.0, -1.0], threads=2) as found,
+    ):
+        list(found)
 
 
 def test_a_cluster_gives_the_same_map(cluster, unit):
     address, *_ = cluster
     runner = Runner.of({}, unit)
     ranges = np.linspace(1.2, 2.9, 6), np.linspace(0.9, 1.6, 5)
-    here = basin.basin(runner, ("com_height", "com_speed"), ranges, workers=1, fmu=unit)
+    here = basin.basin(runner, ("com_height", "com_speed"), ranges, threads=1, fmu=unit)
     there = basin.basin(runner, ("com_height", "com_speed"), ranges, scheduler=address, fmu=unit)
     xarray.testing.assert_identical(here, there)
 
 
-def test_a_grid_of_gaits_is_the_same_by_two_workers(unit, tmp_path):
+def test_a_grid_of_gaits_is_the_same_by_two_threads(unit, tmp_path):
     runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
     grids = [
         grid.grid(
-            runner, frictions, "leg.damping", dampings, tmp_path / f"{workers}.nc", workers=workers, fmu=unit
+            runner, frictions, "leg.damping", dampings, tmp_path / f"{threads}.nc", threads=threads, fmu=unit
         )
-        for workers in (1, 2)
+        for threads in (1, 2)
     ]
     xarray.testing.assert_identical(*grids)
 
 
-def test_a_batch_of_units_is_the_same_by_two_workers(unit):
+def test_a_batch_of_units_is_the_same_by_two_threads(unit):
     table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.run_batch(table, strides=3, workers=workers, fmu=unit) for workers in (1, 2))
+    one, two = (batch.run_batch(table, strides=3, threads=threads, fmu=unit) for threads in (1, 2))
     xarray.testing.assert_identical(one, two)
     assert list(one["count"].values) == [3, 3, 3]
     assert list(one["ground.friction"].values) == [1.2, 0.6, 0.2]
@@ -163,8 +170,8 @@ def test_a_batch_of_units_is_the_same_by_two_workers(unit):
 def test_a_run_that_fails_leaves_the_others(unit):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
-    runs = batch.run_batch(table, strides=2, workers=1, fmu=unit)
-    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, workers=1, fmu=unit)
+    runs = batch.run_batch(table, strides=2, threads=1, fmu=unit)
+    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=unit)
     assert together["problem"].values[0] == "" and "leg.length" in together["problem"].values[1]
     assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
     assert runs["fallen"].values[1] or runs["problem"].values[1]
@@ -184,7 +191,7 @@ def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
 INTERRUPT_AT = """
 import os, signal, sys
 from tdmf_slip.analysis import grid
-from tdmf_slip.blocks import cluster, running
+from tdmf_slip.blocks import running
 from tdmf_slip.cli import main as command
 
 def interrupting(module, name):
@@ -198,12 +205,9 @@ def interrupting(module, name):
     setattr(module, name, function)
 
 def main():
-    from distributed import Nanny
-    honest = Nanny.close  # a worker that closes by itself may take for ever
-    Nanny.close = lambda nanny, timeout=1e9, **how: honest(nanny, timeout=timeout, **how)
     for place in sys.argv[1].split():
         module, name = place.split(".")
-        interrupting({"cluster": cluster, "running": running, "grid": grid, "os": os}[module], name)
+        interrupting({"running": running, "grid": grid, "os": os}[module], name)
     return command.main(sys.argv[2:])
 
 if __name__ == "__main__":
@@ -243,24 +247,18 @@ def interrupted(program, folder, *arguments):
 @pytest.mark.parametrize(
     ("places", "left"),
     [
-        ("cluster._local_cluster", []),
+        ("running.Threads", []),
         ("running._next_done", []),
         ("grid.write_dataset", ["grid.nc"]),
         ("os.replace", ["grid.nc"]),
-        ("cluster._local_cluster running.kill_workers", []),
-        ("running._next_done running.kill_workers", []),
-        ("grid.write_dataset running.kill_workers", ["grid.nc"]),
     ],
 )
 def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
-    """While workers start, compute, or a row is written; and again while they are ended.
-
-    A worker that had to close by itself would never do, here: it is killed.
-    """
+    """While threads start, compute, or a row is written."""
     folder = tmp_path / "folder"
     folder.mkdir()
     grid = ("sweep", "--friction", "0.5:0.6:2", "--vary", "leg.damping=0.1:0.3:500", "--output", "grid.nc")
-    status, said = interrupted(INTERRUPT_AT, folder, places, *grid, "--workers", "2")
+    status, said = interrupted(INTERRUPT_AT, folder, places, *grid, "--threads", "2")
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "sweep"), said
     assert [path.name for path in folder.iterdir()] == left
@@ -271,11 +269,11 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("places", ["cluster._local_cluster", "running._next_done"])
+@pytest.mark.parametrize("places", ["running.Threads", "running._next_done"])
 def test_an_interrupt_ends_a_map(places, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()
-    options = ("--n", "128", "--samples", "0", "--output", "map.nc", "--workers", "2")
+    options = ("--n", "128", "--samples", "0", "--output", "map.nc", "--threads", "2")
     status, said = interrupted(INTERRUPT_AT, folder, places, "basin", *options)
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "basin"), said
@@ -287,8 +285,6 @@ import os, pathlib, signal, sys, threading, time
 from tdmf_slip.blocks.running import run_blocks
 
 def endless(number):
-    from tdmf_slip.terminal import progress
-    progress_bar("a bar that nobody sees", 1, "", show=False)
     pathlib.Path(f"begun-{number}").touch()
     while True:
         time.sleep(0.01)
@@ -299,12 +295,9 @@ def interrupt():
     os.killpg(0, signal.SIGINT)
 
 def main():
-    from distributed import Nanny
-    honest = Nanny.close
-    Nanny.close = lambda nanny, timeout=1e9, **how: honest(nanny, timeout=timeout, **how)
     threading.Thread(target=interrupt).start()
     try:
-        with run_blocks(endless, range(10), workers=2) as found:
+        with run_blocks(endless, range(10), threads=2) as found:
             list(found)
     except KeyboardInterrupt:
         sys.exit("ended")
@@ -316,23 +309,26 @@ if __name__ == "__main__":
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
 def test_an_interrupt_waits_for_no_block(tmp_path):
-    """Nor do killed workers leave semaphores behind."""
+    """Of threads that are at one, Python's end is not kept waiting either."""
     folder = tmp_path / "folder"
     folder.mkdir()
     assert interrupted(ENDLESS_BLOCKS, folder) == (1, ["ended"])
 
 
-def test_a_local_cluster_is_left_before_its_blocks_are_done(tmp_path):
-    """Without an interrupt, too: what is not wanted any more is not waited for."""
-    with run_blocks(endless, [tmp_path / "0", tmp_path / "1"], workers=2) as found:
-        next(found)
-    assert (tmp_path / "0").exists()
+def test_threads_are_left_before_their_blocks_are_done():
+    """Without an interrupt, too: what is not wanted any more is not waited for, and what waits not begun."""
+    end, begun = threading.Event(), []
 
+    def work(number):
+        begun.append(number)
+        if number:
+            end.wait()
+        return number
 
-def endless(path):
-    path.touch()
-    while path.name != "0":
-        time.sleep(0.01)
+    with run_blocks(work, range(20), threads=2) as found:
+        assert next(found) == (0, 0)
+    assert set(begun) <= {0, 1, 2}
+    end.set()
 
 
 def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
@@ -401,10 +397,10 @@ def test_wrong_arguments_are_said(unit):
         pass
     with (
         pytest.raises(InputError, match="one of them"),
-        run_blocks(abs, [1], scheduler="tcp://a:1", workers=2),
+        run_blocks(abs, [1], scheduler="tcp://a:1", threads=2),
     ):
         pass
-    with pytest.raises(InputError, match="workers 0"), run_blocks(abs, [1, 2], workers=0):
+    with pytest.raises(InputError, match="threads 0"), run_blocks(abs, [1, 2], threads=0):
         pass
     with pytest.raises(InputError, match="table: allowed"):
         batch.run_batch([], strides=1, fmu=unit)

@@ -47,7 +47,7 @@ def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit
         gait = json.loads(out)
         sizes = [1.0 + 1e-9, 1.0 - 1e-9]
         axes = [[size * gait["apex"][0] for size in sizes], [size * gait["apex"][1] for size in sizes]]
-        data = basin({name: value}, ("com_height", "com_speed"), axes, workers=1, fmu=unit)
+        data = basin({name: value}, ("com_height", "com_speed"), axes, threads=1, fmu=unit)
         assert data.attrs["settled_share"] == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1

@@ -156,8 +156,8 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
 
     monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, frictions, "leg.damping", rows, path, workers=1, fmu=unit)
-    whole = grid(runner, frictions, "leg.damping", rows, path, workers=1, fmu=unit)
+        grid(runner, frictions, "leg.damping", rows, path, threads=1, fmu=unit)
+    whole = grid(runner, frictions, "leg.damping", rows, path, threads=1, fmu=unit)
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)
@@ -166,7 +166,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
     middle = find_gait(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
-        grid(runner, frictions, "leg.damping", rows + 0.01, path, workers=1, fmu=unit)
+        grid(runner, frictions, "leg.damping", rows + 0.01, path, threads=1, fmu=unit)
 
 
 def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
@@ -206,7 +206,7 @@ def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
 
 def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_path):
     frictions = np.linspace(0.6, 0.02, 4)
-    found = grid(runner, frictions, "hip.touchdown_angle", [1.0], tmp_path / "l.nc", workers=1, fmu=unit)
+    found = grid(runner, frictions, "hip.touchdown_angle", [1.0], tmp_path / "l.nc", threads=1, fmu=unit)
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
@@ -230,7 +230,7 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
 
 def test_a_grid_over_a_mass(runner, unit, tmp_path):
     """A row whose start values are refused has its reason, and the others are done."""
-    found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", workers=1, fmu=unit)
+    found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", threads=1, fmu=unit)
     assert not found["period"].isnull().any()
     found = grid(
         runner,
@@ -238,7 +238,7 @@ def test_a_grid_over_a_mass(runner, unit, tmp_path):
         "leg.length",
         [0.04, runner.values["leg.length"]],
         tmp_path / "y.nc",
-        workers=1,
+        threads=1,
         fmu=unit,
     )
     assert "leg.length = 0.04" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
@@ -340,7 +340,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
         "leg.damping=0.1:0.2:2",
         "--output",
         "grid.nc",
-        "--workers",
+        "--threads",
         1,
     )
     assert command("sweep", *grid)[0] == 0
@@ -352,7 +352,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
 
 
 def test_a_grid_without_gaits_says_why(command):
-    over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--workers", 1)
+    over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--threads", 1)
     status, out, said = command("sweep", "--friction", "0.3:1:3", *over, "--json")
     assert status == 1 and json.loads(out)["gaits"] == 0
     assert "the runner fell" in said and "0 of 6" in said

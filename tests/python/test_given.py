@@ -54,12 +54,12 @@ SAME = {
         pandas.Series(["contact.fx", "foot.x"]),
     ),
     "batch": (
-        lambda given, gait: batch.run_batch(given, strides=1, workers=1)["period"].values,
+        lambda given, gait: batch.run_batch(given, strides=1, threads=1)["period"].values,
         [GIVEN, {FRICTION: 0.5, DAMPING: 0.2}],
         pandas.DataFrame({FRICTION: [0.6, 0.5], DAMPING: [0.19, 0.2]}),
     ),
     "batch of Series": (
-        lambda given, gait: batch.run_batch(given, strides=1, workers=1)["period"].values,
+        lambda given, gait: batch.run_batch(given, strides=1, threads=1)["period"].values,
         [GIVEN],
         [SERIES],
     ),

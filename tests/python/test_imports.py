@@ -45,6 +45,7 @@ def test_a_gait_loads_what_it_needs():
         "errors",
         "given",
         "library",
+        "renamed",
         "terminal",
         "unit",
     }
@@ -56,7 +57,7 @@ def test_a_gait_loads_what_it_needs():
     [
         (("sweep", "--friction", "0.6:0.7:2"), set()),
         (("simulate", "--stop-time", "1"), {"fmpy.sundials.cvode"}),
-        (("basin", "--n", "2", "--samples", "0", "--workers", "1"), {"xarray"}),
+        (("basin", "--n", "2", "--samples", "0", "--threads", "1"), {"xarray"}),
     ],
 )
 def test_other_commands_load_what_they_need(arguments, loaded):

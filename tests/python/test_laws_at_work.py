@@ -59,11 +59,11 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
 
 def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
     assert robustness(gait, nothing) == robustness(gait)
-    assert volume(gait, 500, law=nothing, workers=1) == volume(gait, 500, workers=1)
-    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, workers=1)
-    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, workers=1) == free
+    assert volume(gait, 500, law=nothing, threads=1) == volume(gait, 500, threads=1)
+    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, threads=1)
+    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, threads=1) == free
     axes, ranges = ("com_height", "leg_angle"), (np.linspace(0.6, 2.6, 7), np.linspace(-1.5, 1.5, 8))
-    one, other = (basin(gait.runner, axes, ranges, law=law, workers=1) for law in (None, nothing))
+    one, other = (basin(gait.runner, axes, ranges, law=law, threads=1) for law in (None, nothing))
     xarray.testing.assert_equal(one, other)
     assert len(np.unique(one["fate"])) > 1
     assert json.loads(other.attrs["law"])["settings"] == list(NAMES)
@@ -71,7 +71,7 @@ def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
 
 def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
     free, held = (
-        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law, workers=1)
+        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law, threads=1)
         for law in (None, settling)
     )
     assert held.interval[0] > free.interval[1]
@@ -82,7 +82,7 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
 def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
     free, held = robustness(gait), robustness(gait, settling)
     assert held.step_up > free.step_up + 0.2 and held.step_down > free.step_down
-    in_the_box = [volume(gait, 300, law=law, workers=1).settled for law in (None, settling)]
+    in_the_box = [volume(gait, 300, law=law, threads=1).settled for law in (None, settling)]
     assert in_the_box[1] > in_the_box[0]
 
 
@@ -98,8 +98,8 @@ def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, t
         [0.01] * 6,
     )
     axes, ranges = ("com_height", "com_speed"), (np.linspace(0.9, 2.4, 6), np.linspace(0.2, 2.3, 5))
-    whole = basin(gait.runner, axes, ranges, law=noisy, workers=1)
-    assert not whole.equals(basin(gait.runner, axes, ranges, law=settling, workers=1))
+    whole = basin(gait.runner, axes, ranges, law=noisy, threads=1)
+    assert not whole.equals(basin(gait.runner, axes, ranges, law=settling, threads=1))
     starts = np.tile(gait.apex, (30, 1))
     starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
     by_number = fates(gait.runner, gait.apex, starts, law=noisy)
@@ -117,9 +117,9 @@ def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, t
     part["fate"][[1, 3]] = basin_module.NOT_YET
     part["strides"][[1, 3]] = 0
     part.to_netcdf(path)
-    xarray.testing.assert_equal(basin(gait.runner, axes, ranges, law=noisy, workers=1, path=path), whole)
+    xarray.testing.assert_equal(basin(gait.runner, axes, ranges, law=noisy, threads=1, path=path), whole)
     with pytest.raises(InputError, match="holds another slice"):
-        basin(gait.runner, axes, ranges, law=settling, workers=1, path=path)
+        basin(gait.runner, axes, ranges, law=settling, threads=1, path=path)
 
 
 def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
@@ -127,7 +127,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
         for judge in (
             lambda: check_attracts(gait, law),
             lambda: robustness(gait, law),
-            lambda: volume(gait, 10, law=law, workers=1),
+            lambda: volume(gait, 10, law=law, threads=1),
         ):
             with pytest.raises(InputError, match=re.escape(message)):
                 judge()

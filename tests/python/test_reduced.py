@@ -110,7 +110,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         REDUCED,
         (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
         path=tmp_path / "plane.nc",
-        workers=1,
+        threads=1,
     )
     assert data.attrs["model"] == "reduced"
     assert 0.9 < data.attrs["settled_share"] < 1.0
@@ -119,10 +119,10 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         REDUCED,
         (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
         path=tmp_path / "plane.nc",
-        workers=1,
+        threads=1,
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = volume.volume(find_gait(model="reduced"), 300, workers=1)
+    found = volume.volume(find_gait(model="reduced"), 300, threads=1)
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another slice"):
         basin(

@@ -122,7 +122,7 @@ def test_resampling_keeps_weights():
 
 def test_a_runner_falls_as_often_as_by_waiting():
     runner = {"ground.friction": 0.6}
-    waiting = strides_to_fall(runner, 0.3, 200, seed=5, max_strides=20_000, workers=1)
+    waiting = strides_to_fall(runner, 0.3, 200, seed=5, max_strides=20_000, threads=1)
     split = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=1)
     assert waiting.falls == 200 and split.falls >= 200
     low, high = split.interval

@@ -22,7 +22,7 @@ def test_a_mean_on_rough_ground_is_what_is_kept():
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
     (place,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall(
-        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, workers=1
+        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, threads=1
     )
     assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.05)
 
@@ -38,7 +38,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
         [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
     runner = Runner(runners.gaits[1].runner.values)
-    found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, workers=1)
+    found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, threads=1)
     (place,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.1)
 

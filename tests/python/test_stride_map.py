@@ -244,7 +244,7 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
     monkeypatch.setattr(module, "LEAST_IN_A_BLOCK", 11)
     monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
     assert_same(stride_map(gait.runner, starts, **how), whole)
-    assert_same(stride_map(gait.runner, starts, workers=2, **how), whole)
+    assert_same(stride_map(gait.runner, starts, threads=2, **how), whole)
 
 
 # ---- noise ------------------------------------------------------------------------------------------------
@@ -417,7 +417,7 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
     refused("law: hip.kp is in the settings, too", lambda _: {"hip.kp": 1}, settings={"hip.kp": 1})
     refused("law: hip.touchdown_angle is in the settings, too", law_of(gait), settings={ANGLE: 0.7})
     refused("law: ground.height on rough ground", lambda _: {"ground.height": 0}, roughness=0.1)
-    refused("law: a function is called here, for all runners at once", lambda _: {}, workers=2)
+    refused("law: a function is called here, for all runners at once", lambda _: {}, threads=2)
 
 
 def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):

@@ -52,13 +52,13 @@ def measure(gait: Gait) -> Attraction:
         gait.friction,
         gait.word,
         gait.lambda_max,
-        volume(gait, SAMPLES, workers=1),
+        volume(gait, SAMPLES, threads=1),
         robustness(gait),
     )
 
 
 def measure_all(
-    gaits: Sequence[Gait], *, scheduler: str | None = None, workers: int | None = None
+    gaits: Sequence[Gait], *, scheduler: str | None = None, threads: int | None = None
 ) -> list[Attraction]:
     """`measure` for many gaits, side by side; see `run_blocks`.
 
@@ -68,7 +68,7 @@ def measure_all(
         Stable ones.
     scheduler : str, optional
         See `run_blocks`.
-    workers : int, optional
+    threads : int, optional
         See `run_blocks`.
 
     Returns
@@ -84,5 +84,5 @@ def measure_all(
     check_kind(gaits, Sequence, "gaits", "Gaits in a list, as find_gait gives")
     for gait in gaits:
         check_is_gait(gait, "gaits")
-    with run_blocks(measure, gaits, scheduler=scheduler, workers=workers) as results:
+    with run_blocks(measure, gaits, scheduler=scheduler, threads=threads) as results:
         return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]

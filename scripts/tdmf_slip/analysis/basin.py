@@ -137,7 +137,7 @@ def basin(
     law: AffineLaw | None = None,
     path: Path | str | None = None,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
@@ -161,8 +161,8 @@ def basin(
         Of a NetCDF file.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine, by default one for each processor.
+    threads : int, optional
+        Threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -187,7 +187,7 @@ def basin(
     >>> import numpy as np
     >>> import tdmf_slip
     >>> axes, ranges = ("com_height", "com_speed"), (np.linspace(1.2, 1.6, 3), np.linspace(0.9, 1.2, 3))
-    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, ranges, workers=1)
+    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, ranges, threads=1)
     >>> print(fates["fate"].shape, fates.attrs["settled_share"])
     (3, 3) 1.0
     """
@@ -209,7 +209,7 @@ def basin(
     ]
     with (
         progress_bar("basin", len(values[0]), "rows", progress) as bar,
-        run_blocks(fates_of_slice, parts, scheduler=scheduler, workers=workers) as results,
+        run_blocks(fates_of_slice, parts, scheduler=scheduler, threads=threads) as results,
     ):
         bar.update(len(values[0]) - len(missing))
         for number, ends in results:

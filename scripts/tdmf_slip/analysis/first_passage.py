@@ -176,7 +176,7 @@ def strides_to_fall(
     gait: Gait | None = None,
     law: AffineLaw | None = None,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> FirstPassage:
@@ -207,8 +207,8 @@ def strides_to_fall(
         it steps.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine, by default one for each processor.
+    threads : int, optional
+        Threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -254,7 +254,7 @@ def strides_to_fall(
     counted = np.zeros(4, dtype=np.int64)
     with (
         progress_bar("rough", runners, "runners", progress) as bar,
-        run_blocks(count_falls, shares, scheduler=scheduler, workers=workers) as results,
+        run_blocks(count_falls, shares, scheduler=scheduler, threads=threads) as results,
     ):
         for number, found in results:
             counted += found

@@ -49,7 +49,7 @@ def stay(place: Place) -> FirstPassage:
         place.seed,
         place.max_strides,
         law=place.law,
-        workers=1,
+        threads=1,
     )
 
 

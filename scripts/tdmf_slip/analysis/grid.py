@@ -86,7 +86,7 @@ def grid(
     path: Path | str,
     *,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
@@ -110,8 +110,8 @@ def grid(
         Of the NetCDF file.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine, by default one for each processor.
+    threads : int, optional
+        Threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -163,7 +163,7 @@ def grid(
     rows = [Row(runner.but(name, down[number]), tuple(across)) for number in missing]
     with (
         progress_bar("sweep", len(down), "rows", progress) as bar,
-        run_blocks(gaits_of_row, rows, scheduler=scheduler, workers=workers) as results,
+        run_blocks(gaits_of_row, rows, scheduler=scheduler, threads=threads) as results,
     ):
         bar.update(len(down) - len(missing))
         for number, (gaits, branches, problem) in results:

@@ -51,7 +51,7 @@ def stride_map(
     tolerance: float = TOLERANCE,
     instructions: str | None = None,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
@@ -97,8 +97,8 @@ def stride_map(
         One of `library.ensemble.instruction_sets()`; by default the fastest. Results differ by rounding.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine. By default this one does it all, with a thread for each processor.
+    threads : int, optional
+        Threads on this machine. By default this one does it all, with a thread for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -155,10 +155,10 @@ def stride_map(
         instructions,
     )
     if law is None or affine is not None:
-        columns = _in_blocks(request, scheduler, workers, progress)
-    elif scheduler is not None or workers is not None:
+        columns = _in_blocks(request, scheduler, threads, progress)
+    elif scheduler is not None or threads is not None:
         raise InputError(
-            "law: a function is called here, for all runners at once; allowed: no scheduler or workers"
+            "law: a function is called here, for all runners at once; allowed: neither scheduler nor threads"
         )
     else:
         assert callable(law)
@@ -221,17 +221,17 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
     check_set(tuple(given), (), ground, "inputs")
 
 
-def _in_blocks(request: Request, scheduler: str | None, workers: int | None, progress: bool) -> Columns:
+def _in_blocks(request: Request, scheduler: str | None, threads: int | None, progress: bool) -> Columns:
     """Block by block, here by a thread for each processor, or elsewhere by one."""
     runners = len(request.apices)
     size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
-    here = scheduler is None and workers is None
+    here = scheduler is None and threads is None
     whole = request if here else replace(request, threads=1)
     blocks = [whole.part(first, min(size, runners - first)) for first in range(0, runners, size)]
     parts: dict[int, Columns] = {}
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
-        run_blocks(noted_strides, blocks, scheduler=scheduler, workers=1 if here else workers) as results,
+        run_blocks(noted_strides, blocks, scheduler=scheduler, threads=1 if here else threads) as results,
     ):
         for number, columns in results:
             parts[number] = columns

@@ -120,7 +120,7 @@ def sweep(
     *,
     path: Path | str | None = None,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Any:
@@ -142,8 +142,8 @@ def sweep(
         Of a grid: the NetCDF file that it is written to row by row, and gone on with where it has some.
     scheduler : str, optional
         Of a grid: address of a Dask cluster, see `run_blocks`.
-    workers : int, optional
-        Of a grid: processes on this machine, by default one for each processor.
+    threads : int, optional
+        Of a grid: threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -174,9 +174,9 @@ def sweep(
     if len(mapping_of(vary, "vary", "values by the name of one parameter or input, or of two")) == 2:
         from .grid import grid_over  # xarray is slow to load
 
-        return grid_over(runner, vary, path, scheduler=scheduler, workers=workers, progress=progress, fmu=fmu)
-    if (path, scheduler, workers) != (None, None, None):
-        raise InputError("path, scheduler, workers: of a sweep over one name; allowed: of a grid over two")
+        return grid_over(runner, vary, path, scheduler=scheduler, threads=threads, progress=progress, fmu=fmu)
+    if (path, scheduler, threads) != (None, None, None):
+        raise InputError("path, scheduler, threads: of a sweep over one name; allowed: of a grid over two")
     name, values = varied_alone(vary, "values of one parameter or input by its name")
     row = fmu.find(name, "vary").values_of(values, f"vary {name}")
     if len(row) > MOST_GAITS:

@@ -138,7 +138,7 @@ def volume(
     seed: int = 0,
     law: AffineLaw | None = None,
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
 ) -> Volume:
     """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map.
@@ -155,8 +155,8 @@ def volume(
         By which settings are made anew at each apex; it keeps the gait as it is.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine, by default one for each processor.
+    threads : int, optional
+        Threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
 
@@ -179,7 +179,7 @@ def volume(
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
         progress_bar("volume", samples, "starts", progress) as bar,
-        run_blocks(count_fates, drawings, scheduler=scheduler, workers=workers) as results,
+        run_blocks(count_fates, drawings, scheduler=scheduler, threads=threads) as results,
     ):
         for number, found in results:
             counted += found

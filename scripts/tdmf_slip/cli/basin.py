@@ -23,7 +23,7 @@ from .options import (
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
-    WORKERS_OPTION,
+    THREADS_OPTION,
     Command,
     values_given,
 )
@@ -70,7 +70,7 @@ AXES = ("com_height", "com_speed")
     help="Random starts in all six coordinates, for the region's volume; 0 for none.",
 )
 @SCHEDULER_OPTION
-@WORKERS_OPTION
+@THREADS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
@@ -83,7 +83,7 @@ def basin_command(
     plot: Path | None,
     samples: int,
     scheduler: str | None,
-    workers: int | None,
+    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
@@ -118,7 +118,7 @@ def basin_command(
         (rows, across),
         path=output,
         scheduler=scheduler,
-        workers=workers,
+        threads=threads,
         progress=True,
         fmu=fmu,
     )
@@ -135,7 +135,7 @@ def basin_command(
         "robustness": robustness(gait).as_json(),
     }
     if samples:
-        found = volume(gait, samples, scheduler=scheduler, workers=workers, progress=True)
+        found = volume(gait, samples, scheduler=scheduler, threads=threads, progress=True)
         result["volume"] = found.as_json()
     print(json_text(result) if as_json_object else _basin_text(result, axes, fmu))
 

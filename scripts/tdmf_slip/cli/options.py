@@ -106,13 +106,13 @@ TARGET_OPTION = click.option(
 SCHEDULER_OPTION = click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Dask scheduler whose workers do the work, tcp://host:8786; without one, processes of this machine.",
+    help="Dask scheduler whose workers do the work, tcp://host:8786; without one, threads of this machine.",
 )
-WORKERS_OPTION = click.option(
-    "--workers",
+THREADS_OPTION = click.option(
+    "--threads",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Processes on this machine.  [default: one for each processor]",
+    help="Threads on this machine.  [default: one for each processor]",
 )
 
 

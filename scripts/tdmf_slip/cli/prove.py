@@ -103,7 +103,7 @@ def prove_command(
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
     if vary is None and (output is not None or workers is not None):
-        raise InputError("--output, --workers: are of use for a range only; allowed: with --vary")
+        raise InputError("--output, --threads: are of use for a range only; allowed: with --vary")
     if border is not None:
         _prove_borders(runner, told, border, digits, as_json_object)
         return
@@ -162,7 +162,7 @@ def _prove_range(
     begin, colon, end = (part.strip() for part in span.partition(":"))
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(told, vary={name: (begin, end)}, output=output, workers=workers, progress=True)
+    proof = prove(told, vary={name: (begin, end)}, output=output, threads=workers, progress=True)
     digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
     if as_json_object:
         print(json_text({**proof.as_json(), "sha256": digest}))

@@ -133,7 +133,7 @@ def rough_command(
         seed,
         max_strides,
         scheduler=scheduler,
-        workers=workers,
+        threads=workers,
         progress=True,
         fmu=fmu,
     )

@@ -20,7 +20,7 @@ from .options import (
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
-    WORKERS_OPTION,
+    THREADS_OPTION,
     Command,
     refuse_given,
     values_given,
@@ -66,7 +66,7 @@ SPACING_OPTION = click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the gaits: .png, .svg or .pdf."
 )
 @SCHEDULER_OPTION
-@WORKERS_OPTION
+@THREADS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
@@ -78,7 +78,7 @@ def sweep_command(
     output: Path | None,
     plot: Path | None,
     scheduler: str | None,
-    workers: int | None,
+    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
@@ -110,9 +110,9 @@ def sweep_command(
         refuse_given(given, vary.partition("=")[0], "--vary")
     runner = runner_of(fmu, parameters, given, model)
     if friction is None or vary is None:
-        if scheduler is not None or workers is not None:
+        if scheduler is not None or threads is not None:
             raise InputError(
-                "--scheduler, --workers: without --vary each gait is found from the one before, nor are they "
+                "--scheduler, --threads: without --vary each gait is found from the one before, nor are they "
                 "of use for a single friction; allowed: with --vary and --friction A:B:N"
             )
         span = vary if friction is None else f"{FRICTION}={friction}"
@@ -128,7 +128,7 @@ def sweep_command(
     if plot is not None:
         raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
     frictions = _span(fmu, f"{FRICTION}={friction}", spacing, "--friction")[1]
-    _grid(runner, frictions, vary, spacing, output, scheduler, workers, as_json_object)
+    _grid(runner, frictions, vary, spacing, output, scheduler, threads, as_json_object)
 
 
 def _span(fmu: Fmu, vary: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
@@ -185,7 +185,7 @@ def _grid(
     spacing: str,
     output: Path | None,
     scheduler: str | None,
-    workers: int | None,
+    threads: int | None,
     as_json_object: bool,
 ) -> None:
     from ..analysis.grid import grid  # xarray is slow to load
@@ -201,7 +201,7 @@ def _grid(
         rows,
         output,
         scheduler=scheduler,
-        workers=workers,
+        threads=threads,
         progress=True,
         fmu=fmu,
     )

@@ -121,7 +121,7 @@ def _judged(trial: Trial) -> Judgement:
     quiet = None if trial.law is None else replace(trial.law, noise=None)
     return Judgement(
         trial,
-        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet, workers=1),
+        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet, threads=1),
         robustness(trial.gait, law=quiet),
         tuple(
             strides_to_fall(
@@ -132,7 +132,7 @@ def _judged(trial: Trial) -> Judgement:
                 MOST_STRIDES,
                 gait=trial.gait,
                 law=trial.law,
-                workers=1,
+                threads=1,
             )
             for roughness in trial.roughness
         ),

@@ -66,19 +66,3 @@ def ignored() -> None:
     """Neither interrupts nor requests to end are heard any more: Python ends, and is not to be disturbed."""
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)
-
-
-@contextlib.contextmanager
-def kept_from_children() -> Iterator[None]:
-    """Processes that begin inside get no interrupt, which a terminal sends to all: this one tells them."""
-    if not hasattr(signal, "pthread_sigmask"):  # Windows
-        yield
-        return
-    from multiprocessing import resource_tracker  # slow to load, and seldom needed
-
-    resource_tracker.ensure_running()  # or it begins with the first process, and unblocks the signal
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)

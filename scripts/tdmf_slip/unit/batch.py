@@ -67,7 +67,7 @@ def run_batch(
     tolerance: float = DEFAULT_TOLERANCE,
     interface: str = "cs",
     scheduler: str | None = None,
-    workers: int | None = None,
+    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
@@ -85,8 +85,8 @@ def run_batch(
         `me` or `cs`.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    workers : int, optional
-        Processes on this machine, by default one for each processor.
+    threads : int, optional
+        Threads on this machine, by default one for each processor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -106,7 +106,7 @@ def run_batch(
     Examples
     --------
     >>> import tdmf_slip
-    >>> runs = tdmf_slip.run_batch([{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, workers=1)
+    >>> runs = tdmf_slip.run_batch([{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, threads=1)
     >>> print(runs["speed"].values.round(3), runs["fallen"].values)
     [1.062 1.051] [False False]
     """
@@ -126,7 +126,7 @@ def run_batch(
     results = [NOT_RUN] * len(jobs)
     with (
         progress_bar("batch", len(jobs), "runs", progress) as bar,
-        run_blocks(run_one, jobs, scheduler=scheduler, workers=workers) as finished,
+        run_blocks(run_one, jobs, scheduler=scheduler, threads=threads) as finished,
     ):
         for number, result in finished:
             results[number] = result

@@ -1,6 +1,7 @@
 """One instance of the unit in FMPy: made, run, read, and always freed."""
 
 import os
+import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -22,6 +23,8 @@ from .variable import Value
 for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
     os.environ.setdefault(log, os.devnull)
 
+LOADING = threading.Lock()
+"""FMPy changes the working directory, which all threads share, while it loads a library."""
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
 
@@ -61,9 +64,10 @@ class Instance:
         self.interface = fmu.require_interface(interface)
         self.messages: list[str] = []
         try:
-            self._fmu = fmpy.simulation.instantiate_fmu(
-                fmu.folder, fmu.description, self.interface, logger=self._log
-            )
+            with LOADING:
+                self._fmu = fmpy.simulation.instantiate_fmu(
+                    fmu.folder, fmu.description, self.interface, logger=self._log
+                )
         except Exception as problem:  # FMPy raises bare Exceptions, and ctypes OSError, for a bad library
             raise RunError(
                 f"{fmu.path}: its library for this platform ({fmpy.platform}) cannot be used: {problem}"

@@ -30,7 +30,7 @@ def _passage(name: str, seed: int) -> FirstPassage:
         law = replace(lqr(one, (ANGLE, TORQUE), limits=limits), noise=noise, seed=seed)
     ground = RoughGround(ROUGHNESS, seed)
     return strides_to_fall(
-        one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, law=law, workers=1
+        one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, law=law, threads=1
     )
 
 

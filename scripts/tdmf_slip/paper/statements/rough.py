@@ -36,7 +36,7 @@ def strides(one: Gait, seed: int, correlation: float = 0.0) -> float:
         By `RUNNERS`.
     """
     ground = RoughGround(ROUGHNESS, seed, correlated_weights(correlation))
-    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, workers=1)
+    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, threads=1)
     return found.mean_strides
 
 
