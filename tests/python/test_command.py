@@ -212,7 +212,7 @@ def test_a_file_that_is_no_text_is_told(command, tmp_path, option):
 
 
 def test_the_help_that_is_named_is_that_of_the_command(command):
-    for wrong in (("basin", "--axes", "com_height"), ("gait", "--friction"), ("gait", "--nosuch")):
+    for wrong in (("basin", "--n"), ("gait", "--friction"), ("gait", "--nosuch")):
         status, _, said = command(*wrong)
         assert status == 2 and f"(see tdmf-slip {wrong[0]} --help)" in said
 

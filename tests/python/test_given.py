@@ -220,7 +220,7 @@ REFUSED = {
         lambda gait: tdmf_slip.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
         "instructions array.*allowed",
     ),
-    "an array for a name": (lambda gait: tdmf_slip.sweep({}, {np.zeros(2): [0.5]}), "over array.*allowed"),
+    "a number for a name": (lambda gait: tdmf_slip.sweep({}, {3: [0.5]}), "vary 3 is not allowed"),
     "an array for an axis": (
         lambda gait: tdmf_slip.basin({}, (np.zeros(2), "com_speed"), ([1.3], [1.0])),
         "axes: array.*allowed",
@@ -241,15 +241,15 @@ REFUSED = {
         lambda gait: tdmf_slip.simulate_over((1, 2), strides=1),
         r"profile = \(1, 2\) is not allowed; allowed: a Profile",
     ),
-    "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"over = None is not allowed"),
-    "a number for curves": (lambda gait: tdmf_slip.continue_curves({}, 0.3), r"over = 0\.3 .*two parameters"),
+    "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"vary = None is not allowed"),
+    "a number for curves": (lambda gait: tdmf_slip.continue_curves({}, 0.3), r"vary = 0\.3 .*two parameters"),
     "numbers for curves": (
         lambda gait: tdmf_slip.continue_curves({}, {FRICTION: 0.3, DAMPING: 0.2}),
-        r"over ground\.friction = 0\.3 .*ends",
+        r"vary ground\.friction = 0\.3 .*ends",
     ),
     "three ends for curves": (
         lambda gait: tdmf_slip.continue_curves({}, {FRICTION: (0.3, 0.4, 0.5), DAMPING: (0.2, 0.3)}),
-        r"over ground\.friction = \(0\.3, 0\.4, 0\.5\) .*ends",
+        r"vary ground\.friction = \(0\.3, 0\.4, 0\.5\) .*ends",
     ),
     "no path": (lambda gait: tdmf_slip.load_fmu("\0"), "no unit there"),
     "no path to write to": (lambda gait: tdmf_slip.basin({}, AXES, ([1.3], [1.0]), path="\0.nc"), "null"),

@@ -237,7 +237,7 @@ def test_no_parameters_are_refused():
 def test_the_plain_call_finds_what_lies_beyond_the_runners_own_basin():
     """From the runner's own gait the least slip is 0.2363; begun at .434, .4967, .2408 it is 0.2108."""
     over = {ANGLE: (0.4, 0.9), TORQUE: (0.05, 0.5), "leg.damping": (0.1, 0.3)}
-    asked = {"minimize": "slip_distance", "at": {"speed": 0.9}, "stable": True}
+    asked = {"minimize": "slip_distance", "target": {"speed": 0.9}, "stable": True}
     near = {"ground.friction": 0.3, ANGLE: 0.434, TORQUE: 0.4967, "leg.damping": 0.2408}
     known = optimize(near, over, **asked, starts=1)
     best = optimize({"ground.friction": 0.3}, over, **asked)
@@ -261,7 +261,7 @@ def test_a_search_goes_through_pieces_too_narrow_for_differences():
     """On an edge of an event eigenvalues have no derivatives; far from their limit none are asked for."""
     over = {ANGLE: (0.4, 0.95), "leg.thrust": (0.0, 0.2), "hip.kp": (0.06, 0.2)}
     runner = {"ground.friction": 0.5049635075061091}
-    asked = {"minimize": "frequency", "at": {"speed": 0.9559354532704964}, "stable": True}
+    asked = {"minimize": "frequency", "target": {"speed": 0.9559354532704964}, "stable": True}
     best = optimize(runner, over, **asked, starts=1)
     assert best.why == "" and best.value < 0.0138 and best.gait.lambda_max < 0.99
 
@@ -293,7 +293,7 @@ def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
 def test_constraints_that_are_nearly_met_are_met():
     """The search for them ends early, at a speed off by 7e-4: the square of what is off is flat there."""
     over = {ANGLE: (0.4, 0.95), "leg.stiffness": (0.7, 1.5), "hip.liftoff_angle_factor": (0.8, 1.6)}
-    asked = {"minimize": "duty_factor", "at": {"speed": 1.0325132490240172}, "stable": True, "starts": 1}
+    asked = {"minimize": "duty_factor", "target": {"speed": 1.0325132490240172}, "stable": True, "starts": 1}
     best = optimize({"ground.friction": 0.38539484074315605}, over, **asked)
     assert best.gait.stride["speed"] == pytest.approx(1.0325132490240172, rel=1e-7)
     assert best.gait.lambda_max < 0.99

@@ -228,7 +228,7 @@ def test_a_law_that_is_told_what_the_ground_does_sees_it_before_it_steps(gait, s
 def test_one_law_sets_while_another_is_given(gait, starts):
     friction = np.random.default_rng(5).uniform(0.5, 0.7, (RUNNERS, STRIDES))
     law = law_of(gait)
-    how = {"strides": STRIDES, "settings": {"ground.friction": friction}}
+    how = {"strides": STRIDES, "inputs": {"ground.friction": friction}}
     found = stride_map(gait.runner, starts, law=law, **how)
     assert_same(stride_map(gait.runner, starts, law=function_of(law), **how), found)
     np.testing.assert_array_equal(found["ground.friction"], friction)
@@ -353,38 +353,38 @@ def test_the_reduced_map_has_laws_too(unit):
 # ---- what is refused --------------------------------------------------------------------------------------
 
 
-def refuses(message, *args, **kwargs):
+def refuses(message, apices, runner, **kwargs):
     with pytest.raises(InputError, match=re.escape(message)):
-        stride_map(*args, **kwargs)
+        stride_map(runner, apices, **kwargs)
 
 
 def test_settings_that_are_none_are_told(gait):
     def refused(message, **settings):
         names = {name.replace("__", "."): value for name, value in settings.items()}
-        refuses(message, gait.apex, gait.runner, strides=3, settings=names)
+        refuses(message, gait.apex, gait.runner, strides=3, inputs=names)
 
     refused(
-        "settings: leg.stiffness cannot change in a run; allowed: leg.thrust, hip.stance_torque",
+        "inputs: leg.stiffness cannot change in a run; allowed: leg.thrust, hip.stance_torque",
         leg__stiffness=1,
     )
-    refused("settings: 'hip.angle' is not a setting; near matches: ", hip__angle=1)
-    refused("settings: hip.kp of shape (2,); allowed: a number, (3,) or (runners, 3)", hip__kp=[1, 2])
+    refused("inputs: 'hip.angle' is not a setting; near matches: ", hip__angle=1)
+    refused("inputs: hip.kp of shape (2,); allowed: a number, (3,) or (runners, 3)", hip__kp=[1, 2])
     refused(
-        "settings: runner 0, stride 1: ground.friction = -0.5 is not allowed; allowed: 0 to",
+        "inputs: runner 0, stride 1: ground.friction = -0.5 is not allowed; allowed: 0 to",
         ground__friction=[1, -0.5, 1],
     )
-    refused("settings: runner 0, stride 2: hip.kp = nan is not allowed", hip__kp=[1, 1, np.nan])
-    refused("settings: hip.kp: Cannot cast", hip__kp="much")
+    refused("inputs: runner 0, stride 2: hip.kp = nan is not allowed", hip__kp=[1, 1, np.nan])
+    refused("inputs: hip.kp: Cannot cast", hip__kp="much")
 
 
 def test_settings_that_do_not_act_are_told(gait, unit):
     slack = gait.runner.but("hip.kp", 0.0).but("hip.kd", 0.0)
-    message = "settings: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
-    refuses(message, gait.apex, slack, settings={ANGLE: 0.6})
+    message = "inputs: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
+    refuses(message, gait.apex, slack, inputs={ANGLE: 0.6})
     assert stride_map(slack, gait.apex, inputs={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
     reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
-    message = "settings: hip.kp does not act in the reduced map"
-    refuses(message, reduced.apex, reduced.runner, settings={"hip.kp": 1.0})
+    message = "inputs: hip.kp does not act in the reduced map"
+    refuses(message, reduced.apex, reduced.runner, inputs={"hip.kp": 1.0})
 
 
 def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
@@ -414,8 +414,8 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
         "law: stride 0: what it gives = 3 is not allowed; allowed: numbers or arrays by name", lambda _: 3
     )
     refused("law = 3 is not allowed; allowed: a function of apices, or an AffineLaw", 3)
-    refused("law: hip.kp is in the settings, too", lambda _: {"hip.kp": 1}, settings={"hip.kp": 1})
-    refused("law: hip.touchdown_angle is in the settings, too", law_of(gait), settings={ANGLE: 0.7})
+    refused("law: hip.kp is in the inputs, too", lambda _: {"hip.kp": 1}, inputs={"hip.kp": 1})
+    refused("law: hip.touchdown_angle is in the inputs, too", law_of(gait), inputs={ANGLE: 0.7})
     refused("law: ground.height on rough ground", lambda _: {"ground.height": 0}, roughness=0.1)
     refused("law: a function is called here, for all runners at once", lambda _: {}, threads=2)
 
@@ -461,8 +461,8 @@ def test_an_affine_law_is_checked_when_it_is_made(gait):
 
 
 def test_what_does_not_go_together_is_told(gait, starts):
-    refuses("parameters of 4 runners, apices of 30", starts, {"leg.damping": np.full(4, 0.2)})
-    refuses("parameters: runner 2: leg.damping = -1", starts[:3], {"leg.damping": [0.2, 0.2, -1]})
+    refuses("runner's values of 4 runners, apices of 30", starts, {"leg.damping": np.full(4, 0.2)})
+    refuses("runner: runner 2: leg.damping = -1", starts[:3], {"leg.damping": [0.2, 0.2, -1]})
     refuses("apices of shape (30, 5); allowed: rows of com_height", starts[:, :5], gait.runner)
     refuses("strides = 0 is not allowed", gait.apex, gait.runner, strides=0)
     refuses("instructions 'fast': allowed here", gait.apex, gait.runner, instructions="fast")

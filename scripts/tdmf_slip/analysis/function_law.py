@@ -99,6 +99,6 @@ def check_set(names: Sequence[str], by_others: Sequence[str], ground: RoughGroun
     """
     for name in names:
         if name in by_others:
-            raise InputError(f"{what}: {name} is in the settings, too; allowed: in one of them")
+            raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")
         if name == GROUND and ground.roughness:
             raise InputError(f"{what}: {name} on rough ground, whose steps set it; allowed: on level ground")

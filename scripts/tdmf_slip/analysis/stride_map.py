@@ -186,7 +186,7 @@ def _broadcast(
                 f"inputs: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
                 f"(runners, {strides}), for each stride one"
             )
-    counts = {"apices": len(starts), "runner": crowd.size or 1}
+    counts = {"apices": len(starts), "runner's values": crowd.size or 1}
     counts |= {f"inputs: {name}": len(values) for name, values in given.items()}
     runners = max(counts.values())
     check_size("runners", runners * strides, "strides in all", MOST_IN_ALL)

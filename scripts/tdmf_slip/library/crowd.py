@@ -53,26 +53,24 @@ class Crowd(ByContents):
         """
         if isinstance(given, Runner):
             return cls(given)
-        by_name = mapping_of(given, "parameters", "a Runner, or numbers or arrays by name")
+        by_name = mapping_of(given, "runner", "a Runner, or numbers or arrays by name")
         rows = {
             name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
         }
         runner = Runner.of({name: value for name, value in by_name.items() if name not in rows}, fmu)
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
-            load_fmu(fmu).find(name, "parameters")
+            load_fmu(fmu).find(name, "runner")
             if name not in VARIED:
                 raise InputError(
-                    f"parameters: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
+                    f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
                     "of the model"
                 )
-            varied[name] = checked_values(
-                name, numbers(f"parameters: {name}", row, 1), "parameters", {"runner": 0}
-            )
+            varied[name] = checked_values(name, numbers(f"runner: {name}", row, 1), "runner", {"runner": 0})
             if len(varied[name]) != len(next(iter(varied.values()))):
                 first = next(iter(varied))
                 raise InputError(
-                    f"parameters: {name} of {len(varied[name])} runners, {first} of {len(varied[first])}; "
+                    f"runner: {name} of {len(varied[name])} runners, {first} of {len(varied[first])}; "
                     "allowed: as many of each"
                 )
         return cls(runner, varied)
@@ -185,4 +183,4 @@ def _check(refusal: Any, number: int) -> None:
     if refusal.variable != ffi.NULL:
         text = ffi.new("char[256]")
         c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
-        raise InputError(f"parameters: runner {number}: {text_of(text)}")
+        raise InputError(f"runner: runner {number}: {text_of(text)}")
