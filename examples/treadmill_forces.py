@@ -1,7 +1,7 @@
 """A table to fit, from the forces of a treadmill: a row for each recording, means of all its steps.
 
     python examples/treadmill_forces.py RBDS001runT25forces.txt RBDS001runT35forces.txt > run.csv
-    tdmf-slip fit run.csv --free-each leg.stiffness,hip.stance_torque,hip.touchdown_angle --model reduced
+    tdmf-slip fit run.csv --vary-each leg.stiffness,hip.stance_torque,hip.touchdown_angle --model reduced
 
 Each file is a table between tabulators with the vertical force in newtons in the column Fy, 300 rows a
 second; so others read those of Fukuchi, Fukuchi and Duarte (2017, PeerJ 5:e3298, data at

@@ -151,7 +151,7 @@ def make_transitions(
     saved_each, unsaved = math.ceil(len(blocks) / SAVED), 0
     with (
         progress_bar(what, made.fate.size, "strides", progress) as bar,
-        run_blocks(strides_of, parts, scheduler=scheduler, workers=1 if here else None) as results,
+        run_blocks(strides_of, parts, scheduler=scheduler, threads=1 if here else None) as results,
     ):
         bar.update((shape[0] - len(missing)) * math.prod(shape[1:]))
         for number, (fates, nexts) in results:

@@ -31,7 +31,7 @@ def _fitted(name: str = "", value: float = 0.0) -> Fit:
     if name == "leg.free_length":  # the start is an apex, with a leg of this length above the ground
         changed |= {"leg.length": value, "foot.y": float(values["foot.y"]) * value + 0.02}
     return fit(
-        None, {**values, **changed},
+        {**values, **changed},
         "human_running",
         [STIFFNESS],
         vary_each=[TORQUE, ANGLE],
