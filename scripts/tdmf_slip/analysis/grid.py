@@ -69,7 +69,29 @@ def as_dataset(
 def grid_over(
     runner: Runner, vary: Mapping[str, Values], path: Path | str | None, **where: Any
 ) -> xarray.Dataset:
-    """A grid over the friction and another name; in a file that is not kept where none is asked for."""
+    """A grid over the friction and another name; in a file that is not kept where none is asked for.
+
+    Parameters
+    ----------
+    runner : Runner
+        The other parameters and the start.
+    vary : mapping of str to sequence of float
+        Values of the friction and of the other.
+    path : Path or str or None
+        Of the NetCDF file.
+    **where : object
+        As in `grid`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As `grid` gives it, in memory.
+
+    Raises
+    ------
+    InputError
+        The friction is not among the names.
+    """
     if FRICTION not in vary:
         raise InputError(f"vary {', '.join(map(str, vary))}: allowed: one name, or {FRICTION} and another")
     ((name, values),) = ((name, values) for name, values in vary.items() if name != FRICTION)
