@@ -144,9 +144,9 @@ def test_a_runner_falls_as_often_as_by_waiting():
 def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(ground):
     """Plain steps as large make another mean, so that a ground that is passed over would be seen."""
     runner = {"ground.friction": 0.6}
-    waiting = strides_to_fall(runner, ground, 400, max_strides=2_000, workers=1)
+    waiting = strides_to_fall(runner, ground, 400, max_strides=2_000, threads=1)
     split = rare_falls(runner, ground, walkers=16, strides=60, seed=3, threads=1)
-    plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000, workers=1)
+    plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000, threads=1)
     assert waiting.falls >= 350 and split.falls >= 100
     low, high = split.interval
     assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low

@@ -79,7 +79,7 @@ def grid_over(
         Values of the friction and of the other.
     path : Path or str or None
         Of the NetCDF file.
-    **where : object
+    where : object
         As in `grid`.
 
     Returns

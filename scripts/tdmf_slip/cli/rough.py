@@ -23,7 +23,7 @@ from .options import (
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
-    WORKERS_OPTION,
+    THREADS_OPTION,
     Command,
     Number,
     values_given,
@@ -88,7 +88,7 @@ from .runner import runner_of
     help="By multilevel splitting, for falls that hardly ever come; without --runners and --max-strides.",
 )
 @SCHEDULER_OPTION
-@WORKERS_OPTION
+@THREADS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -103,7 +103,7 @@ def rough_command(
     friction_spread: float,
     rare: bool,
     scheduler: str | None,
-    workers: int | None,
+    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     as_json_object: bool,
@@ -122,7 +122,7 @@ def rough_command(
         friction_spread=friction_spread,
     )
     if rare:
-        _check_alone("runners", "max_strides", "scheduler", "workers")
+        _check_alone("runners", "max_strides", "scheduler", "threads")
         split = rare_falls(runner, ground, seed=seed, progress=True, fmu=fmu)
         print(json_text(split.as_json()) if as_json_object else _rare_text(split, fmu))
         return
@@ -133,7 +133,7 @@ def rough_command(
         seed,
         max_strides,
         scheduler=scheduler,
-        threads=workers,
+        threads=threads,
         progress=True,
         fmu=fmu,
     )
