@@ -15,7 +15,7 @@ FUNCTIONS = {
 }
 WITH_EXAMPLE = {name for name, thing in FUNCTIONS.items() if ">>>" in (inspect.getdoc(thing) or "")}
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-LONG = {"continue_curves", "prove", "prove_attraction", "prove_border", "validate"}
+LONG = {"continue_curves", "prove_border", "validate"}
 """They take up to a minute; `TDMF_SLIP_LONG=1` runs them."""
 
 
