@@ -23,6 +23,10 @@ COMMANDS = {
     "rough": ("rough", "--roughness", "0.3", "--runners", "10", "--max-strides", "10"),
     "optimize": ("optimize", "--vary", "hip.stance_torque=0.15:0.3", "--minimize", "slip_distance"),
     "fit": ("fit", "human_fast_running", "--vary", "leg.stiffness", "--model", "reduced"),
+    "viability": (
+        *("viability", "--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5"),
+        *("--vary", "hip.touchdown_angle=20 deg:60 deg:3", "--n", "2"),
+    ),
     "help": ("sweep", "--help"),
     "a wrong name": ("gait", "--set", "größe=√3"),
 }

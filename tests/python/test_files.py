@@ -21,6 +21,10 @@ WRITERS = {
     "a sweep": NETCDF,
     "a grid": ("sweep", "--friction", "0.6:0.6:1", "--vary", "leg.damping=0.2:0.2:1", "--output", "{}.nc"),
     "a map": ("basin", "--n", 2, "--samples", 0, "--output", "{}.nc"),
+    "viable sets": (
+        *("viability", "--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5"),
+        *("--vary", "hip.touchdown_angle=0.3:1.1:3", "--n", 2, "--output", "{}.nc"),
+    ),
     "a drawn map": ("basin", "--n", 2, "--samples", 0, "--plot", "{}.svg"),
 }
 FIGURE = "figure_1b.csv"
@@ -103,7 +107,7 @@ def test_a_pipe_among_figures_is_not_written_over(command, tmp_path):
 @pytest.mark.parametrize("mode", [0o600, 0o640, 0o604])
 def test_a_file_that_is_replaced_hands_on_its_mode(writer, mode, command, tmp_path):
     file = tmp_path / file_of(writer, "result")
-    if writer in ("a grid", "a map"):  # these go on with what is there
+    if writer in ("a grid", "a map", "viable sets"):  # these go on with what is there
         assert command(*arguments(writer, "result"))[0] == 0
     file.touch()
     file.chmod(mode)
@@ -144,7 +148,7 @@ def test_a_link_is_written_through_to_its_target(writer, there, command, tmp_pat
     folder = tmp_path / "elsewhere"
     folder.mkdir()
     target, link = folder / "target", tmp_path / file_of(writer, "result")
-    if there and writer not in ("a grid", "a map"):
+    if there and writer not in ("a grid", "a map", "viable sets"):
         target.write_text("old")
     link.symlink_to(pathlib.Path("elsewhere", "target"))
     assert command(*arguments(writer, "result"))[0] == 0
