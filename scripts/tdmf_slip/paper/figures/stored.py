@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-TEXTS = ("choice", "law", "word")
+TEXTS = ("law", "word")
 """Columns that hold no numbers."""
 
 

@@ -1,6 +1,6 @@
 """How much of the plane of apices some choice of actions can save, over the friction, at equal kinematics."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -21,21 +21,17 @@ REFERENCE = 0.6
 """The friction whose gait the matched runners have."""
 HOLD, VARY = ("speed", "apex_height"), ("hip.stance_torque", "hip.touchdown_angle")
 AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
-ANGLES, TORQUES = (0.1, 1.3, 24), (0.0, 0.6, 5)
+CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
+"""At each apex. At five frictions four times as many angles changed no share by more than 0.016."""
 CELLS = 64
-CHOICES: Mapping[str, Mapping[str, tuple[float, float, int]]] = {
-    "angle": {"hip.touchdown_angle": ANGLES},
-    "angle and torque": {"hip.touchdown_angle": ANGLES, "hip.stance_torque": TORQUES},
-}
-"""What is chosen at each apex."""
-COLOURS = {"angle": "#1f5fa8", "angle and torque": "#b3216f"}
+COLOUR = "#1f5fa8"
 
-Measured = Sequence[tuple[float, str, Viability]]
-"""Frictions, what is chosen, and what was found."""
+Measured = Sequence[tuple[float, Viability]]
+"""Frictions, and what was found."""
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """The viable sets of matched runners, at each friction and for each choice.
+    """The viable sets of matched runners, at each friction.
 
     Parameters
     ----------
@@ -46,8 +42,8 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
 
     Returns
     -------
-    sequence of (float, str, Viability)
-        Frictions, what is chosen, and what was found; frictions at which the speed and height of the
+    sequence of (float, Viability)
+        Frictions, and what was found; frictions at which the speed and height of the
         reference are not to be had are left out.
     """
     found = compare([runner.but(FRICTION, mu) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
@@ -55,28 +51,25 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
     return [
         (
             matched.after.runner.values[FRICTION],
-            choice,
-            viability(matched.after.runner, axes=AXES, vary=vary, n=CELLS, progress=progress),
+            viability(matched.after.runner, axes=AXES, vary=CHOSEN, n=CELLS, progress=progress),
         )
         for number, matched in enumerate(found.runners)
         if number and number not in missed
-        for choice, vary in CHOICES.items()
     ]
 
 
 def table(measured: Measured) -> Columns:
     """The figure's data, by column."""
     return {
-        "friction": [friction for friction, _, _ in measured],
-        "choice": [choice for _, choice, _ in measured],
+        "friction": [friction for friction, _ in measured],
         **{
-            name: [found.runner.values[name] for _, _, found in measured]
+            name: [found.runner.values[name] for _, found in measured]
             for name in ("hip.stance_torque", "hip.touchdown_angle")
         },
-        "inner_share": [found.inner_share for _, _, found in measured],
-        "outer_share": [found.outer_share for _, _, found in measured],
-        "inner_robustness": [float(found.inner_robustness.mean()) for _, _, found in measured],
-        "outer_robustness": [float(found.outer_robustness.mean()) for _, _, found in measured],
+        "inner_share": [found.inner_share for _, found in measured],
+        "outer_share": [found.outer_share for _, found in measured],
+        "inner_robustness": [float(found.inner_robustness.mean()) for _, found in measured],
+        "outer_robustness": [float(found.outer_robustness.mean()) for _, found in measured],
     }
 
 
@@ -84,23 +77,19 @@ def draw(path: Path, data: Columns) -> None:
     """Draw both shares over the friction, each as a band from the inner to the outer set."""
     with style.styled():
         figure, axes = plt.subplots(2, 1, figsize=(7.6, 6.6), sharex=True, layout="constrained")
-        _bands(axes[0], data, "share")
+        _band(axes[0], data, "share")
         axes[0].set_title("(a) share of the plane that is viable, from the inner to the outer set")
-        _bands(axes[1], data, "robustness")
+        _band(axes[1], data, "robustness")
         axes[1].set_ylim(bottom=0.0)
-        axes[1].legend(title="chosen at each apex", loc="lower left")
-        axes[1].set_title("(b) share of the actions that are viable, in the mean over the plane")
+        axes[1].set_title("(b) share of the touchdown angles that are viable, in the mean over the plane")
         figure_9.friction_axis(axes[1], FRICTIONS)
         style.save(figure, path)
 
 
-def _bands(axes: Axes, data: Columns, what: str) -> None:
-    choices = np.asarray(data["choice"])
-    for choice, colour in COLOURS.items():
-        of = choices == choice
-        friction, inner, outer = (
-            np.asarray(data[name], float)[of] for name in ("friction", f"inner_{what}", f"outer_{what}")
-        )
-        axes.fill_between(friction, inner, outer, color=colour, alpha=0.3, linewidth=0, label=choice)
-        for ends in (inner, outer):
-            axes.plot(friction, ends, ".-", color=colour, linewidth=0.9, markersize=4)
+def _band(axes: Axes, data: Columns, what: str) -> None:
+    friction, inner, outer = (
+        np.asarray(data[name], float) for name in ("friction", f"inner_{what}", f"outer_{what}")
+    )
+    axes.fill_between(friction, inner, outer, color=COLOUR, alpha=0.3, linewidth=0)
+    for ends in (inner, outer):
+        axes.plot(friction, ends, ".-", color=COLOUR, linewidth=0.9, markersize=4)
