@@ -75,11 +75,11 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     memcpy(view->states, fmu->motion.state, sizeof view->states);
 }
 
-static void differentiate(const fmu *fmu, const tdmf_change *change, const tdmf_variation *variation,
+static void differentiate(const fmu *fmu, const tdmf_seed *change, const tdmf_variation *variation,
                           fmu_view *view) {
     const tdmf_motion *motion = &fmu->motion;
-    const tdmf_tangent tangent =
-        tdmf_tangent_along(&fmu->model, &fmu->inputs, &motion->mode, motion->state, change, variation);
+    const tdmf_output_variation tangent =
+        tdmf_vary_outputs(&fmu->model, &fmu->inputs, &motion->mode, motion->state, change, variation);
     memset(view, 0, sizeof *view);
     memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
     memcpy(view->states, variation->state, sizeof view->states);
@@ -104,7 +104,7 @@ static void differentiate(const fmu *fmu, const tdmf_change *change, const tdmf_
 }
 
 void fmu_differentiate(const fmu *fmu, const struct fmu *direction, fmu_view *change) {
-    tdmf_change along = {direction->parameters, direction->inputs};
+    tdmf_seed along = {direction->parameters, direction->inputs};
     tdmf_variation variation = {.liftoff_angle = 0.0};
     memcpy(variation.state, direction->motion.state, sizeof variation.state);
     along.inputs.ground.height = 0.0; /* a new line is in force from an event on */
@@ -126,7 +126,7 @@ static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double 
 
 void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *direction,
                              fmu_view *change) {
-    const tdmf_change along = {direction->parameters, direction->inputs};
+    const tdmf_seed along = {direction->parameters, direction->inputs};
     const tdmf_start_variation varied =
         tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state,
                         &started->motion.mode, &along, direction->motion.state);

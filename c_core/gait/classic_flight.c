@@ -144,14 +144,14 @@ double tdmf_classic_impact_friction(const tdmf_classic *slip, tdmf_classic_point
 
 /* ---- from take-off ------------------------------------------------------------------------------------ */
 
-static tdmf_classic_change vary_apex(const tdmf_classic *slip, const tdmf_classic_standing *standing, int k,
-                                     double d_tangent) {
+static tdmf_classic_variation vary_apex(const tdmf_classic *slip, const tdmf_classic_standing *standing,
+                                        int k, double d_tangent) {
     const double g = slip->gravity;
     const tdmf_ground_line ground = tdmf_classic_ground(slip);
     const tdmf_classic_point *at = &standing->at, *d = &standing->varied[k];
     const double ahead = at->x + at->vx * at->vy / g;
     const double d_ahead = d->x + (d->vx * at->vy + at->vx * d->vy) / g;
-    tdmf_classic_change change;
+    tdmf_classic_variation change;
     change.height = d->y + at->vy * d->vy / g - ground.sine / ground.cosine * d_ahead - d_tangent * ahead;
     change.length = standing->foot_varied[k] + d_ahead;
     change.energy = slip->mass * (at->vx * d->vx + g * change.height);

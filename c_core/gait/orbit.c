@@ -33,7 +33,7 @@ typedef struct {
     tdmf_solver *solver;
     const tdmf_model *model;
     const tdmf_inputs *inputs;
-    const tdmf_change *change;
+    const tdmf_seed *seed;
     tdmf_return strides[2];
 } search;
 
@@ -41,8 +41,8 @@ static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_return *stride = &search->strides[slot];
     *stride = tdmf_return_map(search->solver, search->model, search->inputs, image->point,
-                              TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->change,
-                              search->change ? 1 : 0);
+                              TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->seed,
+                              search->seed ? 1 : 0);
     if (!stride->began_at_apex || !stride->outcome.closed) {
         return false;
     }
@@ -67,12 +67,12 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 }
 
 tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                           const double guess[TDMF_SECTION_COUNT], const tdmf_change *change) {
+                           const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seed) {
     static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START};
     if (model == NULL || guess == NULL) {
         return refused;
     }
-    search search = {.solver = solver, .model = model, .inputs = inputs, .change = change};
+    search search = {.solver = solver, .model = model, .inputs = inputs, .seed = seed};
     tdmf_map map = {.count = TDMF_SECTION_COUNT, .evaluate = evaluate, .context = &search};
     tdmf_section_scales(model, map.scales);
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);

@@ -21,14 +21,14 @@ static tdmf_vector acceleration_of(const tdmf_model *model, const tdmf_inputs *i
 }
 
 static tdmf_vector vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_direction *d) {
+                                     const tdmf_local_seed *d) {
     return tdmf_vary_com_acceleration(model, tdmf_push_on_body(model, inputs), &d->model,
                                       tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
 }
 
 static const tdmf_vector steady = {0.0, 0.0};
 
-tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                                tdmf_point from, tdmf_point d_from, double t, double d_time) {
     return tdmf_vary_ballistic_after(from, acceleration_of(model, inputs), steady, t, d_from,
                                      vary_acceleration(model, inputs, d), steady, d_time);
@@ -39,7 +39,7 @@ double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdm
     return a.y < 0.0 ? tdmf_rise_time(from, a) : INFINITY;
 }
 
-double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                               tdmf_point from, tdmf_point d_from) {
     return tdmf_vary_rise_time(from, acceleration_of(model, inputs), d_from,
                                vary_acceleration(model, inputs, d));
@@ -62,7 +62,7 @@ void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inp
                           derivatives);
 }
 
-void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                                 tdmf_point apex, tdmf_point d_apex, double time,
                                 const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);

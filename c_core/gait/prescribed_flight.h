@@ -3,16 +3,16 @@
 #ifndef TDMF_GAIT_PRESCRIBED_FLIGHT_H
 #define TDMF_GAIT_PRESCRIBED_FLIGHT_H
 
-#include "direction.h"
 #include "kinematics.h"
+#include "seed.h"
 
 /* The change of tdmf_center_of_mass_after, where the time changes, too. */
-tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                                tdmf_point from, tdmf_point d_from, double time, double d_time);
 
 /* How long a centre of mass rises, and its change; infinite where nothing pulls it down. */
 double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from);
-double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                               tdmf_point from, tdmf_point d_from);
 
 /* The first contact after an apex: of the foot, or of the body, which is a fall. */
@@ -30,7 +30,7 @@ void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, t
                            double state[TDMF_STATE_COUNT]);
 void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
-void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_direction *d,
+void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
                                 tdmf_point apex, tdmf_point d_apex, double time,
                                 const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]);
 

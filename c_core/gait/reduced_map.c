@@ -16,14 +16,14 @@
 
 typedef struct {
     int count;
-    tdmf_change changes[TDMF_VARIATION_LIMIT];
+    tdmf_seed seeds[TDMF_VARIATION_LIMIT];
     tdmf_variation variations[TDMF_VARIATION_LIMIT];
 } bundle;
 
-static void open_bundle(bundle *bundle, const tdmf_change *changes, int count) {
+static void open_bundle(bundle *bundle, const tdmf_seed *seeds, int count) {
     bundle->count = TDMF_REDUCED_COUNT + count;
     for (int i = 0; i < count; ++i) {
-        bundle->changes[TDMF_REDUCED_COUNT + i] = changes[i];
+        bundle->seeds[TDMF_REDUCED_COUNT + i] = seeds[i];
     }
 }
 
@@ -36,22 +36,22 @@ static void touch_down(bundle *bundle, const tdmf_model *model, const tdmf_input
     memcpy(after.state, motion->state, sizeof after.state);
     tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < bundle->count; ++i) {
-        const tdmf_direction d = tdmf_direction_of(model, &bundle->changes[i], NULL);
+        const tdmf_local_seed d = tdmf_local_seed_of(model, &bundle->seeds[i], NULL);
         const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
         const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
         tdmf_variation falling = {.liftoff_angle = 0.0};
         tdmf_vary_prescribed_state(model, inputs, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
                                    before->state, falling.state);
-        bundle->variations[i] = tdmf_saltation(model, inputs, TDMF_GUARD_TOUCHDOWN, before, &after,
-                                               &bundle->changes[i], &falling);
+        bundle->variations[i] =
+            tdmf_saltation(model, inputs, TDMF_GUARD_TOUCHDOWN, before, &after, &bundle->seeds[i], &falling);
     }
 }
 
 /* From lift-off, the state given, to the next apex. */
-static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *inputs,
-                               const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT],
-                               const tdmf_change *change, const tdmf_variation *variation) {
-    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+static tdmf_reduced_variation fly(const tdmf_model *model, const tdmf_inputs *inputs,
+                                  const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT],
+                                  const tdmf_seed *change, const tdmf_variation *variation) {
+    const tdmf_local_seed d = tdmf_local_seed_of(model, change, NULL);
     const tdmf_point com = tdmf_center_of_mass(model, state);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
                                                             &d.model, variation->state);
@@ -60,15 +60,15 @@ static tdmf_reduced_change fly(const tdmf_model *model, const tdmf_inputs *input
     const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);
     const double apex_x = tdmf_center_of_mass_after(model, inputs, com, time).x;
     const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
-    const tdmf_reduced_change result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
-                                        .period = d_time,
-                                        .length = d_apex.x,
-                                        .work =
-                                            variation->state[TDMF_HIP_WORK] + variation->state[TDMF_LEG_WORK],
-                                        .stance_time = variation->stance.stance_time,
-                                        .slip_distance = variation->stance.slip_distance,
-                                        .peak_force = variation->stance.peak_force,
-                                        .peak_vertical_force = variation->stance.peak_vertical_force};
+    const tdmf_reduced_variation result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
+                                           .period = d_time,
+                                           .length = d_apex.x,
+                                           .work = variation->state[TDMF_HIP_WORK] +
+                                                   variation->state[TDMF_LEG_WORK],
+                                           .stance_time = variation->stance.stance_time,
+                                           .slip_distance = variation->stance.slip_distance,
+                                           .peak_force = variation->stance.peak_force,
+                                           .peak_vertical_force = variation->stance.peak_vertical_force};
     return result;
 }
 
@@ -77,8 +77,8 @@ static void close_bundle(const bundle *bundle, const tdmf_model *model, const td
                          const tdmf_ground_line *ground, const double lift_off[TDMF_STATE_COUNT],
                          tdmf_reduced_return *result) {
     for (int i = 0; i < bundle->count; ++i) {
-        const tdmf_reduced_change change =
-            fly(model, inputs, ground, lift_off, &bundle->changes[i], &bundle->variations[i]);
+        const tdmf_reduced_variation change =
+            fly(model, inputs, ground, lift_off, &bundle->seeds[i], &bundle->variations[i]);
         if (i < TDMF_REDUCED_COUNT) {
             result->by_section[i] = change;
         } else {
@@ -152,7 +152,7 @@ static tdmf_reduced_outcome stand(run *run, tdmf_solver *solver, double until, t
     bundle *bundle = &run->bundle;
     const tdmf_stride_outcome stance =
         tdmf_native_stance(solver, run->model, run->inputs, run->motion.time + until, &run->motion,
-                           bundle->changes, bundle->variations, bundle->count);
+                           bundle->seeds, bundle->variations, bundle->count);
     *outcome = stance.outcome;
     return outcome_of_stance(stance);
 }
@@ -185,17 +185,17 @@ static void record_stride(const run *run, tdmf_reduced_return *result) {
 
 tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
-                                     const tdmf_change *changes, int count) {
+                                     const tdmf_seed *seeds, int count) {
     run run = {.model = model, .inputs = inputs};
     tdmf_reduced_return result;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || apex == NULL ||
-        !tdmf_are_sound_changes(changes, count, TDMF_REDUCED_CHANGES)) {
+        !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
         result.outcome = TDMF_REDUCED_REFUSED;
         return result;
     }
     if (derivatives) {
-        open_bundle(&run.bundle, changes, count);
+        open_bundle(&run.bundle, seeds, count);
     }
     result.outcome = descend(&run, apex, until, solver->log);
     if (result.outcome == TDMF_REDUCED_CLOSED) {

@@ -23,7 +23,7 @@ typedef struct {
     tdmf_solver *solver;
     const tdmf_model *model;
     const tdmf_inputs *inputs;
-    const tdmf_change *changes;
+    const tdmf_seed *seeds;
     int count;
     tdmf_reduced_return strides[2];
 } search;
@@ -32,7 +32,7 @@ static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_reduced_return *stride = &search->strides[slot];
     *stride = tdmf_reduced_map(search->solver, search->model, search->inputs, image->point,
-                               TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->changes,
+                               TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->seeds,
                                search->count);
     for (int i = 0; i < TDMF_REDUCED_COUNT; ++i) {
         image->next[i] = stride->apex[i];
@@ -56,13 +56,13 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 
 tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
                                            const tdmf_inputs *inputs, const double guess[TDMF_REDUCED_COUNT],
-                                           const tdmf_change *changes, int count) {
+                                           const tdmf_seed *seeds, int count) {
     static const tdmf_reduced_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
                                                .stride = {.outcome = TDMF_REDUCED_REFUSED}};
     if (model == NULL || guess == NULL) {
         return refused;
     }
-    search search = {.solver = solver, .model = model, .inputs = inputs, .changes = changes, .count = count};
+    search search = {.solver = solver, .model = model, .inputs = inputs, .seeds = seeds, .count = count};
     const tdmf_map map = {TDMF_REDUCED_COUNT, {model->scales.length, model->scales.speed}, evaluate, &search};
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
     tdmf_reduced_orbit orbit = {.iterations = found.iterations, .error = found.error};

@@ -3,11 +3,11 @@
  * it the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
-#include "direction.h"
 #include "free_fall.h"
 #include "ground_line.h"
 #include "kinematics.h"
 #include "request.h"
+#include "seed.h"
 #include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/dynamics.h"
@@ -52,7 +52,7 @@ void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *grou
 /* Of the map above, which has made `state`, along a direction on the section and in masses and ground. */
 static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *ground,
                                const double state[TDMF_STATE_COUNT],
-                               const double d_section[TDMF_SECTION_COUNT], const tdmf_direction *d,
+                               const double d_section[TDMF_SECTION_COUNT], const tdmf_local_seed *d,
                                double d_state[TDMF_STATE_COUNT]) {
     write_leg(d_section, d_state);
     /* The foot does not move yet: this is how the centre of mass moves from it. */
@@ -66,13 +66,13 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
 }
 
 /* Projects a variation at the time of an apex on the section. */
-static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
-                                     const tdmf_change *change, const double start_com_x,
-                                     const tdmf_variation *variation) {
+static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inputs *inputs,
+                                        const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
+                                        const tdmf_seed *change, const double start_com_x,
+                                        const tdmf_variation *variation) {
     const double *d_state = variation->state;
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
-    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    const tdmf_local_seed d = tdmf_local_seed_of(model, change, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(
         model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
     const tdmf_vector acceleration = tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
@@ -80,7 +80,7 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
         tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
-    const tdmf_stride_change result = {
+    const tdmf_stride_variation result = {
         .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + acceleration.x * shift,
                  d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
@@ -99,7 +99,7 @@ static tdmf_stride_change on_section(const tdmf_model *model, const tdmf_inputs 
 
 typedef struct {
     int count;
-    tdmf_change changes[TDMF_VARIATION_LIMIT];
+    tdmf_seed seeds[TDMF_VARIATION_LIMIT];
     tdmf_variation variations[TDMF_VARIATION_LIMIT];
     double start_com_x[TDMF_VARIATION_LIMIT];
     double foot_clearance[TDMF_VARIATION_LIMIT]; /* at the start */
@@ -107,18 +107,18 @@ typedef struct {
 } bundle;
 
 static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_ground_line *ground,
-                        const double state[TDMF_STATE_COUNT], const tdmf_change *changes, int count) {
-    static const tdmf_change none = {0};
+                        const double state[TDMF_STATE_COUNT], const tdmf_seed *seeds, int count) {
+    static const tdmf_seed none = {0};
     bundle->count = TDMF_SECTION_COUNT + count;
     for (int i = 0; i < bundle->count; ++i) {
         double d_section[TDMF_SECTION_COUNT] = {0.0};
         if (i < TDMF_SECTION_COUNT) {
             d_section[i] = 1.0;
         }
-        const tdmf_change *change = i < TDMF_SECTION_COUNT ? &none : &changes[i - TDMF_SECTION_COUNT];
-        bundle->changes[i] = *change;
+        const tdmf_seed *change = i < TDMF_SECTION_COUNT ? &none : &seeds[i - TDMF_SECTION_COUNT];
+        bundle->seeds[i] = *change;
         tdmf_variation *variation = &bundle->variations[i];
-        const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+        const tdmf_local_seed d = tdmf_local_seed_of(model, change, NULL);
         vary_section_state(model, ground, state, d_section, &d, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
         memset(&variation->stance, 0, sizeof variation->stance);
@@ -136,8 +136,8 @@ static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inp
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < bundle->count; ++i) {
-        tdmf_stride_change change = on_section(model, inputs, motion, derivatives, &bundle->changes[i],
-                                               bundle->start_com_x[i], &bundle->variations[i]);
+        tdmf_stride_variation change = on_section(model, inputs, motion, derivatives, &bundle->seeds[i],
+                                                  bundle->start_com_x[i], &bundle->variations[i]);
         change.foot_clearance = bundle->foot_clearance[i];
         if (measures) {
             tdmf_vary_measured_end(&bundle->measured, i, model, inputs, motion, derivatives, change.period);
@@ -153,13 +153,13 @@ static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inp
 
 static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                               const tdmf_change *changes, int count, bool measures) {
+                               const tdmf_seed *seeds, int count, bool measures) {
     tdmf_return result;
     tdmf_motion motion;
     bundle bundle;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || section == NULL ||
-        !tdmf_are_sound_changes(changes, count, TDMF_RETURN_CHANGES)) {
+        !tdmf_are_sound_seeds(seeds, count, TDMF_RETURN_MAP_SEEDS)) {
         result.outcome.outcome = TDMF_REFUSED;
         return result;
     }
@@ -172,14 +172,14 @@ static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, con
     result.began_at_apex = true;
     bundle.count = 0;
     if (derivatives) {
-        open_bundle(&bundle, model, &motion.mode.ground, motion.state, changes, count);
+        open_bundle(&bundle, model, &motion.mode.ground, motion.state, seeds, count);
     }
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
     result.outcome = measures
-                         ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.changes,
+                         ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.seeds,
                                                        bundle.variations, bundle.count, &bundle.measured)
-                         : tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.changes,
+                         : tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.seeds,
                                                      bundle.variations, bundle.count);
     if (!result.outcome.closed) {
         return result;
@@ -202,12 +202,12 @@ static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, con
 
 tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                             const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                            const tdmf_change *changes, int count) {
-    return stride_from(solver, model, inputs, section, until, derivatives, changes, count, false);
+                            const tdmf_seed *seeds, int count) {
+    return stride_from(solver, model, inputs, section, until, derivatives, seeds, count, false);
 }
 
 tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                                     const tdmf_change *changes, int count) {
-    return stride_from(solver, model, inputs, section, until, derivatives, changes, count, true);
+                                     const tdmf_seed *seeds, int count) {
+    return stride_from(solver, model, inputs, section, until, derivatives, seeds, count, true);
 }

@@ -1,7 +1,7 @@
 /* An evaluation varied, in the order in which it was made. */
 #include "evaluation.h"
 
-tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_direction *d) {
+tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_local_seed *d) {
     const tdmf_model *model = at->model;
     const tdmf_inputs *inputs = at->inputs;
     const tdmf_mode *mode = at->mode;

@@ -5,13 +5,13 @@
 #define TDMF_MODEL_EVALUATION_H
 
 #include "contact_mode.h"
-#include "direction.h"
 #include "friction.h"
 #include "ground_force_laws.h"
 #include "ground_line.h"
 #include "hip_law.h"
 #include "leg.h"
 #include "margins.h"
+#include "seed.h"
 
 typedef struct {
     const tdmf_model *model;
@@ -76,6 +76,6 @@ static inline double tdmf_rounding_at_foot(const tdmf_evaluation *at) {
 
 /* How what is evaluated changes along a direction, in the same shape; the mode is held but for its lift-off
  * angle. */
-tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_direction *d);
+tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_local_seed *d);
 
 #endif

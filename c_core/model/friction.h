@@ -3,8 +3,8 @@
 #define TDMF_MODEL_FRICTION_H
 
 #include "contact_mode.h"
-#include "direction.h"
 #include "friction_laws.h"
+#include "seed.h"
 
 /* Friction falls with the foot's speed. */
 static inline bool tdmf_friction_falls(const tdmf_model *model) {
@@ -12,7 +12,7 @@ static inline bool tdmf_friction_falls(const tdmf_model *model) {
 }
 
 /* Towards v_s = 0 motions go as v_s ln(1/v_s): no derivative by v_s tells what begins there. */
-static inline bool tdmf_friction_has_no_derivative(const tdmf_model *model, const tdmf_direction *d) {
+static inline bool tdmf_friction_has_no_derivative(const tdmf_model *model, const tdmf_local_seed *d) {
     return !tdmf_friction_falls(model) && d->model.parameters.ground.stribeck_velocity != 0.0 &&
            model->parameters.ground.static_friction_ratio != 1.0;
 }

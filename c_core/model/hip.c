@@ -3,7 +3,7 @@
 
 #include "evaluation.h"
 
-bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d) {
+bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_local_seed *d) {
     const tdmf_parameters *p = &model->parameters;
     const tdmf_parameters *d_p = &d->model.parameters;
     return mode->phase == TDMF_PHASE_RETRACT && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&

@@ -2,9 +2,9 @@
 #ifndef TDMF_MODEL_HIP_LAW_H
 #define TDMF_MODEL_HIP_LAW_H
 
-#include "direction.h"
 #include "hip_laws.h"
 #include "input_rates.h"
+#include "seed.h"
 
 /* How fast the time since place began runs: 1 in place, else 0. */
 static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
@@ -13,7 +13,7 @@ static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
 
 /* The servo is zero whatever the leg does, but not along the direction: no derivative tells what the clamp
  * makes of it. */
-bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_direction *d);
+bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_local_seed *d);
 
 static inline bool tdmf_law_drifts(const tdmf_hip_law *law) {
     return law->target_rate != 0.0 || law->torque_rate != 0.0;

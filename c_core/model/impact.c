@@ -47,7 +47,7 @@ double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdm
 }
 
 double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                        const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                        const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(model, inputs, ground, before);
     const tdmf_after_impact d_after = tdmf_vary_impact_with(

@@ -2,8 +2,8 @@
 #ifndef TDMF_MODEL_IMPACT_H
 #define TDMF_MODEL_IMPACT_H
 
-#include "direction.h"
 #include "leg.h"
+#include "seed.h"
 #include "tdmf_slip/impact.h"
 
 /* tdmf_impact, where the leg's direction is at hand. */
@@ -13,7 +13,7 @@ double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, con
 /* What the impact map makes of a change. `d_state` is that of the state before on call, of the state after on
  * return. Returns the change of the energy lost. */
 double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                        const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                        const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]);
 
 #endif

@@ -3,10 +3,10 @@
  * Scales of the paper's normalisation (section 5): length l0, time sqrt(m/k), and what follows from them. */
 #include "tdmf_slip/parameters.h"
 
-#include "direction.h"
 #include "input_rates.h"
 #include "ranges.h"
 #include "runner_laws.h"
+#include "seed.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -97,10 +97,10 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     return accepted;
 }
 
-tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change) {
+tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed) {
     const tdmf_mass_constants constants = {model->inverse_body_mass, model->inverse_foot_mass,
                                            model->inverse_reduced_mass, model->total_mass, model->body_share};
-    tdmf_model varied = {.parameters = *change};
+    tdmf_model varied = {.parameters = *seed};
     const tdmf_mass_constants changes = tdmf_vary_mass_constants_of(model, &constants, &varied);
     set_mass_constants(&varied, &changes);
     return varied;

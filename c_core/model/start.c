@@ -167,7 +167,7 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
 /* Of a leg that thrusts from the start on. */
 static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
                             const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                            const tdmf_direction *d, double d_length) {
+                            const tdmf_local_seed *d, double d_length) {
     tdmf_mode before = *mode;
     before.thrusts = false;
     return tdmf_vary_leg_work_of_jump(
@@ -180,14 +180,13 @@ static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
 tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double given[TDMF_STATE_COUNT],
                                      const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                                     const tdmf_change *change,
-                                     const double state_direction[TDMF_STATE_COUNT]) {
+                                     const tdmf_seed *seed, const double state_seed[TDMF_STATE_COUNT]) {
     tdmf_start_variation varied = {0};
     double *d_state = varied.variation.state;
-    memcpy(d_state, state_direction, TDMF_MECHANICAL_COUNT * sizeof *d_state);
+    memcpy(d_state, state_seed, TDMF_MECHANICAL_COUNT * sizeof *d_state);
     varied.variation.liftoff_angle = d_state[TDMF_LEG_ANGLE];
     const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
-    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
     if (foot_is_at_ground(model, &ground, given) && rate_of_foot(model, &ground, given) < 0.0) {
         varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, &d, d_state);
     }

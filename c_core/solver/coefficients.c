@@ -16,7 +16,7 @@ flight_coefficients tdmf_flight_coefficients(const tdmf_mode_equations *equation
 }
 
 flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
-                                                  const tdmf_direction *d) {
+                                                  const tdmf_local_seed *d) {
     const tdmf_model *model = equations->model;
     const tdmf_inputs *inputs = &equations->inputs;
     const tdmf_hip_law d_law =
@@ -46,7 +46,7 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
 
 /* Of the law of stance, or in graze of the torque from outside. */
 static tdmf_hip_law vary_law_on_ground(const tdmf_mode_equations *equations, const tdmf_mode *mode,
-                                       const tdmf_direction *d) {
+                                       const tdmf_local_seed *d) {
     const tdmf_inputs *inputs = &equations->inputs, *zero = &tdmf_zero_input_rates;
     return tdmf_in_contact(mode) ? tdmf_vary_stance_law(equations->model, inputs, zero, mode, &d->model,
                                                         &d->inputs, zero, &d->mode)
@@ -54,7 +54,7 @@ static tdmf_hip_law vary_law_on_ground(const tdmf_mode_equations *equations, con
 }
 
 ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equations, const tdmf_mode *mode,
-                                                  const tdmf_direction *d) {
+                                                  const tdmf_local_seed *d) {
     const tdmf_model *model = equations->model;
     const tdmf_inputs *inputs = &equations->inputs;
     const tdmf_hip_law d_law = vary_law_on_ground(equations, mode, d);

@@ -21,7 +21,7 @@ static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *i
     }
 }
 
-tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d) {
+tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_local_seed *d) {
     return tdmf_vary_push_on_body(equations->model, &equations->inputs, &d->model, &d->inputs);
 }
 

@@ -55,7 +55,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
                     tdmf_leg_direction direction);
 
 /* The change of the push. */
-tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_direction *d);
+tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_local_seed *d);
 
 /* The centre of mass in flight, after a time t. */
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);

@@ -14,14 +14,14 @@
 /* ---- flight ------------------------------------------------------------------------------------------- */
 
 static void open_flight(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                        const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
+                        const tdmf_local_seed *d, tdmf_mode_variation *varied_mode) {
     varied_mode->at.flying = tdmf_flying_of(d->state);
     varied_mode->com =
         tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state), &d->model, d->state);
 }
 
 static void flight_variation_of_state(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                      const tdmf_direction *d, const tdmf_mode_variation *varied_mode,
+                                      const tdmf_local_seed *d, const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     const tdmf_point center = tdmf_center_of_mass_along(model, state, direction);
@@ -31,18 +31,18 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
 }
 
 /* The change of the centre of mass's acceleration. */
-static tdmf_vector vary_acceleration(const tdmf_mode_equations *equations, const tdmf_change *change) {
-    const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
+static tdmf_vector vary_acceleration(const tdmf_mode_equations *equations, const tdmf_seed *seed) {
+    const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
     return tdmf_vary_com_acceleration(equations->model, equations->push, &d.model,
                                       tdmf_vary_push(equations, &d));
 }
 
-static void advance_flight(const tdmf_step *step, const elapsed_time *elapsed, const tdmf_change *change,
-                           const flight_variation *tangent, tdmf_mode_variation *varied_mode) {
-    const tdmf_vector d_acceleration = vary_acceleration(step->equations, change);
-    const flight_start end = tdmf_vary_end_flight(&step->series.flight, elapsed, step->order, tangent);
+static void advance_flight(const tdmf_step *step, const elapsed_time *elapsed, const tdmf_seed *seed,
+                           const flight_variation *varied_series, tdmf_mode_variation *varied_mode) {
+    const tdmf_vector d_acceleration = vary_acceleration(step->equations, seed);
+    const flight_start end = tdmf_vary_end_flight(&step->series.flight, elapsed, step->order, varied_series);
     tdmf_set_flight(&end, &varied_mode->at.flying);
-    varied_mode->at.work += integral_to(tangent->power, elapsed, step->order - 1);
+    varied_mode->at.work += integral_to(varied_series->power, elapsed, step->order - 1);
     const tdmf_mode_equations *equations = step->equations;
     const tdmf_vector none = {0.0, 0.0};
     varied_mode->com =
@@ -53,13 +53,13 @@ static void advance_flight(const tdmf_step *step, const elapsed_time *elapsed, c
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
 static void open_ground(const tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],
-                        const tdmf_direction *d, tdmf_mode_variation *varied_mode) {
+                        const tdmf_local_seed *d, tdmf_mode_variation *varied_mode) {
     varied_mode->at.standing = tdmf_vary_standing_of(&equations->ground, state, tdmf_leg_direction_of(state),
                                                      &d->mode.ground, d->state);
 }
 
 static void ground_variation_of_state(const tdmf_mode_equations *equations,
-                                      const double state[TDMF_STATE_COUNT], const tdmf_direction *d,
+                                      const double state[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                                       const tdmf_mode_variation *varied_mode,
                                       double d_state[TDMF_STATE_COUNT]) {
     const tdmf_standing standing = tdmf_standing_of(&equations->ground, state, tdmf_leg_direction_of(state));
@@ -68,28 +68,28 @@ static void ground_variation_of_state(const tdmf_mode_equations *equations,
 }
 
 static void advance_ground(const tdmf_step *step, const elapsed_time *elapsed,
-                           const ground_variation *tangent, tdmf_mode_variation *varied_mode) {
+                           const ground_variation *varied_series, tdmf_mode_variation *varied_mode) {
     const bool sticks = step->equations->contact == TDMF_CONTACT_STICK;
     const ground_start end =
-        tdmf_vary_end_ground(&step->series.ground, elapsed, step->order, sticks, tangent);
+        tdmf_vary_end_ground(&step->series.ground, elapsed, step->order, sticks, varied_series);
     tdmf_set_ground(&end, &varied_mode->at.standing);
     if (!sticks) {
-        varied_mode->at.standing.foot_x += integral_to(tangent->foot_vx, elapsed, step->order);
+        varied_mode->at.standing.foot_x += integral_to(varied_series->foot_vx, elapsed, step->order);
     }
-    varied_mode->at.work += integral_to(tangent->power, elapsed, step->order - 1);
+    varied_mode->at.work += integral_to(varied_series->power, elapsed, step->order - 1);
 }
 
 /* ---- both --------------------------------------------------------------------------------------------- */
 
 tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equations,
-                                             const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                             const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                              const tdmf_variation *variation) {
     tdmf_mode_variation varied_mode = {.liftoff_angle = variation->liftoff_angle,
                                        .place_time = variation->state[TDMF_HIP_PLACE_TIME],
                                        .leg_work = variation->state[TDMF_LEG_WORK],
                                        .stance = variation->stance};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
-    const tdmf_direction d = tdmf_direction_of(equations->model, change, variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, variation);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations->model, state, &d, &varied_mode);
     } else {
@@ -105,17 +105,17 @@ static void add_sizes(const double *c, double unit, int order, double sizes[SERI
     }
 }
 
-double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, const tdmf_change *change,
-                                  const tdmf_mode_variation *varied_mode, motion_variation *tangent) {
+double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, const tdmf_seed *seed,
+                                  const tdmf_mode_variation *varied_mode, motion_variation *varied_series) {
     const tdmf_scales *scales = &step->equations->model->scales;
     const int order = step->order;
     const tdmf_mode_coordinates *from = &step->equations->start, *at = &varied_mode->at;
     tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
-    const tdmf_direction d = tdmf_direction_of(step->equations->model, change, &variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(step->equations->model, seed, &variation);
     double sizes[SERIES_TERMS] = {0.0};
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        flight_variation *flight = &tangent->flight;
+        flight_variation *flight = &varied_series->flight;
         const flight_coefficients coefficients = tdmf_flight_coefficients(step->equations);
         const flight_coefficients varied = tdmf_vary_flight_coefficients(step->equations, mode, &d);
         const flight_start varied_start = tdmf_flight_start_of(&at->flying);
@@ -127,7 +127,7 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
         add_sizes(flight->angle, 1.0, order, sizes);
         add_sizes(flight->momentum, scales->speed * scales->length, order, sizes);
     } else {
-        ground_variation *ground = &tangent->ground;
+        ground_variation *ground = &varied_series->ground;
         const ground_coefficients coefficients = tdmf_ground_coefficients(step->equations);
         const ground_coefficients varied = tdmf_vary_ground_coefficients(step->equations, mode, &d);
         const ground_start varied_start = tdmf_ground_start_of(&at->standing);
@@ -143,25 +143,25 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
     return tdmf_step_trusts_terms(step, sizes);
 }
 
-void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_change *change,
-                                 const motion_variation *tangent, tdmf_mode_variation *varied_mode) {
+void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_seed *seed,
+                                 const motion_variation *varied_series, tdmf_mode_variation *varied_mode) {
     elapsed_time at;
     set_elapsed(&at, step->search.power, step->size, elapsed, step->order);
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        advance_flight(step, &at, change, &tangent->flight, varied_mode);
+        advance_flight(step, &at, seed, &varied_series->flight, varied_mode);
     } else {
-        advance_ground(step, &at, &tangent->ground, varied_mode);
+        advance_ground(step, &at, &varied_series->ground, varied_mode);
     }
 }
 
 tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
-                                      const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                      const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                       const tdmf_mode_variation *varied_mode) {
     tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle, .stance = varied_mode->stance};
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
     variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
     variation.state[TDMF_LEG_WORK] = varied_mode->leg_work;
-    const tdmf_direction d = tdmf_direction_of(equations->model, change, NULL);
+    const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
         flight_variation_of_state(equations->model, state, &d, varied_mode, variation.state);
     } else {

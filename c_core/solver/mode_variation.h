@@ -15,22 +15,22 @@ typedef struct {
 
 /* The variation in a mode just opened on `state`. */
 tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equations,
-                                             const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                             const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                              const tdmf_variation *variation);
 
 /* Expands it along a step, and returns how long its series may be trusted: where the motion has come to rest,
  * they say what the motion's own series do not. */
-double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, const tdmf_change *change,
-                                  const tdmf_mode_variation *varied_mode, motion_variation *tangent);
+double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, const tdmf_seed *seed,
+                                  const tdmf_mode_variation *varied_mode, motion_variation *varied_series);
 
 /* Takes it along the step, up to `elapsed`. */
-void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_change *change,
-                                 const motion_variation *tangent, tdmf_mode_variation *varied_mode);
+void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const tdmf_seed *seed,
+                                 const motion_variation *varied_series, tdmf_mode_variation *varied_mode);
 
 /* Back to a variation of the state at the equations' instant or, after tdmf_advance_mode_variation, at the
  * time reached, where the state is `state`. */
 tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
-                                      const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                                      const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                       const tdmf_mode_variation *varied_mode);
 
 #endif

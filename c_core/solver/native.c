@@ -46,11 +46,11 @@ typedef struct {
     /* First variations, if any: as of the last event, and where the equations are. */
     int count;
     bool varies_thrust, varies_push;
-    const tdmf_change *changes;
+    const tdmf_seed *seeds;
     tdmf_variation *variations;
     tdmf_mode_variation varied_mode[TDMF_VARIATION_LIMIT];
-    motion_variation tangents[TDMF_VARIATION_LIMIT]; /* along the step */
-    tdmf_measured *measured;                         /* of the stride, or NULL */
+    motion_variation varied_series[TDMF_VARIATION_LIMIT]; /* along the step */
+    tdmf_measured *measured;                              /* of the stride, or NULL */
 } integration;
 
 tdmf_solver tdmf_solver_default(void) {
@@ -89,7 +89,7 @@ static void open_mode(integration *integration) {
     integration->equations_are_ahead = false;
     for (int i = 0; i < integration->count; ++i) {
         integration->varied_mode[i] = tdmf_open_mode_variation(
-            &integration->equations, motion->state, &integration->changes[i], &integration->variations[i]);
+            &integration->equations, motion->state, &integration->seeds[i], &integration->variations[i]);
     }
 }
 
@@ -98,7 +98,7 @@ static void write_state(integration *integration, double elapsed, const tdmf_mod
     integration->direction = tdmf_state_in_mode(&integration->equations, elapsed, coordinates, state);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] = tdmf_variation_in_mode(
-            &integration->equations, state, &integration->changes[i], &integration->varied_mode[i]);
+            &integration->equations, state, &integration->seeds[i], &integration->varied_mode[i]);
     }
 }
 
@@ -111,13 +111,13 @@ static void vary_peak_forces(integration *integration, double elapsed, bool norm
     tdmf_state_in_mode(&integration->equations, elapsed, &there, state);
     const tdmf_evaluation at = tdmf_evaluate(integration->model, &integration->inputs, &motion->mode, state);
     for (int i = 0; i < integration->count; ++i) {
-        const tdmf_change *change = &integration->changes[i];
+        const tdmf_seed *seed = &integration->seeds[i];
         tdmf_mode_variation varied_mode = integration->varied_mode[i];
-        tdmf_advance_mode_variation(&integration->step, elapsed, change, &integration->tangents[i],
+        tdmf_advance_mode_variation(&integration->step, elapsed, seed, &integration->varied_series[i],
                                     &varied_mode);
         const tdmf_variation variation =
-            tdmf_variation_in_mode(&integration->equations, state, change, &varied_mode);
-        const tdmf_direction d = tdmf_direction_of(integration->model, change, &variation);
+            tdmf_variation_in_mode(&integration->equations, state, seed, &varied_mode);
+        const tdmf_local_seed d = tdmf_local_seed_of(integration->model, seed, &variation);
         const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
         tdmf_stance_variation *stance = &integration->varied_mode[i].stance;
         stance->peak_force = normal ? d_at.force.normal : stance->peak_force;
@@ -262,11 +262,11 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
             tdmf_saltation_met(integration->model, &integration->inputs, end->guard, &before, &after,
-                               &integration->changes[i], &integration->variations[i], &met[i]);
+                               &integration->seeds[i], &integration->variations[i], &met[i]);
     }
     if (integration->measured) {
         tdmf_measure_event(integration->measured, integration->model, &integration->inputs, &before, &after,
-                           integration->changes, met, integration->count);
+                           integration->seeds, met, integration->count);
     }
     return true;
 }
@@ -350,8 +350,8 @@ static void expand_variations(integration *integration) {
     tdmf_step *step = &integration->step;
     for (int i = 0; i < integration->count; ++i) {
         const double trusted =
-            tdmf_expand_mode_variation(step, &integration->motion->mode, &integration->changes[i],
-                                       &integration->varied_mode[i], &integration->tangents[i]);
+            tdmf_expand_mode_variation(step, &integration->motion->mode, &integration->seeds[i],
+                                       &integration->varied_mode[i], &integration->varied_series[i]);
         /* A size that is not a number stays one. */
         step->size = trusted < step->size ? trusted : step->size;
     }
@@ -363,9 +363,9 @@ static void measure_step(integration *integration, const tdmf_step_end *end) {
                                       .end = end->time,
                                       .ends_at_event = end->is_event,
                                       .count = integration->count,
-                                      .changes = integration->changes,
+                                      .seeds = integration->seeds,
                                       .varied_mode = integration->varied_mode,
-                                      .tangents = integration->tangents};
+                                      .varied_series = integration->varied_series};
     tdmf_measure_step(integration->measured, &along);
 }
 
@@ -418,7 +418,7 @@ static tdmf_outcome advance_once(integration *integration) {
     integration->equations.positive_work +=
         tdmf_positive_work(step, end.time, reached.work - integration->equations.start.work);
     for (int i = 0; i < integration->count; ++i) {
-        tdmf_advance_mode_variation(step, end.time, &integration->changes[i], &integration->tangents[i],
+        tdmf_advance_mode_variation(step, end.time, &integration->seeds[i], &integration->varied_series[i],
                                     &integration->varied_mode[i]);
     }
     if (end.is_event) {
@@ -510,19 +510,19 @@ tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *mo
 }
 
 static bool begin_varied(integration *integration, tdmf_solver *solver, const tdmf_model *model,
-                         const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                         const tdmf_change *changes, tdmf_variation *variations, int count) {
-    if (!tdmf_are_sound_changes(changes, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
+                         const tdmf_inputs *inputs, double until, tdmf_motion *motion, const tdmf_seed *seeds,
+                         tdmf_variation *variations, int count) {
+    if (!tdmf_are_sound_seeds(seeds, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
         !begin(integration, solver, model, inputs, tdmf_rates_or_zero(NULL), until, motion)) {
         return false;
     }
     integration->count = count;
-    integration->changes = changes;
+    integration->seeds = seeds;
     integration->variations = variations;
     for (int i = 0; i < count; ++i) {
         integration->varies_thrust |=
-            changes[i].parameters.leg.thrust != 0.0 || changes[i].inputs.control.thrust != 0.0;
-        integration->varies_push |= tdmf_is_pushed(&changes[i].inputs);
+            seeds[i].parameters.leg.thrust != 0.0 || seeds[i].inputs.control.thrust != 0.0;
+        integration->varies_push |= tdmf_is_pushed(&seeds[i].inputs);
     }
     open_mode(integration);
     return true;
@@ -530,23 +530,22 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, const td
 
 tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                              const tdmf_change *changes, tdmf_variation *variations,
-                                              int count) {
+                                              const tdmf_seed *seeds, tdmf_variation *variations, int count) {
     integration integration;
-    return begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)
+    return begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)
                ? advance_a_stride(&integration)
                : refused;
 }
 
 tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
                                                 const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_change *changes, tdmf_variation *variations,
-                                                int count, tdmf_measured *measured) {
+                                                const tdmf_seed *seeds, tdmf_variation *variations, int count,
+                                                tdmf_measured *measured) {
     integration integration;
-    if (!begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)) {
+    if (!begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)) {
         return refused;
     }
-    tdmf_measure_start(measured, model, motion, changes, variations, count);
+    tdmf_measure_start(measured, model, motion, seeds, variations, count);
     integration.measured = measured;
     const tdmf_stride_outcome outcome = advance_a_stride(&integration);
     tdmf_measure_end(measured, motion);
@@ -555,9 +554,9 @@ tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_
 
 tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
                                        const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                       const tdmf_change *changes, tdmf_variation *variations, int count) {
+                                       const tdmf_seed *seeds, tdmf_variation *variations, int count) {
     integration integration;
-    if (!begin_varied(&integration, solver, model, inputs, until, motion, changes, variations, count)) {
+    if (!begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)) {
         return refused;
     }
     integration.end = AT_LIFT_OFF;

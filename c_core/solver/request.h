@@ -50,8 +50,8 @@ static inline bool tdmf_is_sound_motion(const tdmf_motion *motion) {
 }
 
 /* Changes of parameters and inputs, at the most so many. */
-static inline bool tdmf_are_sound_changes(const tdmf_change *changes, int count, int limit) {
-    return count >= 0 && count <= limit && (count == 0 || changes != NULL);
+static inline bool tdmf_are_sound_seeds(const tdmf_seed *seeds, int count, int limit) {
+    return count >= 0 && count <= limit && (count == 0 || seeds != NULL);
 }
 
 static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_model *model,

@@ -39,16 +39,16 @@ static tdmf_variation no_variation(void) {
     return none;
 }
 
-static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at, const tdmf_direction *d) {
+static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at, const tdmf_local_seed *d) {
     const tdmf_evaluation d_at = tdmf_vary_evaluation(at, d);
     return event->vary_guard(at, &d_at);
 }
 
 /* By how much the event shifts in time. */
 static double time_shift(const tdmf_event_kind *event, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_event_state *before, const tdmf_direction *d) {
+                         const tdmf_event_state *before, const tdmf_local_seed *d) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, &before->mode, before->state);
-    const tdmf_direction motion = tdmf_direction_of_motion(before->derivatives);
+    const tdmf_local_seed motion = tdmf_seed_of_motion(before->derivatives);
     return -vary_guard(event, &at, d) / vary_guard(event, &at, &motion);
 }
 
@@ -62,7 +62,7 @@ static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
 /* No event moves the leg, but many in a row may change its rest length. */
 static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
                             const tdmf_event_state *before, const tdmf_event_state *after,
-                            const tdmf_direction *d, const double d_state[TDMF_STATE_COUNT]) {
+                            const tdmf_local_seed *d, const double d_state[TDMF_STATE_COUNT]) {
     return tdmf_vary_leg_work_of_jump(
         model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
         tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
@@ -77,7 +77,7 @@ typedef struct {
 } varied_force;
 
 static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                               const tdmf_event_state *event_state, const tdmf_direction *d) {
+                               const tdmf_event_state *event_state, const tdmf_local_seed *d) {
     varied_force force;
     force.at = tdmf_evaluate(model, inputs, &event_state->mode, event_state->state);
     force.d_at = tdmf_vary_evaluation(&force.at, d);
@@ -86,8 +86,8 @@ static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *input
 
 /* A peak that is met at the event is that of the side with the larger force. */
 static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_event_state *before,
-                       const tdmf_event_state *after, const tdmf_direction *d_before,
-                       const tdmf_direction *d_after, tdmf_stance_variation *stance) {
+                       const tdmf_event_state *after, const tdmf_local_seed *d_before,
+                       const tdmf_local_seed *d_after, tdmf_stance_variation *stance) {
     const varied_force from = vary_force(model, inputs, before, d_before);
     const varied_force to = vary_force(model, inputs, after, d_after);
     if (after->peak_force > before->peak_force) {
@@ -103,7 +103,7 @@ static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const
 }
 
 /* Of the path along the ground up to the foot's place. */
-static double vary_path(const tdmf_event_state *at, const tdmf_direction *d) {
+static double vary_path(const tdmf_event_state *at, const tdmf_local_seed *d) {
     return tdmf_vary_path_to(&at->mode.ground, at->state[TDMF_FOOT_X], &d->mode.ground,
                              d->state[TDMF_FOOT_X]);
 }
@@ -112,8 +112,8 @@ static double vary_path(const tdmf_event_state *at, const tdmf_direction *d) {
  * where it is met, on either side. */
 static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inputs *inputs,
                                          const tdmf_event_state *before, const tdmf_event_state *after,
-                                         double dt, const tdmf_direction *d_before,
-                                         const tdmf_direction *d_after, tdmf_stance_variation stance) {
+                                         double dt, const tdmf_local_seed *d_before,
+                                         const tdmf_local_seed *d_after, tdmf_stance_variation stance) {
     const int ends = tdmf_in_contact(&before->mode) - tdmf_in_contact(&after->mode);
     const double slip_ends = tdmf_slip_sign(&before->mode) - tdmf_slip_sign(&after->mode);
     stance.stance_time += ends * dt;
@@ -126,7 +126,7 @@ static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inp
 
 tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                                   const tdmf_event_state *before, const tdmf_event_state *after,
-                                  const tdmf_change *change, const tdmf_variation *variation,
+                                  const tdmf_seed *seed, const tdmf_variation *variation,
                                   tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
@@ -137,7 +137,7 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
         memcpy(met->after, none.state, sizeof met->after);
         return none;
     }
-    const tdmf_direction d = tdmf_direction_of(model, change, variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, variation);
     const double dt = time_shift(event, model, inputs, before, &d);
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
@@ -151,7 +151,7 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
     memcpy(met->after, varied.state, sizeof met->after);
-    tdmf_direction d_before = d, d_after = d;
+    tdmf_local_seed d_before = d, d_after = d;
     d_before.state = met->before;
     d_after.state = met->after;
     varied.stance = vary_stance(model, inputs, before, after, dt, &d_before, &d_after, varied.stance);
@@ -162,7 +162,7 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
 
 tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
                               const tdmf_event_state *before, const tdmf_event_state *after,
-                              const tdmf_change *change, const tdmf_variation *variation) {
+                              const tdmf_seed *seed, const tdmf_variation *variation) {
     tdmf_met_event met;
-    return tdmf_saltation_met(model, inputs, guard, before, after, change, variation, &met);
+    return tdmf_saltation_met(model, inputs, guard, before, after, seed, variation, &met);
 }

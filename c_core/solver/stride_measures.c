@@ -26,9 +26,9 @@ static double foot_height(const tdmf_motion *motion, const double state[TDMF_STA
 }
 
 static double vary_foot_height(const tdmf_model *model, const tdmf_motion *motion,
-                               const double state[TDMF_STATE_COUNT], const tdmf_change *change,
+                               const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                const double d_state[TDMF_STATE_COUNT]) {
-    const tdmf_direction d = tdmf_direction_of(model, change, NULL);
+    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
     return d_state[TDMF_FOOT_Y] - tdmf_vary_ground_height_at(&motion->mode.ground, state[TDMF_FOOT_X],
                                                              &d.mode.ground, d_state[TDMF_FOOT_X]);
 }
@@ -60,8 +60,8 @@ static void state_along(const tdmf_measured_step *along, double t, double state[
 static tdmf_variation variation_along(const tdmf_measured_step *along, int i, double t,
                                       const double state[TDMF_STATE_COUNT]) {
     tdmf_mode_variation varied_mode = along->varied_mode[i];
-    tdmf_advance_mode_variation(along->step, t, &along->changes[i], &along->tangents[i], &varied_mode);
-    return tdmf_variation_in_mode(along->step->equations, state, &along->changes[i], &varied_mode);
+    tdmf_advance_mode_variation(along->step, t, &along->seeds[i], &along->varied_series[i], &varied_mode);
+    return tdmf_variation_in_mode(along->step->equations, state, &along->seeds[i], &varied_mode);
 }
 
 static void record_height(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
@@ -76,7 +76,7 @@ static void record_height(tdmf_measured *measured, const tdmf_measured_step *alo
     for (int i = 0; i < along->count; ++i) {
         const tdmf_variation variation = variation_along(along, i, t, state);
         measured->varied[i].greatest_foot_height =
-            vary_foot_height(model, along->motion, state, &along->changes[i], variation.state);
+            vary_foot_height(model, along->motion, state, &along->seeds[i], variation.state);
     }
 }
 
@@ -139,7 +139,7 @@ static void record_slip(tdmf_measured *measured, const tdmf_measured_step *along
     measured->so_far.greatest_slip_velocity = speed;
     for (int i = 0; i < along->count; ++i) {
         measured->varied[i].greatest_slip_velocity =
-            sign * series_at(along->tangents[i].ground.foot_vx, step->order, t);
+            sign * series_at(along->varied_series[i].ground.foot_vx, step->order, t);
     }
 }
 
@@ -170,8 +170,9 @@ static double integral_of_product(const double *a, const double *b, int order, d
 
 static double vary_positive_work(const tdmf_measured_step *along, int i, const tdmf_spans *positive) {
     const tdmf_step *step = along->step;
-    const double *power = step->equations->contact == TDMF_CONTACT_FLIGHT ? along->tangents[i].flight.power
-                                                                          : along->tangents[i].ground.power;
+    const double *power = step->equations->contact == TDMF_CONTACT_FLIGHT
+                              ? along->varied_series[i].flight.power
+                              : along->varied_series[i].ground.power;
     double work = 0.0;
     for (int k = 0; k < positive->count; ++k) {
         work += series_integral(power, step->order - 1, positive->to[k]) -
@@ -187,7 +188,7 @@ static void vary_integrals(tdmf_measured *measured, const tdmf_measured_step *al
     const bool flies = contact == TDMF_CONTACT_FLIGHT;
     const bool slips = !flies && tdmf_step_ground_case(step).slips;
     for (int i = 0; i < along->count; ++i) {
-        const motion_variation *t = &along->tangents[i];
+        const motion_variation *t = &along->varied_series[i];
         const double *d_torque = flies ? t->flight.torque : t->ground.torque;
         measured->varied[i].friction_loss +=
             slips ? series_integral(t->ground.friction_power, step->order - 1, along->end) : 0.0;
@@ -226,12 +227,12 @@ void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along)
 /* ---- the ends of a stride ----------------------------------------------------------------------------- */
 
 void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const tdmf_motion *motion,
-                        const tdmf_change *changes, const tdmf_variation *variations, int count) {
+                        const tdmf_seed *seeds, const tdmf_variation *variations, int count) {
     memset(measured, 0, sizeof *measured);
     measured->so_far.greatest_foot_height = foot_height(motion, motion->state);
     for (int i = 0; i < count; ++i) {
         measured->varied[i].greatest_foot_height =
-            vary_foot_height(model, motion, motion->state, &changes[i], variations[i].state);
+            vary_foot_height(model, motion, motion->state, &seeds[i], variations[i].state);
     }
 }
 
@@ -288,7 +289,7 @@ static void measure_jump(tdmf_measured *measured, const tdmf_event_state *before
 }
 
 static void record_slip_at_event(tdmf_measured *measured, const tdmf_model *model,
-                                 const tdmf_event_state *event_state, const tdmf_change *changes,
+                                 const tdmf_event_state *event_state, const tdmf_seed *seeds,
                                  const tdmf_met_event *met, bool is_after, int count) {
     const double sign = tdmf_slip_sign(&event_state->mode);
     const tdmf_ground_line *line = &event_state->mode.ground;
@@ -299,7 +300,7 @@ static void record_slip_at_event(tdmf_measured *measured, const tdmf_model *mode
     }
     measured->so_far.greatest_slip_velocity = speed;
     for (int i = 0; i < count; ++i) {
-        const tdmf_direction d = tdmf_direction_of(model, &changes[i], NULL);
+        const tdmf_local_seed d = tdmf_local_seed_of(model, &seeds[i], NULL);
         const double *d_state = is_after ? met[i].after : met[i].before;
         measured->varied[i].greatest_slip_velocity =
             sign * tdmf_vary_velocity_along(line, vx, vy, &d.mode.ground, d_state[TDMF_FOOT_VX],
@@ -308,10 +309,10 @@ static void record_slip_at_event(tdmf_measured *measured, const tdmf_model *mode
 }
 
 void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_event_state *before, const tdmf_event_state *after,
-                        const tdmf_change *changes, const tdmf_met_event *met, int count) {
+                        const tdmf_event_state *before, const tdmf_event_state *after, const tdmf_seed *seeds,
+                        const tdmf_met_event *met, int count) {
     add_shifts(measured, model, inputs, before, after, met, count);
     measure_jump(measured, before, after, met, count);
-    record_slip_at_event(measured, model, before, changes, met, false, count);
-    record_slip_at_event(measured, model, after, changes, met, true, count);
+    record_slip_at_event(measured, model, before, seeds, met, false, count);
+    record_slip_at_event(measured, model, after, seeds, met, true, count);
 }

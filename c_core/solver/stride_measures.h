@@ -19,9 +19,9 @@ typedef struct {
     double end;
     bool ends_at_event; /* what is met there is the event's */
     int count;
-    const tdmf_change *changes;
+    const tdmf_seed *seeds;
     const tdmf_mode_variation *varied_mode; /* at the step's start */
-    const motion_variation *tangents;       /* along it */
+    const motion_variation *varied_series;  /* along it */
 } tdmf_measured_step;
 
 /* How far the foot's height may be trusted to be known along a step in flight; else infinity. */
@@ -29,15 +29,15 @@ double tdmf_measures_trust(const tdmf_step *step);
 
 /* At the apex where a stride begins. */
 void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const tdmf_motion *motion,
-                        const tdmf_change *changes, const tdmf_variation *variations, int count);
+                        const tdmf_seed *seeds, const tdmf_variation *variations, int count);
 
 /* Along a step that has been looked through for its end. */
 void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along);
 
 /* At an event, with what each variation is there. */
 void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_event_state *before, const tdmf_event_state *after,
-                        const tdmf_change *changes, const tdmf_met_event *met, int count);
+                        const tdmf_event_state *before, const tdmf_event_state *after, const tdmf_seed *seeds,
+                        const tdmf_met_event *met, int count);
 
 /* At the apex where the stride closes; the variation of that number meets it later by `shift`. */
 void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion);
@@ -48,7 +48,7 @@ void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_mode
 /* As tdmf_native_stride_varied, and measures the stride. */
 tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
                                                 const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_change *changes, tdmf_variation *variations,
-                                                int count, tdmf_measured *measured);
+                                                const tdmf_seed *seeds, tdmf_variation *variations, int count,
+                                                tdmf_measured *measured);
 
 #endif

@@ -10,7 +10,7 @@ enum { PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
 
 typedef struct {
     const runner *runner;
-    tdmf_change change;
+    tdmf_seed seed;
     tdmf_variation variation;
 } line;
 

@@ -20,7 +20,7 @@ static inline void results_of(const tdmf_return *stride, double results[RESULTS]
     results[TDMF_SECTION_COUNT + 6] = stride->stride.peak_vertical_force;
 }
 
-static inline void derivatives_of(const tdmf_stride_change *change, double derivatives[RESULTS]) {
+static inline void derivatives_of(const tdmf_stride_variation *change, double derivatives[RESULTS]) {
     memcpy(derivatives, change->apex, sizeof change->apex);
     derivatives[TDMF_SECTION_COUNT] = change->period;
     derivatives[TDMF_SECTION_COUNT + 1] = change->length;

@@ -18,9 +18,9 @@ static tdmf_classic with(double degrees, double slope, double rate) {
     return slip;
 }
 
-static const tdmf_classic_change *change_of(const tdmf_classic_step *step, int k) {
-    const tdmf_classic_change *changes[] = {&step->by_height, &step->by_energy, &step->by_touchdown_angle,
-                                            &step->by_ground_slope, &step->by_retraction_rate};
+static const tdmf_classic_variation *change_of(const tdmf_classic_step *step, int k) {
+    const tdmf_classic_variation *changes[] = {&step->by_height, &step->by_energy, &step->by_touchdown_angle,
+                                               &step->by_ground_slope, &step->by_retraction_rate};
     return changes[k];
 }
 
@@ -43,7 +43,7 @@ static void changes_are_those_of_the_step(void **state) {
         for (int k = 0; k < 5; ++k, ++compared) {
             const double h = sizes[k];
             const tdmf_classic_step ahead = shifted(slip, 1.3, k, h), behind = shifted(slip, 1.3, k, -h);
-            const tdmf_classic_change *told = change_of(&step, k);
+            const tdmf_classic_variation *told = change_of(&step, k);
             const double scale = k == 1 ? 1e-3 : 1.0;
             assert_close(told->height, (ahead.next_height - behind.next_height) / (2.0 * h), 1e-6 * scale);
             assert_close(told->length, (ahead.length - behind.length) / (2.0 * h), 1e-5 * scale);

@@ -297,7 +297,7 @@ static void a_foot_slips_when_friction_has_fallen_to_the_slope(void **state) {
 /* ---- variations of a motion that is simpler than they are ---------------------------------------------- */
 
 static tdmf_variation varied_until(run *run, double until, int varied) {
-    static const tdmf_change none = {0};
+    static const tdmf_seed none = {0};
     tdmf_variation variation = {0};
     variation.state[varied] = 1.0;
     const tdmf_stride_outcome outcome = tdmf_native_stride_varied(&run->solver, &run->model, &run->inputs,

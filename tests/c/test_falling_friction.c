@@ -95,8 +95,8 @@ static double change_of_speed(const reference_impact *law, double speed, double 
                               double d_friction) {
     const runner runner = falling_foot(law, speed);
     double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
-    const tdmf_change change = {.inputs.ground.friction = d_friction};
-    const tdmf_direction d = tdmf_direction_of(&runner.model, &change, NULL);
+    const tdmf_seed seed = {.inputs.ground.friction = d_friction};
+    const tdmf_local_seed d = tdmf_local_seed_of(&runner.model, &seed, NULL);
     tdmf_vary_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state, &d, d_state);
     return d_state[TDMF_FOOT_VX];
 }

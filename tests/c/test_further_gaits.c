@@ -192,7 +192,7 @@ static void cvode_comes_back_to_the_apex(void **state) {
 /* ---- derivatives --------------------------------------------------------------------------------------- */
 
 static tdmf_return stride_of(const further_gait *further, const tdmf_parameters *parameters,
-                             const tdmf_change *change) {
+                             const tdmf_seed *seed) {
     tdmf_model model;
     const tdmf_inputs inputs = inputs_of_further_gait(further);
     tdmf_solver solver = tdmf_solver_default();
@@ -201,7 +201,7 @@ static tdmf_return stride_of(const further_gait *further, const tdmf_parameters 
     memcpy(section, &further->gait.apex, sizeof section);
     assert_null(tdmf_model_create(&model, parameters).variable);
     const tdmf_return stride =
-        tdmf_return_map(&solver, &model, &inputs, section, 1e3, true, change, change != NULL ? 1 : 0);
+        tdmf_return_map(&solver, &model, &inputs, section, 1e3, true, seed, seed != NULL ? 1 : 0);
     assert_true(stride.outcome.closed);
     return stride;
 }
@@ -243,20 +243,20 @@ static void by_parameters_the_gaits_are_differentiated(void **state) {
             const tdmf_parameters at = parameters_of_further_gait(&further_gaits[i]);
             tdmf_parameters moved[3] = {at, at, at};
             double *members[LAWS_PARAMETERS];
-            tdmf_change change;
+            tdmf_seed seed;
             tdmf_return strides[3];
             if (k == 5 && at.ground.stribeck_velocity == 0.0) {
                 continue; /* there, there is none */
             }
-            memset(&change, 0, sizeof change);
-            *parameters_of_the_laws(&change.parameters, members)[k] = 1.0;
+            memset(&seed, 0, sizeof seed);
+            *parameters_of_the_laws(&seed.parameters, members)[k] = 1.0;
             const bool ahead =
                 (k == 1 && at.ground.static_friction_ratio == 1.0) || (k == 4 && at.leg.thrust == 0.0);
             for (int j = 0; j < 3; ++j) {
                 *parameters_of_the_laws(&moved[j], members)[k] += (ahead ? j : j - 1) * step;
                 strides[j] = stride_of(&further_gaits[i], &moved[j], NULL);
             }
-            const tdmf_return exact = stride_of(&further_gaits[i], &at, &change);
+            const tdmf_return exact = stride_of(&further_gaits[i], &at, &seed);
             double size = 1.0;
             for (int c = 0; c < TDMF_SECTION_COUNT; ++c) {
                 size = fmax(size, fabs(exact.by_parameter[0].apex[c]));

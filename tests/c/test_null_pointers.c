@@ -12,7 +12,7 @@ typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_input
                              double, tdmf_motion *);
 
 static const tdmf_inputs held = {.ground = {.friction = 0.0}};
-static const tdmf_change nothing_given = {0};
+static const tdmf_seed nothing_given = {0};
 
 static runner started(void) {
     runner runner = runner_default(0.6);
@@ -58,12 +58,12 @@ static void without_a_direction_nothing_changes(void **unused) {
     const runner runner = started();
     const tdmf_variation along_length = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
     const double zeros[TDMF_STATE_COUNT] = {0.0};
-    const tdmf_tangent given = tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state,
-                                                  &nothing_given, &along_length);
-    const tdmf_tangent no_change =
-        tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, &along_length);
-    const tdmf_tangent nothing =
-        tdmf_tangent_along(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, NULL);
+    const tdmf_output_variation given = tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode,
+                                                          runner.state, &nothing_given, &along_length);
+    const tdmf_output_variation no_change =
+        tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, &along_length);
+    const tdmf_output_variation nothing =
+        tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, NULL);
     assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
     assert_same_numbers(nothing.derivatives, zeros, TDMF_STATE_COUNT);
     assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);

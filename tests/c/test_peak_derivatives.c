@@ -33,7 +33,7 @@ static scene scene_on_slope(double friction, double slope) {
 }
 
 static tdmf_return stride_from(const scene *scene, bool derivatives, tdmf_event_log *log) {
-    static const tdmf_change by_slope = {.inputs = {.ground = {.slope = 1.0}}};
+    static const tdmf_seed by_slope = {.inputs = {.ground = {.slope = 1.0}}};
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
     solver.log = log;
@@ -57,7 +57,7 @@ static void assert_differentiated(const scene *at) {
         *moved(&behind, k) -= step;
         const tdmf_stride after = stride_from(&ahead, false, NULL).stride;
         const tdmf_stride before = stride_from(&behind, false, NULL).stride;
-        const tdmf_stride_change *change =
+        const tdmf_stride_variation *change =
             k < TDMF_SECTION_COUNT ? &exact.by_section[k] : &exact.by_parameter[0];
         assert_close(change->peak_force, (after.peak_force - before.peak_force) / (2.0 * step), 1e-5);
         assert_close(change->peak_vertical_force,

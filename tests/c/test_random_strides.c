@@ -86,7 +86,7 @@ static double *direction_of(start *start, int k) {
     return k < PARAMETERS ? (double *)&start->parameters + k : (double *)&start->inputs + (k - PARAMETERS);
 }
 
-static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_change *change,
+static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_seed *seed,
                              tdmf_event_log *log) {
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
@@ -94,8 +94,8 @@ static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_ch
     solver.log = log;
     log->count = 0;
     assert_null(tdmf_model_create(&model, &start->parameters).variable);
-    return tdmf_return_map(&solver, &model, &start->inputs, start->section, longest, derivatives, change,
-                           change ? 1 : 0);
+    return tdmf_return_map(&solver, &model, &start->inputs, start->section, longest, derivatives, seed,
+                           seed ? 1 : 0);
 }
 
 /* The same events in the same order. */
@@ -171,13 +171,13 @@ static bool has_kink(const start *at, int k, int result) {
 static void assert_is_differentiated(const start *at, int k, const estimate *estimate) {
     tdmf_event_log log;
     start unit;
-    tdmf_change change;
+    tdmf_seed seed;
     double derivatives[RESULTS];
     memset(&unit, 0, sizeof unit);
     *direction_of(&unit, k) = 1.0;
-    change.parameters = unit.parameters;
-    change.inputs = unit.inputs;
-    const tdmf_return stride = stride_of(at, true, &change, &log);
+    seed.parameters = unit.parameters;
+    seed.inputs = unit.inputs;
+    const tdmf_return stride = stride_of(at, true, &seed, &log);
     derivatives_of(k < TDMF_SECTION_COUNT ? &stride.by_section[k] : &stride.by_parameter[0], derivatives);
     for (int r = 0; r < RESULTS; ++r) {
         if (!has_kink(at, k, r)) {

@@ -43,12 +43,11 @@ static tdmf_model model_of(const apex_scene *scene) {
 }
 
 static tdmf_reduced_return stride_from(const apex_scene *scene, double tolerance, bool derivatives,
-                                       const tdmf_change *changes, int count) {
+                                       const tdmf_seed *seeds, int count) {
     const tdmf_model model = model_of(scene);
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tolerance;
-    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, longest, derivatives, changes,
-                            count);
+    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, longest, derivatives, seeds, count);
 }
 
 /* ---- fixed points ------------------------------------------------------------------------------------- */
@@ -142,9 +141,9 @@ static void exact_derivatives(const apex_scene *scene, int k, double derivatives
     apex_scene unit;
     memset(&unit, 0, sizeof unit);
     *coordinate(&unit, k) = 1.0;
-    const tdmf_change change = {unit.parameters, unit.inputs};
-    const tdmf_reduced_return stride = stride_from(scene, tight, true, &change, 1);
-    const tdmf_reduced_change *exact =
+    const tdmf_seed seed = {unit.parameters, unit.inputs};
+    const tdmf_reduced_return stride = stride_from(scene, tight, true, &seed, 1);
+    const tdmf_reduced_variation *exact =
         k < TDMF_REDUCED_COUNT ? &stride.by_section[k] : &stride.by_parameter[0];
     const double values[RESULTS] = {exact->apex[0],       exact->apex[1],    exact->period,
                                     exact->length,        exact->work,       exact->stance_time,
@@ -389,7 +388,7 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300};
     const apex_scene gait = at_gait(&reduced_gaits[2]);
     const tdmf_model model = model_of(&gait);
-    tdmf_change changes[TDMF_REDUCED_CHANGES + 1];
+    tdmf_seed seeds[TDMF_REDUCED_MAP_SEEDS + 1];
     tdmf_solver solver = tdmf_solver_default();
     (void)state;
     for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
@@ -403,11 +402,11 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
     apex_scene scene = gait;
     scene.inputs.ground.friction = -1.0;
     assert_int_equal(outcome_from(&scene), TDMF_REDUCED_REFUSED);
-    memset(changes, 0, sizeof changes);
-    assert_int_equal(stride_from(&gait, tight, true, changes, TDMF_REDUCED_CHANGES + 1).outcome,
+    memset(seeds, 0, sizeof seeds);
+    assert_int_equal(stride_from(&gait, tight, true, seeds, TDMF_REDUCED_MAP_SEEDS + 1).outcome,
                      TDMF_REDUCED_REFUSED);
-    assert_int_equal(stride_from(&gait, tight, true, changes, -1).outcome, TDMF_REDUCED_REFUSED);
-    assert_int_equal(stride_from(&gait, tight, true, changes, TDMF_REDUCED_CHANGES).outcome,
+    assert_int_equal(stride_from(&gait, tight, true, seeds, -1).outcome, TDMF_REDUCED_REFUSED);
+    assert_int_equal(stride_from(&gait, tight, true, seeds, TDMF_REDUCED_MAP_SEEDS).outcome,
                      TDMF_REDUCED_CLOSED);
     assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_REDUCED_REFUSED);
     solver.step_limit = 2;

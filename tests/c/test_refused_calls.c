@@ -164,7 +164,7 @@ static void solvers_refuse_null(void **state) {
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
     tdmf_variation variation = {.liftoff_angle = 0.0};
-    const tdmf_change change = {.inputs = {.ground = {.friction = 1.0}}};
+    const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
     assert_int_equal(tdmf_native_advance(NULL, &s.model, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
     assert_int_equal(tdmf_native_advance(&solver, NULL, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
     assert_int_equal(tdmf_native_advance(&solver, &s.model, NULL, NULL, 1.0, &motion), TDMF_REFUSED);
@@ -175,14 +175,14 @@ static void solvers_refuse_null(void **state) {
     assert_int_equal(tdmf_cvode_advance(&solver, &s.model, &s.inputs, NULL, 1.0, NULL), TDMF_REFUSED);
     assert_int_equal(tdmf_native_stride(&solver, &s.model, &s.inputs, 1.0, NULL).outcome, TDMF_REFUSED);
     for (int missing = 0; missing < 2; ++missing) {
-        const tdmf_change *changes = missing == 0 ? NULL : &change;
+        const tdmf_seed *seeds = missing == 0 ? NULL : &seed;
         tdmf_variation *variations = missing == 1 ? NULL : &variation;
         assert_int_equal(
-            tdmf_native_stride_varied(&solver, &s.model, &s.inputs, 1.0, &motion, changes, variations, 1)
+            tdmf_native_stride_varied(&solver, &s.model, &s.inputs, 1.0, &motion, seeds, variations, 1)
                 .outcome,
             TDMF_REFUSED);
         assert_int_equal(
-            tdmf_native_stance(&solver, &s.model, &s.inputs, 1.0, &motion, changes, variations, 1).outcome,
+            tdmf_native_stance(&solver, &s.model, &s.inputs, 1.0, &motion, seeds, variations, 1).outcome,
             TDMF_REFUSED);
     }
     assert_memory_equal(&motion, &s.motion, sizeof motion);
@@ -329,7 +329,7 @@ static void gather(population *population) {
     population->ensemble = ensemble;
 }
 
-typedef void change(population *population);
+typedef void seed(population *population);
 
 static void no_cases(population *c) {
     c->ensemble.cases = NULL;
@@ -406,29 +406,29 @@ static void law_without_high(population *c) {
 
 static void ensembles_refuse_counts_without_arrays(void **state) {
     (void)state;
-    change *const changes[] = {no_cases,
-                               cases_below_zero,
-                               no_model,
-                               no_starts,
-                               runners_below_zero,
-                               gaits_without_array,
-                               gaits_below_zero,
-                               notes_below_zero,
-                               notes_from_below_zero,
-                               goes_on_from_nowhere,
-                               goes_on_in_no_mode,
-                               given_no_values,
-                               given_no_settings,
-                               law_without_settings,
-                               law_of_too_many,
-                               law_without_nominal,
-                               law_without_gain,
-                               law_without_low,
-                               law_without_high};
+    seed *const seeds[] = {no_cases,
+                           cases_below_zero,
+                           no_model,
+                           no_starts,
+                           runners_below_zero,
+                           gaits_without_array,
+                           gaits_below_zero,
+                           notes_below_zero,
+                           notes_from_below_zero,
+                           goes_on_from_nowhere,
+                           goes_on_in_no_mode,
+                           given_no_values,
+                           given_no_settings,
+                           law_without_settings,
+                           law_of_too_many,
+                           law_without_nominal,
+                           law_without_gain,
+                           law_without_low,
+                           law_without_high};
     population population;
-    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
+    for (size_t i = 0; i < sizeof seeds / sizeof seeds[0]; ++i) {
         gather(&population);
-        changes[i](&population);
+        seeds[i](&population);
         population.ends[0].strides = 77;
         assert_false(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
         assert_int_equal(population.ends[0].strides, 77);

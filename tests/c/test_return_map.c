@@ -51,13 +51,13 @@ static double *coordinate(scene_at_apex *scene, int k) {
     return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
 }
 
-static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_change *change) {
+static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const tdmf_seed *seed) {
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tight;
     assert_null(tdmf_model_create(&model, &scene->parameters).variable);
     const tdmf_return stride = tdmf_return_map(&solver, &model, &scene->inputs, scene->section, longest,
-                                               derivatives, change, change ? 1 : 0);
+                                               derivatives, seed, seed ? 1 : 0);
     assert_true(stride.outcome.closed);
     return stride;
 }
@@ -78,8 +78,8 @@ static void exact_derivatives(const scene_at_apex *scene, int k, double derivati
     scene_at_apex unit;
     memset(&unit, 0, sizeof unit);
     *coordinate(&unit, k) = 1.0;
-    const tdmf_change change = {unit.parameters, unit.inputs};
-    const tdmf_return stride = stride_of(scene, true, &change);
+    const tdmf_seed seed = {unit.parameters, unit.inputs};
+    const tdmf_return stride = stride_of(scene, true, &seed);
     derivatives_of(k < TDMF_SECTION_COUNT ? &stride.by_section[k] : &stride.by_parameter[0], derivatives);
 }
 
@@ -202,7 +202,7 @@ static void derivatives_are_as_good_as_the_strides(void **state) {
     random_source source = {23};
     const tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model;
-    tdmf_change friction;
+    tdmf_seed friction;
     int compared = 0;
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
@@ -237,20 +237,19 @@ static void derivatives_are_as_good_as_the_strides(void **state) {
 
 static void what_is_too_much_is_refused(void **state) {
     const scene_at_apex scene = at_gait(&reference_gaits[2]);
-    tdmf_change changes[TDMF_RETURN_CHANGES + 1];
+    tdmf_seed seeds[TDMF_RETURN_MAP_SEEDS + 1];
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     (void)state;
-    memset(changes, 0, sizeof changes);
+    memset(seeds, 0, sizeof seeds);
     assert_null(tdmf_model_create(&model, &scene.parameters).variable);
     const tdmf_return stride = tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true,
-                                               changes, TDMF_RETURN_CHANGES + 1);
+                                               seeds, TDMF_RETURN_MAP_SEEDS + 1);
     assert_int_equal(stride.outcome.outcome, TDMF_REFUSED);
     assert_false(stride.outcome.closed);
-    assert_int_equal(
-        tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, changes, -1)
-            .outcome.outcome,
-        TDMF_REFUSED);
+    assert_int_equal(tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, seeds, -1)
+                         .outcome.outcome,
+                     TDMF_REFUSED);
     solver.relative_tolerance = 0.0;
     assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL).outcome,
                      TDMF_ORBIT_NO_START);

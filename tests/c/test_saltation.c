@@ -127,7 +127,7 @@ static void choose_direction(random_source *source, double state[TDMF_STATE_COUN
 typedef struct {
     tdmf_event_state before, after;
     tdmf_variation variation;
-    tdmf_change change;
+    tdmf_seed seed;
 } event;
 
 /* Has a foot that leaves the ground move into it as fast. */
@@ -158,13 +158,13 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
     const line line = line_random(source, runner);
     event.variation = line.variation;
     event.variation.state[TDMF_HIP_WORK] = random_uniform(source, -1.0, 1.0);
-    event.change = line.change;
+    event.seed = line.seed;
     return event;
 }
 
 static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event *event) {
-    return tdmf_saltation(&runner->model, &runner->inputs, guard, &event->before, &event->after,
-                          &event->change, &event->variation);
+    return tdmf_saltation(&runner->model, &runner->inputs, guard, &event->before, &event->after, &event->seed,
+                          &event->variation);
 }
 
 /* The law of retract has a kink, which a difference may not span. */
@@ -182,7 +182,7 @@ static void an_event_shifts_with_what_its_guard_watches(void **state) {
         for (int i = 0; i < DRAWS; ++i) {
             const runner runner = random_runner(&source, guard);
             const event event = random_event(&source, &runner, guard, TDMF_CONTACT_FLIGHT);
-            const guard_line along_variation = {{&runner, event.change, event.variation}, guard};
+            const guard_line along_variation = {{&runner, event.seed, event.variation}, guard};
             guard_line along_motion = {{.runner = &runner}, guard};
             memcpy(along_motion.line.variation.state, event.before.derivatives,
                    sizeof event.before.derivatives);
@@ -245,10 +245,10 @@ static void a_state_goes_on_at_the_rates_that_follow(void **state) {
         const tdmf_variation after = taken(&runner, TDMF_GUARD_APEX, &event);
         const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-            const double change = k < VARIED ? event.before.derivatives[k] - event.after.derivatives[k] : 0.0;
+            const double seed = k < VARIED ? event.before.derivatives[k] - event.after.derivatives[k] : 0.0;
             const double expected = k == TDMF_HIP_PLACE_TIME
                                         ? -event.after.derivatives[k] * shift /* begun anew */
-                                        : event.variation.state[k] + change * shift;
+                                        : event.variation.state[k] + seed * shift;
             if (k != TDMF_HIP_WORK) {
                 assert_close(after.state[k], expected, 1e-12 * (1.0 + fabs(shift)));
             }
@@ -266,7 +266,7 @@ static void a_foot_on_the_ground_stays_there(void **state) {
         runner runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
         runner.mode.ground = tdmf_ground_line_of(0.0, 0.0);
         event event = random_event(&source, &runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, grounded[i]);
-        event.change.inputs.ground.height = event.change.inputs.ground.slope = 0.0;
+        event.seed.inputs.ground.height = event.seed.inputs.ground.slope = 0.0;
         choose_direction(&source, event.after.derivatives);
         const tdmf_variation after = taken(&runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, &event);
         assert_true(after.state[TDMF_FOOT_Y] == 0.0 && after.state[TDMF_FOOT_VY] == 0.0);
@@ -293,16 +293,16 @@ static void assert_impact_is_differentiated(random_source *source, runner *runne
     memcpy(runner->state, event.before.state, sizeof runner->state);
     /* Without a height to vary, the instant does not shift. */
     const tdmf_ground_line *ground = &runner->mode.ground;
-    const tdmf_change *change = &event.change;
+    const tdmf_seed *seed = &event.seed;
     const double along = tdmf_foot_over_ground(ground, runner->state).x;
     runner->state[TDMF_FOOT_X] = along * ground->cosine;
     runner->state[TDMF_FOOT_Y] = ground->height + along * ground->sine;
     event.variation.state[TDMF_FOOT_Y] =
-        change->inputs.ground.height +
-        (ground->sine * event.variation.state[TDMF_FOOT_X] + along * change->inputs.ground.slope) /
+        seed->inputs.ground.height +
+        (ground->sine * event.variation.state[TDMF_FOOT_X] + along * seed->inputs.ground.slope) /
             ground->cosine;
     memcpy(event.before.state, runner->state, sizeof runner->state);
-    impact_line impact = {{runner, event.change, event.variation}, 0};
+    impact_line impact = {{runner, event.seed, event.variation}, 0};
     const tdmf_variation after = taken(runner, TDMF_GUARD_TOUCHDOWN, &event);
     for (impact.coordinate = 0; impact.coordinate < VARIED; ++impact.coordinate) {
         const double expected = (double)derivative_at_zero(after_impact, &impact, (long double)LINE_STEP);
@@ -366,7 +366,7 @@ static void what_has_no_derivative_gets_no_number(void **state) {
     runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
     event = random_event(&source, &runner, TDMF_GUARD_GRAZE_TO_FLIGHT, TDMF_CONTACT_FLIGHT);
     assert_true(isnan(taken(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT, &event).state[TDMF_LEG_ANGLE]));
-    event.change.parameters.hip.kp = event.change.parameters.hip.kd = 0.0;
+    event.seed.parameters.hip.kp = event.seed.parameters.hip.kd = 0.0;
     assert_true(isfinite(taken(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT, &event).state[TDMF_LEG_ANGLE]));
 }
 

@@ -1,9 +1,9 @@
 /* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
- * accelerations and energies: test_tangent.c; what an event makes of a variation: test_saltation.c.) */
+ * accelerations and energies: test_output_variation.c; what an event makes of a variation: test_saltation.c.)
+ */
 #include "coefficients.h"
 #include "compare.h"
 #include "differentiate.h"
-#include "direction.h"
 #include "events.h"
 #include "impact.h"
 #include "input_rates.h"
@@ -11,6 +11,7 @@
 #include "leg.h"
 #include "line.h"
 #include "margins.h"
+#include "seed.h"
 
 #include <math.h>
 #include <string.h>
@@ -125,7 +126,7 @@ static double terms_of(const runner *at) {
     return 1.0 + weight / scales->force + scales->length / lever;
 }
 
-static void assert_guard_varies(const guard_line *on, const tdmf_direction *d, double step) {
+static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, double step) {
     const runner *at = on->line.runner;
     const tdmf_evaluation here = evaluated(at);
     const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d);
@@ -145,8 +146,8 @@ static void assert_guard_varies(const guard_line *on, const tdmf_direction *d, d
 /* Along the line and, in a shorter step, along the motion. */
 static bool compare_guard(guard_line on) {
     const runner *at = on.line.runner;
-    const tdmf_change held = {0};
-    const tdmf_direction d = tdmf_direction_of(&at->model, &on.line.change, &on.line.variation);
+    const tdmf_seed held = {0};
+    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &on.line.change, &on.line.variation);
     if (scene_guard(at, on.guard) == 1.0 || !is_smooth(&on, LINE_STEP)) {
         return false;
     }
@@ -156,7 +157,7 @@ static bool compare_guard(guard_line on) {
     on.line.change = held;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
-    const tdmf_direction along = tdmf_direction_of_motion(derivatives);
+    const tdmf_local_seed along = tdmf_seed_of_motion(derivatives);
     /* No torque of a motion holds a foot under an upright leg in graze. */
     const bool moves = at->mode.contact != TDMF_CONTACT_GRAZE || at->state[TDMF_LEG_ANGLE] != 0.0;
     if (moves && is_smooth(&on, scene_short_time(at))) {
@@ -302,7 +303,7 @@ static void leg_and_points_vary_as_they_change(void **state) {
         for (int i = 0; i < 20; ++i) {
             const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
             const line line = line_random(&source, &at);
-            const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
             const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
             const tdmf_leg d_leg = tdmf_vary_leg_with(
@@ -325,7 +326,7 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
     for (int i = 0; i < 200; ++i) {
         const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
         const line line = line_random(&source, &at);
-        const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+        const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
         const tdmf_ground_line *ground = &at.mode.ground;
         const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
         const tdmf_standing standing = tdmf_standing_of(ground, at.state, direction);
@@ -383,7 +384,7 @@ static void an_impact_varies_as_it_changes(void **state) {
             if (at.inputs.ground.friction == 0.0) {
                 line.change.inputs.ground.friction = 0.0; /* there is nothing below */
             }
-            const tdmf_direction d = tdmf_direction_of(&at.model, &line.change, &line.variation);
+            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
             runner after = at;
             tdmf_impact(&after.model, &after.inputs, &after.mode.ground, after.state);
             double d_state[TDMF_STATE_COUNT];
@@ -534,7 +535,7 @@ static row coefficients_of(const runner *at) {
 
 static row varied_coefficients(const runner *at, const line *line) {
     const tdmf_mode_equations equations = chart_of(at);
-    const tdmf_direction d = tdmf_direction_of(&at->model, &line->change, &line->variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &line->change, &line->variation);
     const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->mode, &d);
     const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->mode, &d);
     return coefficients(at->mode.contact, &flight, &ground);

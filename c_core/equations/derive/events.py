@@ -12,7 +12,7 @@ BY_HAND = {
     "reset": "void tdmf_take_{}(tdmf_run *run)",
     "vary_reset": "void tdmf_vary_take_{}(const tdmf_model *model, const tdmf_inputs *inputs, "
     "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
-    "const tdmf_direction *d, double d_state[TDMF_STATE_COUNT])",
+    "const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT])",
     "guard": "double tdmf_armed_{}(const tdmf_evaluation *at)",
     "vary_guard": "double tdmf_vary_armed_{}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
 }

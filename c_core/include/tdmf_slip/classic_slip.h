@@ -62,7 +62,7 @@ typedef struct {
     double height; /* of the next height, m */
     double energy; /* of the next energy, J */
     double length; /* of the step, m */
-} tdmf_classic_change;
+} tdmf_classic_variation;
 
 /* One step. From the next apex on, values are there if it flies or turns back. Its changes are exact where
  * the foot does not slip. */
@@ -78,11 +78,11 @@ typedef struct {
     double next_height;     /* of the next apex, m */
     double next_speed;      /* m/s, negative backwards */
     double next_energy;     /* J */
-    tdmf_classic_change by_height; /* at the same energy; its own is the slope of the map of heights */
-    tdmf_classic_change by_energy; /* at the same height */
-    tdmf_classic_change by_touchdown_angle; /* theta0, as the following */
-    tdmf_classic_change by_ground_slope;    /* sigma, at the same height and energy above the ground */
-    tdmf_classic_change by_retraction_rate; /* omega */
+    tdmf_classic_variation by_height; /* at the same energy; its own is the slope of the map of heights */
+    tdmf_classic_variation by_energy; /* at the same height */
+    tdmf_classic_variation by_touchdown_angle; /* theta0, as the following */
+    tdmf_classic_variation by_ground_slope;    /* sigma, at the same height and energy above the ground */
+    tdmf_classic_variation by_retraction_rate; /* omega */
 } tdmf_classic_step;
 
 /* The return map at an energy, J, from an apex of a height, m, running forwards; both above the ground. */

@@ -33,10 +33,10 @@ TDMF_API void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SE
 
 /* Newton's method on the return map from a guess, down to rounding: where the solver's tolerance is as tight,
  * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
- * Iterations that make the error larger are shortened. `change` may be NULL: the stride is differentiated by
+ * Iterations that make the error larger are shortened. `seed` may be NULL: the stride is differentiated by
  * the section only. With any other NULL there is no start. */
 TDMF_API tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                    const double guess[TDMF_SECTION_COUNT], const tdmf_change *change);
+                                    const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seed);
 
 /* Runs up to `strides` strides from an apex and writes the last one into `section`; less where one does not
  * close: tdmf_find_orbit from there says why. Returns how many were run: 0 for a number below 0, or with

@@ -45,10 +45,10 @@ typedef struct {
     double period, length, work;            /* of the stride's quantities of these names */
     double stance_time, slip_distance;      /* of these, too */
     double peak_force, peak_vertical_force; /* and of these */
-} tdmf_reduced_change;
+} tdmf_reduced_variation;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */
-enum { TDMF_REDUCED_CHANGES = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
+enum { TDMF_REDUCED_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
 
 /* A stride; where it has not closed, all but the outcomes is zero. The derivatives are there if they were
  * asked for. The energy of the centre of mass changes by the work and the external work less the four losses.
@@ -62,8 +62,8 @@ typedef struct {
     double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double leg_loss; /* J, left in the leg at lift-off less what it is given for touchdown */
-    tdmf_reduced_change by_section[TDMF_REDUCED_COUNT];     /* by each coordinate of the start */
-    tdmf_reduced_change by_parameter[TDMF_REDUCED_CHANGES]; /* along each change that was given */
+    tdmf_reduced_variation by_section[TDMF_REDUCED_COUNT];       /* by each coordinate of the start */
+    tdmf_reduced_variation by_parameter[TDMF_REDUCED_MAP_SEEDS]; /* along each change that was given */
 } tdmf_reduced_return;
 
 /* One stride from an apex, whose flight down and whose stance take no longer than `until` each. With
@@ -73,7 +73,7 @@ typedef struct {
 TDMF_API tdmf_reduced_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs,
                                               const double apex[TDMF_REDUCED_COUNT], double until,
-                                              bool derivatives, const tdmf_change *changes, int count);
+                                              bool derivatives, const tdmf_seed *seeds, int count);
 
 /* A fixed point of the map, with its stride. Values other than the outcome are those of the last apex tried.
  */
@@ -89,7 +89,7 @@ typedef struct {
 TDMF_API tdmf_reduced_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
                                                     const tdmf_inputs *inputs,
                                                     const double guess[TDMF_REDUCED_COUNT],
-                                                    const tdmf_change *changes, int count);
+                                                    const tdmf_seed *seeds, int count);
 
 /* Runs up to `strides` strides, as tdmf_settle. */
 TDMF_API int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,

@@ -50,10 +50,10 @@ typedef struct {
     double peak_force, peak_vertical_force; /* and of these */
     double foot_clearance;                  /* of the return's */
     tdmf_stride_measures measures;          /* and of these, where they were asked for */
-} tdmf_stride_change;
+} tdmf_stride_variation;
 
 /* Directions of parameters and inputs along which a stride is differentiated, at the most. */
-enum { TDMF_RETURN_CHANGES = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
+enum { TDMF_RETURN_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
 
 /* What became of a stride. The derivatives are there if it closed and they were asked for. */
 typedef struct {
@@ -66,23 +66,23 @@ typedef struct {
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double foot_clearance;         /* m, of the foot above the ground at the apex where the stride begins */
     tdmf_stride_measures measures; /* of the stride, where they were asked for */
-    tdmf_stride_change by_section[TDMF_SECTION_COUNT];    /* by each coordinate of the start */
-    tdmf_stride_change by_parameter[TDMF_RETURN_CHANGES]; /* along each change that was given */
+    tdmf_stride_variation by_section[TDMF_SECTION_COUNT];      /* by each coordinate of the start */
+    tdmf_stride_variation by_parameter[TDMF_RETURN_MAP_SEEDS]; /* along each change that was given */
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
- * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_CHANGES, or less
- * than 0, are refused, as are NULL for any pointer but `changes` where there are none, and a tolerance out of
+ * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
+ * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, and a tolerance out of
  * range. */
 TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                                     const tdmf_change *changes, int count);
+                                     const tdmf_seed *seeds, int count);
 
 /* The same, with what is measured along the stride: without derivatives it takes twice as long. */
 TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs,
                                               const double section[TDMF_SECTION_COUNT], double until,
-                                              bool derivatives, const tdmf_change *changes, int count);
+                                              bool derivatives, const tdmf_seed *seeds, int count);
 
 #ifdef __cplusplus
 }

@@ -96,7 +96,7 @@ enum { TDMF_VARIATION_LIMIT = 8 };
  * under the clamp; values are then not finite. Steps are bounded by the variations, too. */
 TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
                                                        const tdmf_inputs *inputs, double until,
-                                                       tdmf_motion *motion, const tdmf_change *changes,
+                                                       tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);
 
 /* As tdmf_native_stride_varied, for one stance: of a foot in contact, until it is loaded no more, which
@@ -104,7 +104,7 @@ TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, cons
  * lift-off. Without variations `count` is 0. */
 TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
                                                 const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_change *changes, tdmf_variation *variations,
+                                                const tdmf_seed *seeds, tdmf_variation *variations,
                                                 int count);
 
 /* An outcome in words. */

@@ -17,7 +17,7 @@ extern "C" {
 typedef struct {
     tdmf_parameters parameters; /* change of each parameter, per unit of the direction */
     tdmf_inputs inputs;         /* and of each input */
-} tdmf_change;
+} tdmf_seed;
 
 /* Change of what is recorded of a stance, by the names that it has in tdmf_stride. */
 typedef struct {
@@ -44,12 +44,12 @@ typedef struct {
 
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
  * the foot moved down at the ground, and with work of the leg where that thrusts at once. `mode` is the one
- * that it found, and is held. `change` may be NULL: parameters and inputs do not change. */
+ * that it found, and is held. `seed` may be NULL: parameters and inputs do not change. */
 TDMF_API tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
                                               const double given[TDMF_STATE_COUNT],
                                               const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                                              const tdmf_change *change,
-                                              const double state_direction[TDMF_STATE_COUNT]);
+                                              const tdmf_seed *seed,
+                                              const double state_seed[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

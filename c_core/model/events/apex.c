@@ -36,7 +36,7 @@ void tdmf_take_apex(tdmf_run *run) {
 }
 
 void tdmf_vary_take_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                         const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                          double d_state[TDMF_STATE_COUNT]) {
     (void)model;
     (void)inputs;

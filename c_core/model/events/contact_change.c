@@ -150,7 +150,7 @@ bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after,
 }
 
 void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                              const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]) {
+                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]) {
     const tdmf_ground_line *ground = &mode->ground, *d_ground = &d->mode.ground;
     if (mode->phase != TDMF_PHASE_PLACE) {
         d_state[TDMF_HIP_PLACE_TIME] = 0.0;

@@ -31,6 +31,6 @@ bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after,
 /* What a mode holds is held in a variation too, exactly and not by cancellation: a foot on the ground stays
  * on its line, one that sticks stands, and out of place its clock stands at zero. */
 void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                              const tdmf_direction *d, double d_state[TDMF_STATE_COUNT]);
+                              const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]);
 
 #endif

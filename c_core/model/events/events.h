@@ -43,7 +43,7 @@ typedef struct {
     void (*reset)(tdmf_run *run);
     /* What the reset makes of a change of the state; NULL where the state does not jump. */
     void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                       const double before[TDMF_STATE_COUNT], const tdmf_direction *d,
+                       const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                        double d_state[TDMF_STATE_COUNT]);
     /* Up to which the guard is due where a solver has come to its zero. */
     double reach;

@@ -94,7 +94,7 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
 
 
 def direction(along: Along | None) -> Struct:
-    """The direction of a parameter or input, or of several, as the library's `tdmf_change *`; NULL for none.
+    """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def direction(along: Along | None) -> Struct:
     if along is None:
         nothing: Struct = ffi.NULL
         return nothing
-    change: Struct = ffi.new("tdmf_change *")
+    change: Struct = ffi.new("tdmf_seed *")
     shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
     for name, share in shares:
         check_varied(name, "along")

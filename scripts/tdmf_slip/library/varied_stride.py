@@ -146,7 +146,7 @@ def _changes(
 
     The library differentiates by a few parameters at a time.
     """
-    most = c.TDMF_RETURN_CHANGES
+    most = c.TDMF_RETURN_MAP_SEEDS
     parts = [parameters[begin : begin + most] for begin in range(0, len(parameters), most)] or [()]
     strides = [_stride(runner, apex, part, True) for part in parts]
     columns = [_column(runner, strides[0].by_section[k]) for k in range(len(apex))]
@@ -176,7 +176,7 @@ def _stride(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], derivatives: bool
 ) -> Return:
     check_has_gaits(runner.values[FRICTION])
-    map, changes = map_of(runner), ffi.new("tdmf_change[]", len(parameters) or 1)
+    map, changes = map_of(runner), ffi.new("tdmf_seed[]", len(parameters) or 1)
     for k, name in enumerate(parameters):
         changes[k] = direction(name)[0]
     stride = map.measured_stride(

@@ -55,13 +55,13 @@ static double *coordinate(scene *scene, int k) {
     return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
 }
 
-static tdmf_reduced_return stride_of(const scene *scene, const tdmf_change *change) {
+static tdmf_reduced_return stride_of(const scene *scene, const tdmf_seed *seed) {
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-18L;
     tdmf_model_create(&model, &scene->parameters);
-    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, change != NULL, change,
-                            change != NULL);
+    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, seed != NULL, seed,
+                            seed != NULL);
 }
 
 /* How far the derivatives by a coordinate are off, each in units of its own size. */
@@ -72,10 +72,11 @@ static double error_by(const scene *at, int k) {
     *coordinate(&less, k) -= h;
     memset(&unit, 0, sizeof unit);
     *coordinate(&unit, k) = 1.0L;
-    const tdmf_change change = {unit.parameters, unit.inputs};
-    const tdmf_reduced_return here = stride_of(at, &change), a = stride_of(&more, NULL),
+    const tdmf_seed seed = {unit.parameters, unit.inputs};
+    const tdmf_reduced_return here = stride_of(at, &seed), a = stride_of(&more, NULL),
                               b = stride_of(&less, NULL);
-    const tdmf_reduced_change *exact = k < TDMF_REDUCED_COUNT ? &here.by_section[k] : &here.by_parameter[0];
+    const tdmf_reduced_variation *exact =
+        k < TDMF_REDUCED_COUNT ? &here.by_section[k] : &here.by_parameter[0];
     const double off[QUANTITIES] = {a.apex[0] - b.apex[0] - 2.0L * h * exact->apex[0],
                                     a.apex[1] - b.apex[1] - 2.0L * h * exact->apex[1],
                                     a.stride.period - b.stride.period - 2.0L * h * exact->period,

@@ -35,7 +35,7 @@ typedef struct {
 } scene;
 
 static tdmf_return stride_within(double tolerance, const scene *scene, bool derivatives,
-                                 const tdmf_change *changes, int count) {
+                                 const tdmf_seed *seeds, int count) {
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tolerance;
@@ -43,7 +43,7 @@ static tdmf_return stride_within(double tolerance, const scene *scene, bool deri
         printf("the parameters are refused\n");
         exit(1);
     }
-    return tdmf_return_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, derivatives, changes, count);
+    return tdmf_return_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, derivatives, seeds, count);
 }
 
 static tdmf_return stride_of(const scene *scene) {
@@ -51,7 +51,7 @@ static tdmf_return stride_of(const scene *scene) {
 }
 
 /* The largest difference between a derivative and a difference, of all that is differentiated. */
-static double farthest(const scene *more, const scene *less, const tdmf_stride_change *exact) {
+static double farthest(const scene *more, const scene *less, const tdmf_stride_variation *exact) {
     const tdmf_return a = stride_of(more), b = stride_of(less);
     double off = fmax(fabs((a.stride.period - b.stride.period) / (2.0L * step) - exact->period),
                       fmax(fabs((a.stride.length - b.stride.length) / (2.0L * step) - exact->length),
@@ -89,14 +89,14 @@ static double check_parameters(const scene *gait) {
     const scene *scene_at = &moved_off;
     double worst = 0.0L;
     for (int k = 0; k <= PARAMETERS; ++k) {
-        tdmf_change change;
-        memset(&change, 0, sizeof change);
+        tdmf_seed seed;
+        memset(&seed, 0, sizeof seed);
         scene more = *scene_at, less = *scene_at;
         const double unit = *member(&more.parameters, &more.inputs, k);
-        *member(&change.parameters, &change.inputs, k) = unit;
+        *member(&seed.parameters, &seed.inputs, k) = unit;
         *member(&more.parameters, &more.inputs, k) += step * unit;
         *member(&less.parameters, &less.inputs, k) -= step * unit;
-        const tdmf_return stride = stride_within(1e-18L, scene_at, true, &change, 1);
+        const tdmf_return stride = stride_within(1e-18L, scene_at, true, &seed, 1);
         worst = fmax(worst, farthest(&more, &less, &stride.by_parameter[0]));
     }
     return worst;
@@ -169,18 +169,18 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
 
 /* By all directions. */
 static void differentiate(double tolerance, const scene *scene_at, double derivatives[DIRECTIONS][RESULTS]) {
-    tdmf_change changes[DIRECTIONS];
+    tdmf_seed seeds[DIRECTIONS];
     double apex[TDMF_SECTION_COUNT];
-    memset(changes, 0, sizeof changes);
-    for (int k = TDMF_SECTION_COUNT; k < DIRECTIONS; k += TDMF_RETURN_CHANGES) {
-        for (int i = k; i < k + TDMF_RETURN_CHANGES; ++i) {
-            *direction_of(&changes[i].parameters, &changes[i].inputs, apex, i) = 1.0L;
+    memset(seeds, 0, sizeof seeds);
+    for (int k = TDMF_SECTION_COUNT; k < DIRECTIONS; k += TDMF_RETURN_MAP_SEEDS) {
+        for (int i = k; i < k + TDMF_RETURN_MAP_SEEDS; ++i) {
+            *direction_of(&seeds[i].parameters, &seeds[i].inputs, apex, i) = 1.0L;
         }
-        const tdmf_return stride = stride_within(tolerance, scene_at, true, &changes[k], TDMF_RETURN_CHANGES);
+        const tdmf_return stride = stride_within(tolerance, scene_at, true, &seeds[k], TDMF_RETURN_MAP_SEEDS);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
             derivatives_of(&stride.by_section[i], derivatives[i]);
         }
-        for (int i = 0; i < TDMF_RETURN_CHANGES; ++i) {
+        for (int i = 0; i < TDMF_RETURN_MAP_SEEDS; ++i) {
             derivatives_of(&stride.by_parameter[i], derivatives[k + i]);
         }
     }

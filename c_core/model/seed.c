@@ -1,13 +1,13 @@
 /* Directions of differentiation. */
-#include "direction.h"
+#include "seed.h"
 
-tdmf_direction tdmf_direction_of(const tdmf_model *model, const tdmf_change *change,
-                                 const tdmf_variation *variation) {
-    static const tdmf_change unchanged = {0};
+tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,
+                                   const tdmf_variation *variation) {
+    static const tdmf_seed unchanged = {0};
     static const tdmf_variation unvaried = {0};
-    const tdmf_change *given = change != NULL ? change : &unchanged;
+    const tdmf_seed *given = seed != NULL ? seed : &unchanged;
     const tdmf_variation *varied = variation != NULL ? variation : &unvaried;
-    const tdmf_direction direction = {
+    const tdmf_local_seed direction = {
         .model = tdmf_vary_model(model, &given->parameters),
         .inputs = given->inputs,
         /* The line in force changes with the one that is set. */
@@ -18,7 +18,7 @@ tdmf_direction tdmf_direction_of(const tdmf_model *model, const tdmf_change *cha
     return direction;
 }
 
-tdmf_direction tdmf_direction_of_motion(const double derivatives[TDMF_STATE_COUNT]) {
-    const tdmf_direction direction = {.state = derivatives};
+tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]) {
+    const tdmf_local_seed direction = {.state = derivatives};
     return direction;
 }

@@ -1,7 +1,7 @@
 /* Exact directional derivatives: how the right-hand side and the outputs change with state, inputs and
  * parameters. */
-#ifndef TDMF_SLIP_TANGENT_H
-#define TDMF_SLIP_TANGENT_H
+#ifndef TDMF_SLIP_OUTPUT_VARIATION_H
+#define TDMF_SLIP_OUTPUT_VARIATION_H
 
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/energy.h"
@@ -26,14 +26,14 @@ typedef struct {
     double torque;                        /* of the total hip torque */
     double leg_force;                     /* N, of spring and damper */
     tdmf_energy energy;                   /* of the energies */
-} tdmf_tangent;
+} tdmf_output_variation;
 
-/* The derivative along a direction in parameters and inputs (`change`), state and theta_LO (`variation`), in
+/* The derivative along a direction in parameters and inputs (`seed`), state and theta_LO (`variation`), in
  * the present mode, clamp held. Either may be NULL: it does not change. Where the hip's power is zero,
  * positive work counts as not changing; a frozen run has derivatives that do not change. */
-TDMF_API tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                         const tdmf_change *change, const tdmf_variation *variation);
+TDMF_API tdmf_output_variation tdmf_vary_outputs(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                 const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                                 const tdmf_seed *seed, const tdmf_variation *variation);
 
 #ifdef __cplusplus
 }

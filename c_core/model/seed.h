@@ -1,7 +1,7 @@
 /* A direction in all that a runner's motion depends on: changes per unit of it, in the shapes of what
  * changes. */
-#ifndef TDMF_MODEL_DIRECTION_H
-#define TDMF_MODEL_DIRECTION_H
+#ifndef TDMF_MODEL_SEED_H
+#define TDMF_MODEL_SEED_H
 
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
@@ -12,16 +12,16 @@ typedef struct {
     tdmf_inputs inputs;
     tdmf_mode mode; /* of its members only the lift-off angle and the ground's height and slope change */
     const double *state;
-} tdmf_direction;
+} tdmf_local_seed;
 
 /* Changes of the parameters and of all constants that are derived from them. */
-tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *change);
+tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed);
 
 /* Either may be NULL: it does not change. The variation's state is not copied. */
-tdmf_direction tdmf_direction_of(const tdmf_model *model, const tdmf_change *change,
-                                 const tdmf_variation *variation);
+tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,
+                                   const tdmf_variation *variation);
 
 /* Along the motion, while the inputs are held. The derivatives are not copied. */
-tdmf_direction tdmf_direction_of_motion(const double derivatives[TDMF_STATE_COUNT]);
+tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]);
 
 #endif

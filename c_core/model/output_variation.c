@@ -1,21 +1,21 @@
 /* The variations of the model's files put together: one direction, everything that changes along it. */
-#include "tdmf_slip/tangent.h"
+#include "tdmf_slip/output_variation.h"
 
 #include "dynamics.h"
 #include "energy.h"
 #include "ground_line.h"
 #include "kinematics.h"
 
-tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                const double state[TDMF_STATE_COUNT], const tdmf_change *change,
-                                const tdmf_variation *variation) {
-    const tdmf_direction d = tdmf_direction_of(model, change, variation);
+tdmf_output_variation tdmf_vary_outputs(const tdmf_model *model, const tdmf_inputs *inputs,
+                                        const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                        const tdmf_seed *seed, const tdmf_variation *variation) {
+    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, variation);
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
     const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     const tdmf_vector force = tdmf_vary_vector_on(&mode->ground, at.force.tangential, at.force.normal,
                                                   &d.mode.ground, d_at.force.tangential, d_at.force.normal);
-    tdmf_tangent tangent = {
+    tdmf_output_variation varied = {
         .body = tdmf_vary_body_along(state, direction, d.state),
         .com = tdmf_vary_center_of_mass_along(model, state, direction, &d.model, d.state),
         .contact = d_at.force,
@@ -27,7 +27,7 @@ tdmf_tangent tdmf_tangent_along(const tdmf_model *model, const tdmf_inputs *inpu
                                         d_at.leg.rest_length),
     };
     if (!mode->fallen) {
-        tdmf_vary_rates_of_state(&at, &d_at, tangent.derivatives);
+        tdmf_vary_rates_of_state(&at, &d_at, varied.derivatives);
     }
-    return tangent;
+    return varied;
 }

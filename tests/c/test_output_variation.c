@@ -67,13 +67,13 @@ static bool differentiable(const unknown_line *on) {
 static void tangent_agrees_along(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
-    const tdmf_tangent tangent = tdmf_tangent_along(&runner->model, &runner->inputs, &runner->mode,
-                                                    runner->state, &line->change, &line->variation);
-    memcpy(exact, tangent.derivatives, sizeof tangent.derivatives);
-    outputs_of(tangent.body, tangent.com, tangent.contact, tangent.torque, tangent.energy,
+    const tdmf_output_variation varied = tdmf_vary_outputs(&runner->model, &runner->inputs, &runner->mode,
+                                                           runner->state, &line->change, &line->variation);
+    memcpy(exact, varied.derivatives, sizeof varied.derivatives);
+    outputs_of(varied.body, varied.com, varied.contact, varied.torque, varied.energy,
                exact + TDMF_STATE_COUNT);
-    exact[CONTACT_FX] = tangent.contact_fx;
-    exact[CONTACT_FY] = tangent.contact_fy;
+    exact[CONTACT_FX] = varied.contact_fx;
+    exact[CONTACT_FY] = varied.contact_fy;
     unknown_line on = {*line, 0};
     for (on.unknown = 0; on.unknown < UNKNOWNS; ++on.unknown) {
         if (differentiable(&on)) {
