@@ -228,8 +228,8 @@ static bool has_lifted_off(const tdmf_runner *runner) {
 }
 
 static bool fly(tdmf_runner *runner) {
-    const tdmf_reduced_outcome outcome = tdmf_reduced_fly(runner->model, &runner->inputs, &runner->motion);
-    if (outcome != TDMF_REDUCED_CLOSED) {
+    const tdmf_return_outcome outcome = tdmf_reduced_fly(runner->model, &runner->inputs, &runner->motion);
+    if (outcome != TDMF_RETURN_CLOSED) {
         tdmf_runner_give_up_reduced(runner, outcome);
         return false;
     }
@@ -291,6 +291,6 @@ void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate) {
     runner->end->gait = -1;
 }
 
-void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_reduced_outcome outcome) {
-    tdmf_runner_give_up(runner, outcome == TDMF_REDUCED_FELL ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
+void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_return_outcome outcome) {
+    tdmf_runner_give_up(runner, outcome == TDMF_RETURN_FELL ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
 }

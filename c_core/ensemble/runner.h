@@ -107,6 +107,6 @@ bool tdmf_runner_close_stride(tdmf_runner *runner);
 void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate);
 
 /* Of the reduced map: how a stride that does not close ends it. */
-void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_reduced_outcome outcome);
+void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_return_outcome outcome);
 
 #endif

@@ -81,11 +81,11 @@ static bool leave_apex(tdmf_runner *runner) {
     if (runner->map != TDMF_REDUCED_MAP) {
         return true;
     }
-    const tdmf_reduced_outcome outcome =
+    const tdmf_return_outcome outcome =
         tdmf_reduced_touch_down(runner->model, &runner->inputs,
                                 TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion, NULL);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
-    if (outcome != TDMF_REDUCED_CLOSED) {
+    if (outcome != TDMF_RETURN_CLOSED) {
         tdmf_runner_give_up_reduced(runner, outcome);
         return false;
     }
@@ -203,7 +203,7 @@ static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT])
     const tdmf_model *model = runner->model;
     tdmf_motion *motion = &runner->motion;
     if (runner->map == TDMF_REDUCED_MAP) {
-        return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_REDUCED_CLOSED;
+        return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_RETURN_CLOSED;
     }
     motion->time = 0.0;
     tdmf_section_state(model, &runner->inputs, section, motion->state);

@@ -1,8 +1,9 @@
-/* Periodic gaits by Newton's method on the return map. */
+/* Periodic gaits by Newton's method on the return map or the reduced one. */
 #include "tdmf_slip/orbit.h"
 
 #include "fixed_point.h"
 #include "longest_stride.h"
+#include "tdmf_slip/reduced_map.h"
 
 #include <string.h>
 
@@ -13,46 +14,48 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
 }
 
 /* What a stride that has not closed makes of a search. */
-static tdmf_orbit_outcome why_not(const tdmf_return *stride) {
-    if (!stride->began_at_apex) {
+static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
+    switch (outcome) {
+    case TDMF_RETURN_REFUSED:
+    case TDMF_RETURN_NO_START:
         return TDMF_ORBIT_NO_START;
-    }
-    switch (stride->outcome.outcome) {
-    case TDMF_REFUSED:
-        return TDMF_ORBIT_NO_START;
-    case TDMF_FELL:
+    case TDMF_RETURN_FELL:
         return TDMF_ORBIT_FELL;
-    case TDMF_ARRIVED:
-        return TDMF_ORBIT_NO_STRIDE;
-    default:
+    case TDMF_RETURN_UNSOLVED:
         return TDMF_ORBIT_UNSOLVED;
+    default:
+        return TDMF_ORBIT_NO_STRIDE;
     }
 }
 
+typedef tdmf_return apex_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                             const double *apex, double until, bool derivatives, const tdmf_seed *seeds,
+                             int count);
+
 typedef struct {
+    apex_map *map;
+    int coordinates;
     tdmf_solver *solver;
     const tdmf_model *model;
     const tdmf_inputs *inputs;
-    const tdmf_seed *seed;
+    const tdmf_seed *seeds;
+    int count;
     tdmf_return strides[2];
 } search;
 
 static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_return *stride = &search->strides[slot];
-    *stride = tdmf_return_map(search->solver, search->model, search->inputs, image->point,
-                              TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->seed,
-                              search->seed ? 1 : 0);
-    if (!stride->began_at_apex || !stride->outcome.closed) {
-        return false;
-    }
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+    *stride =
+        search->map(search->solver, search->model, search->inputs, image->point,
+                    TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->seeds, search->count);
+    for (int i = 0; i < search->coordinates; ++i) {
         image->next[i] = stride->apex[i];
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            image->jacobian[i][k] = stride->by_section[k].apex[i];
+        for (int k = 0; k < search->coordinates; ++k) {
+            image->jacobian[i][k] = stride->variations[k].apex[i];
         }
     }
-    return true;
+    return stride->outcome == TDMF_RETURN_CLOSED;
 }
 
 static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_return *stride) {
@@ -62,36 +65,70 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
     case TDMF_FIXED_POINT_NOT_FOUND:
         return TDMF_ORBIT_NOT_FOUND;
     default:
-        return why_not(stride);
+        return why_not(stride->outcome);
     }
 }
 
-tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                           const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seed) {
-    static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START};
-    if (model == NULL || guess == NULL) {
+static tdmf_orbit find(search *search, const double *guess) {
+    static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
+                                       .stride = {.outcome = TDMF_RETURN_REFUSED}};
+    if (search->model == NULL || guess == NULL) {
         return refused;
     }
-    search search = {.solver = solver, .model = model, .inputs = inputs, .seed = seed};
-    tdmf_map map = {.count = TDMF_SECTION_COUNT, .evaluate = evaluate, .context = &search};
-    tdmf_section_scales(model, map.scales);
+    tdmf_map map = {.count = search->coordinates, .evaluate = evaluate, .context = search};
+    tdmf_section_scales(search->model, map.scales);
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
     tdmf_orbit orbit = {.iterations = found.iterations, .error = found.error};
-    memcpy(orbit.section, found.point, sizeof orbit.section);
-    orbit.stride = search.strides[found.slot];
+    memcpy(orbit.apex, found.point, sizeof orbit.apex);
+    orbit.stride = search->strides[found.slot];
     orbit.outcome = outcome_of(&found, &orbit.stride);
     return orbit;
 }
 
-int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
-                double section[TDMF_SECTION_COUNT]) {
+tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                           const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seeds, int count) {
+    search search = {.map = tdmf_return_map,
+                     .coordinates = TDMF_SECTION_COUNT,
+                     .solver = solver,
+                     .model = model,
+                     .inputs = inputs,
+                     .seeds = seeds,
+                     .count = count};
+    return find(&search, guess);
+}
+
+tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                                   const double guess[TDMF_REDUCED_COUNT], const tdmf_seed *seeds,
+                                   int count) {
+    search search = {.map = tdmf_reduced_map,
+                     .coordinates = TDMF_REDUCED_COUNT,
+                     .solver = solver,
+                     .model = model,
+                     .inputs = inputs,
+                     .seeds = seeds,
+                     .count = count};
+    return find(&search, guess);
+}
+
+static int settle(apex_map *map, int coordinates, tdmf_solver *solver, const tdmf_model *model,
+                  const tdmf_inputs *inputs, int strides, double *apex) {
     for (int i = 0; model != NULL && i < strides; ++i) {
-        const tdmf_return stride = tdmf_return_map(solver, model, inputs, section,
-                                                   TDMF_LONGEST_STRIDE * model->scales.time, false, NULL, 0);
-        if (!stride.outcome.closed) {
+        const tdmf_return stride =
+            map(solver, model, inputs, apex, TDMF_LONGEST_STRIDE * model->scales.time, false, NULL, 0);
+        if (stride.outcome != TDMF_RETURN_CLOSED) {
             return i;
         }
-        memcpy(section, stride.apex, sizeof stride.apex);
+        memcpy(apex, stride.apex, (size_t)coordinates * sizeof *apex);
     }
     return model != NULL && strides > 0 ? strides : 0;
+}
+
+int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+                double section[TDMF_SECTION_COUNT]) {
+    return settle(tdmf_return_map, TDMF_SECTION_COUNT, solver, model, inputs, strides, section);
+}
+
+int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+                        double apex[TDMF_REDUCED_COUNT]) {
+    return settle(tdmf_reduced_map, TDMF_REDUCED_COUNT, solver, model, inputs, strides, apex);
 }

@@ -51,19 +51,19 @@ void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
     write_apex(model, inputs, com, state);
 }
 
-tdmf_reduced_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
-                                        const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
+tdmf_return_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
+                                       const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
     const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
     memset(motion, 0, sizeof *motion);
     tdmf_reduced_state(model, inputs, apex, motion->state);
     if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
-        return TDMF_REDUCED_FOOT_BELOW;
+        return TDMF_RETURN_NO_START;
     }
     if (tdmf_start(model, inputs, 0.0, motion->state, &motion->mode, &motion->record).variable != NULL ||
         !motion->record.open.began_at_apex) {
-        return TDMF_REDUCED_REFUSED;
+        return TDMF_RETURN_REFUSED;
     }
-    return TDMF_REDUCED_CLOSED;
+    return TDMF_RETURN_CLOSED;
 }
 
 void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
@@ -72,22 +72,22 @@ void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, 
     motion->mode.rest_length = tdmf_rest_length(model, inputs, &motion->mode);
 }
 
-tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
-                                             tdmf_motion *motion, tdmf_event_state *before) {
+tdmf_return_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
+                                            tdmf_motion *motion, tdmf_event_state *before) {
     const tdmf_ground_line *ground = &motion->mode.ground;
     const tdmf_point apex = tdmf_center_of_mass(model, motion->state);
     if (tdmf_foot_over_ground(ground, motion->state).y <= 0.0) {
-        return TDMF_REDUCED_FOOT_BELOW;
+        return TDMF_RETURN_NO_START;
     }
     const tdmf_descent descent = tdmf_descend(model, inputs, ground, apex);
     if (!(descent.time <= until) || isinf(descent.time)) {
-        return TDMF_REDUCED_NO_TOUCHDOWN;
+        return TDMF_RETURN_NO_TOUCHDOWN;
     }
     move_time(motion, descent.time);
     push_along(inputs, apex, motion, tdmf_center_of_mass_after(model, inputs, apex, descent.time));
     tdmf_prescribed_state(model, inputs, apex, descent.time, motion->state);
     if (descent.body_first) {
-        return TDMF_REDUCED_FELL;
+        return TDMF_RETURN_FELL;
     }
     tdmf_lift_to_ground(ground, motion->state); /* up to rounding it is there */
     if (before != NULL) {
@@ -101,17 +101,17 @@ tdmf_reduced_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf
     tdmf_take_touchdown(&run);
     tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, TDMF_GUARD_COUNT,
                        &motion->mode, &motion->record);
-    return tdmf_in_contact(&motion->mode) ? TDMF_REDUCED_CLOSED : TDMF_REDUCED_NO_STANCE;
+    return tdmf_in_contact(&motion->mode) ? TDMF_RETURN_CLOSED : TDMF_RETURN_NO_STANCE;
 }
 
-tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      tdmf_motion *motion) {
+tdmf_return_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,
+                                     tdmf_motion *motion) {
     const tdmf_point lift_off = tdmf_center_of_mass(model, motion->state);
     tdmf_run standing = run_of(model, inputs, motion);
     tdmf_end_thrust(&standing);
     const double time = tdmf_time_to_apex(model, inputs, lift_off);
     if (!(lift_off.vy > 0.0) || isinf(time)) {
-        return TDMF_REDUCED_NO_APEX;
+        return TDMF_RETURN_NO_APEX;
     }
     tdmf_point apex = tdmf_center_of_mass_after(model, inputs, lift_off, time);
     apex.vy = 0.0;
@@ -122,5 +122,5 @@ tdmf_reduced_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs
     tdmf_run run = run_of(model, inputs, motion);
     run.mode->rises = true;
     tdmf_take_apex(&run);
-    return TDMF_REDUCED_CLOSED;
+    return TDMF_RETURN_CLOSED;
 }

@@ -7,6 +7,7 @@
 #include "ground_line.h"
 #include "kinematics.h"
 #include "request.h"
+#include "return_record.h"
 #include "seed.h"
 #include "stride_measures.h"
 #include "tdmf_slip/automaton.h"
@@ -68,11 +69,11 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
 /* Projects a variation at the time of an apex on the section. */
 static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inputs *inputs,
                                         const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
-                                        const tdmf_seed *change, const double start_com_x,
+                                        const tdmf_seed *seed, const double start_com_x,
                                         const tdmf_variation *variation) {
     const double *d_state = variation->state;
     const tdmf_point com = tdmf_center_of_mass(model, motion->state);
-    const tdmf_local_seed d = tdmf_local_seed_of(model, change, NULL);
+    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(
         model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
     const tdmf_vector acceleration = tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
@@ -80,7 +81,7 @@ static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inpu
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
         tdmf_vary_ground_height_at(&motion->mode.ground, com.x, &d.mode.ground, d_com_x);
-    const tdmf_stride_variation result = {
+    tdmf_stride_variation result = {
         .apex = {d_com.y + com.vy * shift - d_ground_height, d_com.vx + acceleration.x * shift,
                  d_state[TDMF_LEG_LENGTH] + derivatives[TDMF_LEG_LENGTH] * shift,
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
@@ -89,11 +90,8 @@ static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inpu
         .period = shift,
         .length = d_com_x - start_com_x,
         .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
-        .stance_time = variation->stance.stance_time,
-        .slip_distance = variation->stance.slip_distance,
-        .peak_force = variation->stance.peak_force,
-        .peak_vertical_force = variation->stance.peak_vertical_force,
     };
+    tdmf_write_stance_variation(&variation->stance, &result);
     return result;
 }
 
@@ -104,50 +102,46 @@ typedef struct {
     double start_com_x[TDMF_VARIATION_LIMIT];
     double foot_clearance[TDMF_VARIATION_LIMIT]; /* at the start */
     tdmf_measured measured;
-} bundle;
+} stride_variations;
 
-static void open_bundle(bundle *bundle, const tdmf_model *model, const tdmf_ground_line *ground,
-                        const double state[TDMF_STATE_COUNT], const tdmf_seed *seeds, int count) {
+static void open_variations(stride_variations *along, const tdmf_model *model, const tdmf_ground_line *ground,
+                            const double state[TDMF_STATE_COUNT], const tdmf_seed *seeds, int count) {
     static const tdmf_seed none = {0};
-    bundle->count = TDMF_SECTION_COUNT + count;
-    for (int i = 0; i < bundle->count; ++i) {
+    along->count = TDMF_SECTION_COUNT + count;
+    for (int i = 0; i < along->count; ++i) {
         double d_section[TDMF_SECTION_COUNT] = {0.0};
         if (i < TDMF_SECTION_COUNT) {
             d_section[i] = 1.0;
         }
-        const tdmf_seed *change = i < TDMF_SECTION_COUNT ? &none : &seeds[i - TDMF_SECTION_COUNT];
-        bundle->seeds[i] = *change;
-        tdmf_variation *variation = &bundle->variations[i];
-        const tdmf_local_seed d = tdmf_local_seed_of(model, change, NULL);
+        const tdmf_seed *seed = i < TDMF_SECTION_COUNT ? &none : &seeds[i - TDMF_SECTION_COUNT];
+        along->seeds[i] = *seed;
+        tdmf_variation *variation = &along->variations[i];
+        const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
         vary_section_state(model, ground, state, d_section, &d, variation->state);
         variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
         memset(&variation->stance, 0, sizeof variation->stance);
-        bundle->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
-                                                                &d.model, variation->state)
-                                     .x;
-        bundle->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
-                                    tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
-                                                               variation->state[TDMF_FOOT_X]);
+        along->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
+                                                               &d.model, variation->state)
+                                    .x;
+        along->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
+                                   tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
+                                                              variation->state[TDMF_FOOT_X]);
     }
 }
 
-static void close_bundle(bundle *bundle, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_motion *motion, bool measures, tdmf_return *result) {
+static void close_variations(stride_variations *along, const tdmf_model *model, const tdmf_inputs *inputs,
+                             const tdmf_motion *motion, bool measures, tdmf_return *result) {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
-    for (int i = 0; i < bundle->count; ++i) {
-        tdmf_stride_variation change = on_section(model, inputs, motion, derivatives, &bundle->seeds[i],
-                                                  bundle->start_com_x[i], &bundle->variations[i]);
-        change.foot_clearance = bundle->foot_clearance[i];
+    for (int i = 0; i < along->count; ++i) {
+        tdmf_stride_variation varied = on_section(model, inputs, motion, derivatives, &along->seeds[i],
+                                                  along->start_com_x[i], &along->variations[i]);
+        varied.foot_clearance = along->foot_clearance[i];
         if (measures) {
-            tdmf_vary_measured_end(&bundle->measured, i, model, inputs, motion, derivatives, change.period);
-            change.measures = bundle->measured.varied[i];
+            tdmf_vary_measured_end(&along->measured, i, model, inputs, motion, derivatives, varied.period);
+            varied.measures = along->measured.varied[i];
         }
-        if (i < TDMF_SECTION_COUNT) {
-            result->by_section[i] = change;
-        } else {
-            result->by_parameter[i - TDMF_SECTION_COUNT] = change;
-        }
+        result->variations[i] = varied;
     }
 }
 
@@ -156,46 +150,44 @@ static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, con
                                const tdmf_seed *seeds, int count, bool measures) {
     tdmf_return result;
     tdmf_motion motion;
-    bundle bundle;
+    stride_variations along;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || section == NULL ||
         !tdmf_are_sound_seeds(seeds, count, TDMF_RETURN_MAP_SEEDS)) {
-        result.outcome.outcome = TDMF_REFUSED;
+        result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }
     motion.time = 0.0;
     tdmf_section_state(model, inputs, section, motion.state);
     if (tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable ||
         !motion.record.open.began_at_apex) {
+        result.outcome = TDMF_RETURN_NO_START;
         return result;
     }
-    result.began_at_apex = true;
-    bundle.count = 0;
+    along.count = 0;
     if (derivatives) {
-        open_bundle(&bundle, model, &motion.mode.ground, motion.state, seeds, count);
+        open_variations(&along, model, &motion.mode.ground, motion.state, seeds, count);
     }
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
-    result.outcome = measures
-                         ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, bundle.seeds,
-                                                       bundle.variations, bundle.count, &bundle.measured)
-                         : tdmf_native_stride_varied(solver, model, inputs, until, &motion, bundle.seeds,
-                                                     bundle.variations, bundle.count);
-    if (!result.outcome.closed) {
+    const tdmf_stride_outcome ended =
+        measures ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, along.seeds,
+                                               along.variations, along.count, &along.measured)
+                 : tdmf_native_stride_varied(solver, model, inputs, until, &motion, along.seeds,
+                                             along.variations, along.count);
+    result.outcome = tdmf_return_outcome_of(ended);
+    result.solver = ended.outcome;
+    if (!ended.closed) {
         return result;
     }
     tdmf_section_of_state(model, &motion.mode.ground, motion.state, result.apex);
-    result.stride = motion.record.stride;
     result.liftoff_angle = motion.mode.liftoff_angle;
-    result.external_work = motion.state[TDMF_ENERGY_EXTERNAL_WORK];
-    result.damper_loss = motion.state[TDMF_ENERGY_DAMPER_LOSS];
-    result.friction_loss = motion.state[TDMF_ENERGY_FRICTION_LOSS];
-    result.impact_loss = motion.record.impact_loss;
+    tdmf_write_return(&motion.record, motion.state, &result);
     if (measures) {
-        result.measures = bundle.measured.so_far;
+        result.measures = along.measured.so_far;
     }
     if (derivatives) {
-        close_bundle(&bundle, model, inputs, &motion, measures, &result);
+        close_variations(&along, model, inputs, &motion, measures, &result);
     }
     return result;
 }

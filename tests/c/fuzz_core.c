@@ -119,10 +119,10 @@ static void map(void *self) {
     random_section(on, section);
     const tdmf_return stride = tdmf_return_map(&on->solver, &on->model, &on->inputs, section,
                                                1e3 * on->model.scales.time, true, NULL, 0);
-    if (stride.outcome.closed) {
+    if (stride.outcome == TDMF_RETURN_CLOSED) {
         expect_numbers(0, stride.apex, TDMF_SECTION_COUNT);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-            expect_numbers(0, stride.by_section[i].apex, TDMF_SECTION_COUNT);
+            expect_numbers(0, stride.variations[i].apex, TDMF_SECTION_COUNT);
         }
     }
 }

@@ -21,7 +21,7 @@ runner line_at(const line *line, double t) {
     runner moved = *line->runner;
     tdmf_parameters parameters = moved.model.parameters;
     double *values = (double *)&parameters;
-    const double *directions = (const double *)&line->change.parameters;
+    const double *directions = (const double *)&line->seed.parameters;
     for (int i = 0; i < PARAMETERS; ++i) {
         values[i] += t * directions[i];
     }
@@ -30,19 +30,19 @@ runner line_at(const line *line, double t) {
     }
     moved.model = model_of(&parameters);
     moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
-    moved.inputs.ground.friction += t * line->change.inputs.ground.friction;
-    moved.inputs.hip.external_torque += t * line->change.inputs.hip.external_torque;
-    moved.inputs.leg.extension += t * line->change.inputs.leg.extension;
-    moved.inputs.body.external_fx += t * line->change.inputs.body.external_fx;
-    moved.inputs.body.external_fy += t * line->change.inputs.body.external_fy;
-    moved.inputs.control.thrust += t * line->change.inputs.control.thrust;
-    moved.inputs.control.stance_torque += t * line->change.inputs.control.stance_torque;
-    moved.inputs.control.touchdown_angle += t * line->change.inputs.control.touchdown_angle;
-    moved.inputs.ground.height += t * line->change.inputs.ground.height;
-    moved.inputs.ground.slope += t * line->change.inputs.ground.slope;
+    moved.inputs.ground.friction += t * line->seed.inputs.ground.friction;
+    moved.inputs.hip.external_torque += t * line->seed.inputs.hip.external_torque;
+    moved.inputs.leg.extension += t * line->seed.inputs.leg.extension;
+    moved.inputs.body.external_fx += t * line->seed.inputs.body.external_fx;
+    moved.inputs.body.external_fy += t * line->seed.inputs.body.external_fy;
+    moved.inputs.control.thrust += t * line->seed.inputs.control.thrust;
+    moved.inputs.control.stance_torque += t * line->seed.inputs.control.stance_torque;
+    moved.inputs.control.touchdown_angle += t * line->seed.inputs.control.touchdown_angle;
+    moved.inputs.ground.height += t * line->seed.inputs.ground.height;
+    moved.inputs.ground.slope += t * line->seed.inputs.ground.slope;
     /* The line in force changes with the one that is set, which may be another. */
-    moved.mode.ground = tdmf_ground_line_of(moved.mode.ground.height + t * line->change.inputs.ground.height,
-                                            moved.mode.ground.slope + t * line->change.inputs.ground.slope);
+    moved.mode.ground = tdmf_ground_line_of(moved.mode.ground.height + t * line->seed.inputs.ground.height,
+                                            moved.mode.ground.slope + t * line->seed.inputs.ground.slope);
     return moved;
 }
 
@@ -69,7 +69,7 @@ line line_random(random_source *source, const runner *runner) {
     const tdmf_parameters units = units_of(&runner->model);
     const double *of_parameters = (const double *)&units;
     line line = {.runner = runner};
-    double *directions = (double *)&line.change.parameters;
+    double *directions = (double *)&line.seed.parameters;
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         line.variation.state[i] = of_state[i] * random_uniform(source, -1.0, 1.0);
     }
@@ -80,16 +80,16 @@ line line_random(random_source *source, const runner *runner) {
         directions[i] = of_parameters[i] != 0.0 ? of_parameters[i] * random_uniform(source, -1.0, 1.0) : 0.0;
     }
     line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
-    line.change.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
-    line.change.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
+    line.seed.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
+    line.seed.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
     random_source copy = *source; /* all else is as it would be on ground that is held */
-    line.change.inputs.ground.height = scales->length * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.ground.slope = random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.leg.extension = scales->length * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.body.external_fx = scales->force * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.body.external_fy = scales->force * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.control.thrust = scales->length * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.control.stance_torque = scales->energy * random_uniform(&copy, -1.0, 1.0);
-    line.change.inputs.control.touchdown_angle = random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.ground.height = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.ground.slope = random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.leg.extension = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.body.external_fx = scales->force * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.body.external_fy = scales->force * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.control.thrust = scales->length * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.control.stance_torque = scales->energy * random_uniform(&copy, -1.0, 1.0);
+    line.seed.inputs.control.touchdown_angle = random_uniform(&copy, -1.0, 1.0);
     return line;
 }

@@ -117,7 +117,7 @@ static void the_gait_of_a_light_foot_is_found(void **unused) {
                                           state[TDMF_LEG_LENGTH_RATE],
                                           state[TDMF_LEG_ANGLE_RATE]};
     assert_int_equal(tdmf_settle(&solver, &model, &inputs, 400, section), 400);
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &inputs, section, NULL);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &inputs, section, NULL, 0);
     assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
     assert_string_equal(orbit.stride.stride.word, "0+");
     assert_relatively_close(orbit.stride.stride.period, 25.36965, 3e-7);

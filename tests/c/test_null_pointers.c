@@ -99,18 +99,19 @@ static void arrays_of_no_elements_may_be_absent(void **unused) {
         tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, 0);
     const tdmf_return one =
         tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, &nothing_given, 1);
-    assert_true(none.outcome.closed && one.outcome.closed);
+    assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
     assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
-    assert_same_numbers(none.by_section[0].apex, one.by_section[0].apex, TDMF_SECTION_COUNT);
+    assert_same_numbers(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT);
     tdmf_motion motion = motion_of(&runner), varied = motion;
     assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e3, &motion).closed);
     assert_true(tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &varied, NULL, NULL, 0)
                     .closed);
     assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
-    const tdmf_orbit plain = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL);
-    const tdmf_orbit along = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, &nothing_given);
+    const tdmf_orbit plain = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL, 0);
+    const tdmf_orbit along =
+        tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, &nothing_given, 1);
     assert_int_equal(plain.outcome, along.outcome);
-    assert_same_numbers(plain.section, along.section, TDMF_SECTION_COUNT);
+    assert_same_numbers(plain.apex, along.apex, TDMF_SECTION_COUNT);
     const tdmf_refusal accepted = {0};
     assert_null(tdmf_refusal_text(&accepted, NULL, 0));
 }
@@ -123,8 +124,8 @@ static void a_number_below_zero_is_refused(void **unused) {
     double section[TDMF_SECTION_COUNT];
     default_section(section);
     assert_int_equal(
-        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, -1).outcome.outcome,
-        TDMF_REFUSED);
+        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, -1).outcome,
+        TDMF_RETURN_REFUSED);
     assert_int_equal(
         tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &motion, NULL, NULL, -1)
             .outcome,

@@ -68,7 +68,7 @@ static void tangent_agrees_along(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
     const tdmf_output_variation varied = tdmf_vary_outputs(&runner->model, &runner->inputs, &runner->mode,
-                                                           runner->state, &line->change, &line->variation);
+                                                           runner->state, &line->seed, &line->variation);
     memcpy(exact, varied.derivatives, sizeof varied.derivatives);
     outputs_of(varied.body, varied.com, varied.contact, varied.torque, varied.energy,
                exact + TDMF_STATE_COUNT);
@@ -160,7 +160,7 @@ static void tangents_of_an_upright_leg_in_graze_are_derivatives(void **unused) {
         runner.state[TDMF_LEG_ANGLE] = 5e-13;
         line line = line_random(&source, &runner);
         line.variation.state[TDMF_LEG_ANGLE] *= 1e-13; /* it stays where the sine is bounded */
-        line.change.inputs.ground.slope = 0.0;
+        line.seed.inputs.ground.slope = 0.0;
         tangent_agrees_along(&line);
     }
 }

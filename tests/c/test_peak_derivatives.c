@@ -39,7 +39,7 @@ static tdmf_return stride_from(const scene *scene, bool derivatives, tdmf_event_
     solver.log = log;
     const tdmf_return stride = tdmf_return_map(&solver, &scene->model, &scene->inputs, scene->section,
                                                long_enough, derivatives, &by_slope, 1);
-    assert_true(stride.outcome.closed);
+    assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
 }
 
@@ -58,7 +58,7 @@ static void assert_differentiated(const scene *at) {
         const tdmf_stride after = stride_from(&ahead, false, NULL).stride;
         const tdmf_stride before = stride_from(&behind, false, NULL).stride;
         const tdmf_stride_variation *change =
-            k < TDMF_SECTION_COUNT ? &exact.by_section[k] : &exact.by_parameter[0];
+            k < TDMF_SECTION_COUNT ? &exact.variations[k] : &exact.variations[TDMF_SECTION_COUNT];
         assert_close(change->peak_force, (after.peak_force - before.peak_force) / (2.0 * step), 1e-5);
         assert_close(change->peak_vertical_force,
                      (after.peak_vertical_force - before.peak_vertical_force) / (2.0 * step), 1e-5);

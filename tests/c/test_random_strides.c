@@ -130,7 +130,7 @@ static bool difference(const start *at, const tdmf_event_log *events, int k, dou
         double results[RESULTS];
         *moved = value + points[0][i] * h;
         const tdmf_return stride = stride_of(&there, false, NULL, &log);
-        if (!stride.outcome.closed || !happens_alike(&log, events)) {
+        if (stride.outcome != TDMF_RETURN_CLOSED || !happens_alike(&log, events)) {
             return false;
         }
         results_of(&stride, results);
@@ -178,7 +178,8 @@ static void assert_is_differentiated(const start *at, int k, const estimate *est
     seed.parameters = unit.parameters;
     seed.inputs = unit.inputs;
     const tdmf_return stride = stride_of(at, true, &seed, &log);
-    derivatives_of(k < TDMF_SECTION_COUNT ? &stride.by_section[k] : &stride.by_parameter[0], derivatives);
+    derivatives_of(k < TDMF_SECTION_COUNT ? &stride.variations[k] : &stride.variations[TDMF_SECTION_COUNT],
+                   derivatives);
     for (int r = 0; r < RESULTS; ++r) {
         if (!has_kink(at, k, r)) {
             assert_close(derivatives[r], estimate->values[r], 2e-6 * estimate->size + estimate->error);
@@ -230,7 +231,7 @@ static void every_stride_is_differentiated(void **state) {
         random_source source = {seed_of(runner)};
         const start start = random_start(&source);
         tdmf_event_log events;
-        if (!stride_of(&start, false, NULL, &events).outcome.closed) {
+        if (stride_of(&start, false, NULL, &events).outcome != TDMF_RETURN_CLOSED) {
             continue;
         }
         for (int k = 0; k < DIRECTIONS; ++k) {

@@ -77,16 +77,16 @@ static tdmf_ensemble_end *run(const tdmf_ensemble *ensemble) {
 
 /* ---- against the map ---------------------------------------------------------------------------------- */
 
-static tdmf_fate fate_of(tdmf_reduced_outcome outcome, bool first) {
+static tdmf_fate fate_of(tdmf_return_outcome outcome, bool first) {
     switch (outcome) {
-    case TDMF_REDUCED_CLOSED:
-    case TDMF_REDUCED_STUCK:
+    case TDMF_RETURN_CLOSED:
+    case TDMF_RETURN_TOO_LONG:
         return TDMF_FATE_UNDECIDED;
-    case TDMF_REDUCED_FELL:
+    case TDMF_RETURN_FELL:
         return TDMF_FATE_FELL;
-    case TDMF_REDUCED_FOOT_BELOW:
+    case TDMF_RETURN_NO_START:
         return first ? TDMF_FATE_NO_START : TDMF_FATE_NO_STRIDE;
-    case TDMF_REDUCED_UNSOLVED:
+    case TDMF_RETURN_UNSOLVED:
         return TDMF_FATE_UNSOLVED;
     default:
         return TDMF_FATE_NO_STRIDE;
@@ -97,14 +97,14 @@ static tdmf_fate fate_of(tdmf_reduced_outcome outcome, bool first) {
 static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const double start[TDMF_SECTION_COUNT]) {
     tdmf_ensemble_end end = {.gait = -1};
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_reduced_outcome outcome = TDMF_REDUCED_CLOSED;
+    tdmf_return_outcome outcome = TDMF_RETURN_CLOSED;
     solver.relative_tolerance = 0.1 * tight;
     memcpy(end.apex, start, sizeof end.apex);
-    while (outcome == TDMF_REDUCED_CLOSED && end.strides < STRIDES) {
-        const tdmf_reduced_return stride =
+    while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
+        const tdmf_return stride =
             tdmf_reduced_map(&solver, its_case->model, &its_case->inputs, end.apex, 1e4, false, NULL, 0);
         outcome = stride.outcome;
-        if (outcome == TDMF_REDUCED_CLOSED) {
+        if (outcome == TDMF_RETURN_CLOSED) {
             memcpy(end.apex, stride.apex, sizeof stride.apex);
             ++end.strides;
             end.time += stride.stride.period;

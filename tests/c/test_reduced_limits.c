@@ -16,7 +16,7 @@ typedef struct {
     double descent, stance; /* s, of the stride from there */
 } scene;
 
-static tdmf_reduced_return stride(const scene *scene, double until, tdmf_event_log *log) {
+static tdmf_return stride(const scene *scene, double until, tdmf_event_log *log) {
     tdmf_solver solver = tdmf_solver_default();
     solver.log = log;
     return tdmf_reduced_map(&solver, &scene->model, &scene->inputs, scene->apex, until, false, NULL, 0);
@@ -31,8 +31,8 @@ static scene stride_known(void) {
     assert_null(tdmf_model_create(&scene.model, &parameters).variable);
     scene.inputs = tdmf_default_inputs();
     memcpy(scene.apex, &reference_gaits[2].apex, sizeof scene.apex);
-    const tdmf_reduced_return whole = stride(&scene, 1e3, &log);
-    assert_int_equal(whole.outcome, TDMF_REDUCED_CLOSED);
+    const tdmf_return whole = stride(&scene, 1e3, &log);
+    assert_int_equal(whole.outcome, TDMF_RETURN_CLOSED);
     assert_int_equal(log.events[0].guard, TDMF_GUARD_TOUCHDOWN);
     scene.descent = log.events[0].time;
     scene.stance = whole.stride.stance_time;
@@ -44,19 +44,19 @@ static void the_stance_has_its_own_time(void **state) {
     const double longer = fmax(scene.descent, scene.stance), shorter = fmin(scene.descent, scene.stance);
     (void)state;
     assert_true(shorter > 0.05 * longer);
-    assert_int_equal(stride(&scene, longer * 1.01, NULL).outcome, TDMF_REDUCED_CLOSED);
+    assert_int_equal(stride(&scene, longer * 1.01, NULL).outcome, TDMF_RETURN_CLOSED);
     assert_true(longer * 1.01 < scene.descent + scene.stance);
     scene.descent < scene.stance
-        ? assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_REDUCED_STUCK)
-        : assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_REDUCED_NO_TOUCHDOWN);
+        ? assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_RETURN_TOO_LONG)
+        : assert_int_equal(stride(&scene, longer * 0.99, NULL).outcome, TDMF_RETURN_NO_TOUCHDOWN);
 }
 
 static void the_descent_has_its_own_time(void **state) {
     const scene scene = stride_known();
     (void)state;
-    assert_int_equal(stride(&scene, scene.descent * (1.0 - 1e-9), NULL).outcome, TDMF_REDUCED_NO_TOUCHDOWN);
+    assert_int_equal(stride(&scene, scene.descent * (1.0 - 1e-9), NULL).outcome, TDMF_RETURN_NO_TOUCHDOWN);
     assert_int_not_equal(stride(&scene, scene.descent * (1.0 + 1e-9), NULL).outcome,
-                         TDMF_REDUCED_NO_TOUCHDOWN);
+                         TDMF_RETURN_NO_TOUCHDOWN);
 }
 
 /* Not at once, which a zero would be. */

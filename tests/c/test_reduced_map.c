@@ -42,8 +42,8 @@ static tdmf_model model_of(const apex_scene *scene) {
     return model;
 }
 
-static tdmf_reduced_return stride_from(const apex_scene *scene, double tolerance, bool derivatives,
-                                       const tdmf_seed *seeds, int count) {
+static tdmf_return stride_from(const apex_scene *scene, double tolerance, bool derivatives,
+                               const tdmf_seed *seeds, int count) {
     const tdmf_model model = model_of(scene);
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tolerance;
@@ -53,9 +53,9 @@ static tdmf_reduced_return stride_from(const apex_scene *scene, double tolerance
 /* ---- fixed points ------------------------------------------------------------------------------------- */
 
 /* Real ones, the larger first. */
-static void eigenvalues_of(const tdmf_reduced_return *stride, double eigenvalues[2]) {
-    const double a = stride->by_section[0].apex[0], b = stride->by_section[1].apex[0];
-    const double c = stride->by_section[0].apex[1], d = stride->by_section[1].apex[1];
+static void eigenvalues_of(const tdmf_return *stride, double eigenvalues[2]) {
+    const double a = stride->variations[0].apex[0], b = stride->variations[1].apex[0];
+    const double c = stride->variations[0].apex[1], d = stride->variations[1].apex[1];
     const double middle = 0.5 * (a + d), root = sqrt(0.25 * (a - d) * (a - d) + b * c);
     eigenvalues[0] = middle + root;
     eigenvalues[1] = middle - root;
@@ -67,8 +67,8 @@ static void the_map_leaves_the_gaits_of_the_reference_where_they_are(void **stat
         const reduced_gait *gait = &reduced_gaits[i];
         const apex_scene scene = at_gait(gait);
         double eigenvalues[2];
-        const tdmf_reduced_return stride = stride_from(&scene, tight, true, NULL, 0);
-        assert_int_equal(stride.outcome, TDMF_REDUCED_CLOSED);
+        const tdmf_return stride = stride_from(&scene, tight, true, NULL, 0);
+        assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
         assert_string_equal(stride.stride.word, gait->word);
         assert_close(stride.apex[0], gait->apex[0], 1e-11);
         assert_close(stride.apex[1], gait->apex[1], 1e-11);
@@ -91,8 +91,7 @@ static void gaits_are_found_to_rounding(void **state) {
         const double guess[TDMF_REDUCED_COUNT] = {gait->apex[0] + 0.02, gait->apex[1] - 0.02};
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tight;
-        const tdmf_reduced_orbit orbit =
-            tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, guess, NULL, 0);
+        const tdmf_orbit orbit = tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_true(orbit.iterations <= 6);
         assert_close(orbit.apex[0], gait->apex[0], 1e-11);
@@ -111,7 +110,7 @@ static double *coordinate(apex_scene *scene, int k) {
     return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
 }
 
-static void results_of(const tdmf_reduced_return *stride, double results[RESULTS]) {
+static void results_of(const tdmf_return *stride, double results[RESULTS]) {
     const double values[RESULTS] = {stride->apex[0],
                                     stride->apex[1],
                                     stride->stride.period,
@@ -132,8 +131,8 @@ typedef struct {
 static void results_on_line(long double t, const void *context, double results[]) {
     coordinate_line moved = *(const coordinate_line *)context;
     *coordinate(&moved.scene, moved.coordinate) += (double)t;
-    const tdmf_reduced_return stride = stride_from(&moved.scene, tight, false, NULL, 0);
-    assert_int_equal(stride.outcome, TDMF_REDUCED_CLOSED);
+    const tdmf_return stride = stride_from(&moved.scene, tight, false, NULL, 0);
+    assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
     results_of(&stride, results);
 }
 
@@ -142,9 +141,9 @@ static void exact_derivatives(const apex_scene *scene, int k, double derivatives
     memset(&unit, 0, sizeof unit);
     *coordinate(&unit, k) = 1.0;
     const tdmf_seed seed = {unit.parameters, unit.inputs};
-    const tdmf_reduced_return stride = stride_from(scene, tight, true, &seed, 1);
-    const tdmf_reduced_variation *exact =
-        k < TDMF_REDUCED_COUNT ? &stride.by_section[k] : &stride.by_parameter[0];
+    const tdmf_return stride = stride_from(scene, tight, true, &seed, 1);
+    const tdmf_stride_variation *exact =
+        k < TDMF_REDUCED_COUNT ? &stride.variations[k] : &stride.variations[TDMF_REDUCED_COUNT];
     const double values[RESULTS] = {exact->apex[0],       exact->apex[1],    exact->period,
                                     exact->length,        exact->work,       exact->stance_time,
                                     exact->slip_distance, exact->peak_force, exact->peak_vertical_force};
@@ -203,7 +202,7 @@ static void parameters_and_inputs_are_differentiated(void **state) {
 /* ---- energy and scaling ------------------------------------------------------------------------------- */
 
 /* Of the centre of mass, from one apex to the next: on a slope the height over the ground is not enough. */
-static double energy_gained(const tdmf_model *model, const tdmf_reduced_return *stride, double speed) {
+static double energy_gained(const tdmf_model *model, const tdmf_return *stride, double speed) {
     const double next = stride->apex[TDMF_REDUCED_COM_SPEED];
     return model->total_mass *
            (model->parameters.gravity * stride->stride.rise + 0.5 * (next - speed) * (next + speed));
@@ -239,8 +238,8 @@ static void the_energy_of_the_centre_of_mass_closes(void **state) {
     for (int i = 0; i < STRIDES; ++i) {
         const apex_scene scene = random_scene(&source);
         const tdmf_model model = model_of(&scene);
-        const tdmf_reduced_return stride = stride_from(&scene, tight, false, NULL, 0);
-        if (stride.outcome != TDMF_REDUCED_CLOSED) {
+        const tdmf_return stride = stride_from(&scene, tight, false, NULL, 0);
+        if (stride.outcome != TDMF_RETURN_CLOSED) {
             continue;
         }
         ++compared;
@@ -288,15 +287,15 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         scaled.inputs.hip.external_torque *= energy;
         scaled.apex[0] *= length;
         scaled.apex[1] *= speed;
-        const tdmf_reduced_return a = stride_from(&scene, tight, true, NULL, 0);
+        const tdmf_return a = stride_from(&scene, tight, true, NULL, 0);
         const tdmf_model scaled_model = model_of(&scaled);
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tight;
-        const tdmf_reduced_return b = tdmf_reduced_map(&solver, &scaled_model, &scaled.inputs, scaled.apex,
-                                                       longest * time, true, NULL, 0);
+        const tdmf_return b = tdmf_reduced_map(&solver, &scaled_model, &scaled.inputs, scaled.apex,
+                                               longest * time, true, NULL, 0);
         assert_int_equal(a.outcome, b.outcome);
         assert_string_equal(a.stride.word, b.stride.word);
-        if (a.outcome != TDMF_REDUCED_CLOSED) {
+        if (a.outcome != TDMF_RETURN_CLOSED) {
             continue;
         }
         ++compared;
@@ -304,7 +303,7 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         assert_close(a.apex[1], b.apex[1] / speed, 1e-10);
         assert_close(a.stride.period, b.stride.period / time, 1e-9);
         assert_close(a.stride.work, b.stride.work / energy, 1e-10);
-        assert_close(a.by_section[1].apex[0], b.by_section[1].apex[0] * speed / length, 1e-7);
+        assert_close(a.variations[1].apex[0], b.variations[1].apex[0] * speed / length, 1e-7);
     }
     assert_true(compared > 100);
 }
@@ -319,12 +318,12 @@ static void control_and_extension_are_settings(void **state) {
     set.parameters.hip.touchdown_angle += 0.05;
     set.parameters.hip.stance_torque += 0.03;
     set.parameters.leg.thrust = 0.02;
-    const tdmf_reduced_return a = stride_from(&scene, tight, false, NULL, 0);
-    const tdmf_reduced_return b = stride_from(&set, tight, false, NULL, 0);
+    const tdmf_return a = stride_from(&scene, tight, false, NULL, 0);
+    const tdmf_return b = stride_from(&set, tight, false, NULL, 0);
     scene.inputs.leg.extension = 0.1;
     set.parameters.leg.free_length += 0.1;
-    const tdmf_reduced_return c = stride_from(&scene, tight, false, NULL, 0);
-    const tdmf_reduced_return d = stride_from(&set, tight, false, NULL, 0);
+    const tdmf_return c = stride_from(&scene, tight, false, NULL, 0);
+    const tdmf_return d = stride_from(&set, tight, false, NULL, 0);
     for (int i = 0; i < TDMF_REDUCED_COUNT; ++i) {
         assert_close(a.apex[i], b.apex[i], 1e-12);
         assert_close(c.apex[i], d.apex[i], 1e-11);
@@ -334,7 +333,7 @@ static void control_and_extension_are_settings(void **state) {
 
 /* ---- what has no next apex ---------------------------------------------------------------------------- */
 
-static tdmf_reduced_outcome outcome_from(const apex_scene *scene) {
+static tdmf_return_outcome outcome_from(const apex_scene *scene) {
     return stride_from(scene, tight, true, NULL, 0).outcome;
 }
 
@@ -343,19 +342,19 @@ static void a_stride_that_does_not_close_says_why(void **state) {
     apex_scene scene = gait;
     (void)state;
     scene.apex[0] = 0.5; /* the foot hangs 0.696 below the centre of mass */
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FOOT_BELOW);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_START);
     scene = gait;
     scene.apex[0] = 200.0; /* the spring gives way */
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FELL);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_FELL);
     scene = gait;
     scene.parameters.hip.retraction_rate = -0.15; /* the leg is past horizontal before the foot is down */
     scene.apex[0] = 3.0;
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_FELL);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_FELL);
     scene = gait;
     scene.parameters.hip.touchdown_angle = 0.1; /* the drive is over at once, and it goes down over its leg */
     scene.apex[0] = 2.3;
     scene.apex[1] = 1.4;
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_NO_APEX);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_APEX);
     /* It sinks into a stand, upright, and stays there. */
     scene = gait;
     scene.parameters.hip.stance_torque = 0.0;
@@ -363,7 +362,7 @@ static void a_stride_that_does_not_close_says_why(void **state) {
     scene.parameters.hip.touchdown_angle = 0.0;
     scene.apex[0] = 1.0;
     scene.apex[1] = 0.0;
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_STUCK);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_TOO_LONG);
     /* It comes backwards, so that the leg grows, and its damper pulls at the foot. */
     scene = gait;
     scene.parameters.leg.damping = 2.0;
@@ -371,7 +370,7 @@ static void a_stride_that_does_not_close_says_why(void **state) {
     scene.inputs.ground.friction = 50.0;
     scene.apex[0] = 0.6;
     scene.apex[1] = -2.0;
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_NO_STANCE);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_STANCE);
 }
 
 /* Nothing brings a runner down, or back, who is pushed up by his weight. */
@@ -380,8 +379,8 @@ static void a_runner_that_is_held_up_has_no_stride(void **state) {
     const tdmf_model model = model_of(&scene);
     (void)state;
     scene.inputs.body.external_fy = 1.5 * model.total_mass * model.parameters.gravity;
-    const tdmf_reduced_outcome outcome = outcome_from(&scene);
-    assert_true(outcome == TDMF_REDUCED_NO_TOUCHDOWN || outcome == TDMF_REDUCED_REFUSED);
+    const tdmf_return_outcome outcome = outcome_from(&scene);
+    assert_true(outcome == TDMF_RETURN_NO_TOUCHDOWN || outcome == TDMF_RETURN_REFUSED);
 }
 
 static void what_is_no_number_or_out_of_range_is_refused(void **state) {
@@ -395,39 +394,38 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
         for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
             apex_scene scene = gait;
             scene.apex[k] = bad[i];
-            const tdmf_reduced_outcome outcome = outcome_from(&scene);
-            assert_true(outcome == TDMF_REDUCED_REFUSED || outcome == TDMF_REDUCED_FOOT_BELOW);
+            const tdmf_return_outcome outcome = outcome_from(&scene);
+            assert_true(outcome == TDMF_RETURN_REFUSED || outcome == TDMF_RETURN_NO_START);
         }
     }
     apex_scene scene = gait;
     scene.inputs.ground.friction = -1.0;
-    assert_int_equal(outcome_from(&scene), TDMF_REDUCED_REFUSED);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_REFUSED);
     memset(seeds, 0, sizeof seeds);
     assert_int_equal(stride_from(&gait, tight, true, seeds, TDMF_REDUCED_MAP_SEEDS + 1).outcome,
-                     TDMF_REDUCED_REFUSED);
-    assert_int_equal(stride_from(&gait, tight, true, seeds, -1).outcome, TDMF_REDUCED_REFUSED);
+                     TDMF_RETURN_REFUSED);
+    assert_int_equal(stride_from(&gait, tight, true, seeds, -1).outcome, TDMF_RETURN_REFUSED);
     assert_int_equal(stride_from(&gait, tight, true, seeds, TDMF_REDUCED_MAP_SEEDS).outcome,
-                     TDMF_REDUCED_CLOSED);
-    assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_REDUCED_REFUSED);
+                     TDMF_RETURN_CLOSED);
+    assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_RETURN_REFUSED);
     solver.step_limit = 2;
-    const tdmf_reduced_return tired =
+    const tdmf_return tired =
         tdmf_reduced_map(&solver, &model, &gait.inputs, gait.apex, longest, true, NULL, 0);
-    assert_int_equal(tired.outcome, TDMF_REDUCED_UNSOLVED);
+    assert_int_equal(tired.outcome, TDMF_RETURN_UNSOLVED);
     assert_int_equal(tired.solver, TDMF_TOO_MANY_STEPS);
 }
 
 static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
-    static const tdmf_reduced_return nothing;
+    static const tdmf_return nothing;
     apex_scene scene = at_gait(&reduced_gaits[2]);
     (void)state;
-    const tdmf_reduced_return plain = stride_from(&scene, tight, false, NULL, 0);
-    assert_memory_equal(plain.by_section, nothing.by_section, sizeof plain.by_section);
-    assert_memory_equal(plain.by_parameter, nothing.by_parameter, sizeof plain.by_parameter);
+    const tdmf_return plain = stride_from(&scene, tight, false, NULL, 0);
+    assert_memory_equal(plain.variations, nothing.variations, sizeof plain.variations);
     scene.apex[0] = 200.0;
-    const tdmf_reduced_return fell = stride_from(&scene, tight, true, NULL, 0);
+    const tdmf_return fell = stride_from(&scene, tight, true, NULL, 0);
     assert_memory_equal(fell.apex, nothing.apex, sizeof fell.apex);
     assert_memory_equal(&fell.stride, &nothing.stride, sizeof fell.stride);
-    assert_memory_equal(fell.by_section, nothing.by_section, sizeof fell.by_section);
+    assert_memory_equal(fell.variations, nothing.variations, sizeof fell.variations);
 }
 
 static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
@@ -460,7 +458,7 @@ static void a_log_has_the_events_of_a_stride(void **state) {
     tdmf_solver solver = tdmf_solver_default();
     (void)state;
     solver.log = &log;
-    const tdmf_reduced_return stride =
+    const tdmf_return stride =
         tdmf_reduced_map(&solver, &model, &scene.inputs, scene.apex, INFINITY, false, NULL, 0);
     assert_int_equal(log.count, EVENTS);
     for (int i = 0; i < EVENTS; ++i) {

@@ -198,7 +198,7 @@ static void a_log_begins_at_none(void **state) {
     assert_refused(stride, &s);
     assert_int_equal(
         tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, false, NULL, 0).outcome,
-        TDMF_REDUCED_REFUSED);
+        TDMF_RETURN_REFUSED);
     assert_int_equal(log.count, -5);
     log.count = INT_MAX;
     assert_int_equal(stride(&s), TDMF_ARRIVED);
@@ -212,12 +212,12 @@ static void maps_refuse_null(void **state) {
     for (int i = 0; i < 3; ++i) {
         assert_int_equal(
             tdmf_return_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
-                .outcome.outcome,
-            TDMF_REFUSED);
+                .outcome,
+            TDMF_RETURN_REFUSED);
         assert_int_equal(
             tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
                 .outcome,
-            TDMF_REDUCED_REFUSED);
+            TDMF_RETURN_REFUSED);
         assert_int_equal(
             tdmf_find_reduced_orbit(&s.solver, &s.model, &s.inputs, s.section, NULL, counts[i]).outcome,
             TDMF_ORBIT_NO_START);
@@ -227,12 +227,12 @@ static void maps_refuse_null(void **state) {
         const tdmf_model *model = missing == 1 ? NULL : &s.model;
         const tdmf_inputs *inputs = missing == 2 ? NULL : &s.inputs;
         double *section = missing == 3 ? NULL : s.section;
-        assert_int_equal(
-            tdmf_return_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome.outcome,
-            TDMF_REFUSED);
+        assert_int_equal(tdmf_return_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome,
+                         TDMF_RETURN_REFUSED);
         assert_int_equal(tdmf_reduced_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome,
-                         TDMF_REDUCED_REFUSED);
-        assert_int_equal(tdmf_find_orbit(solver, model, inputs, section, NULL).outcome, TDMF_ORBIT_NO_START);
+                         TDMF_RETURN_REFUSED);
+        assert_int_equal(tdmf_find_orbit(solver, model, inputs, section, NULL, 0).outcome,
+                         TDMF_ORBIT_NO_START);
         assert_int_equal(tdmf_find_reduced_orbit(solver, model, inputs, section, NULL, 0).outcome,
                          TDMF_ORBIT_NO_START);
         assert_int_equal(tdmf_settle(solver, model, inputs, 3, section), 0);

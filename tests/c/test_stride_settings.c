@@ -379,9 +379,8 @@ static int stride_by_reduced_map(const population *population, int number) {
         if (stride > 0) {
             apex[0] += ground_before - (inputs.ground.height + x * tan(inputs.ground.slope));
         }
-        const tdmf_reduced_return found =
-            tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
-        assert_int_equal(found.outcome, TDMF_REDUCED_CLOSED);
+        const tdmf_return found = tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
+        assert_int_equal(found.outcome, TDMF_RETURN_CLOSED);
         memcpy(apex, found.apex, sizeof apex);
         x += found.stride.length;
         assert_close(note->apex[0], apex[0], 1e-7);

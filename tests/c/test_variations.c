@@ -147,14 +147,14 @@ static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, 
 static bool compare_guard(guard_line on) {
     const runner *at = on.line.runner;
     const tdmf_seed held = {0};
-    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &on.line.change, &on.line.variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &on.line.seed, &on.line.variation);
     if (scene_guard(at, on.guard) == 1.0 || !is_smooth(&on, LINE_STEP)) {
         return false;
     }
     assert_guard_varies(&on, &d, LINE_STEP);
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(&at->model, &at->inputs, &at->mode, at->state, derivatives);
-    on.line.change = held;
+    on.line.seed = held;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
     const tdmf_local_seed along = tdmf_seed_of_motion(derivatives);
@@ -267,7 +267,7 @@ static void constants_vary_as_they_change(void **state) {
         for (int i = 0; i < 20; ++i) {
             const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
             const line line = line_random(&source, &at);
-            const tdmf_model d = tdmf_vary_model(&at.model, &line.change.parameters);
+            const tdmf_model d = tdmf_vary_model(&at.model, &line.seed.parameters);
             const row exact = constants(&d);
             assert_row_varies(&line, constants_of, &exact);
         }
@@ -303,7 +303,7 @@ static void leg_and_points_vary_as_they_change(void **state) {
         for (int i = 0; i < 20; ++i) {
             const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
             const line line = line_random(&source, &at);
-            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
+            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
             const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
             const tdmf_leg d_leg = tdmf_vary_leg_with(
@@ -326,7 +326,7 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
     for (int i = 0; i < 200; ++i) {
         const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
         const line line = line_random(&source, &at);
-        const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
+        const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
         const tdmf_ground_line *ground = &at.mode.ground;
         const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
         const tdmf_standing standing = tdmf_standing_of(ground, at.state, direction);
@@ -382,9 +382,9 @@ static void an_impact_varies_as_it_changes(void **state) {
             }
             line line = line_random(&source, &at);
             if (at.inputs.ground.friction == 0.0) {
-                line.change.inputs.ground.friction = 0.0; /* there is nothing below */
+                line.seed.inputs.ground.friction = 0.0; /* there is nothing below */
             }
-            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.change, &line.variation);
+            const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
             runner after = at;
             tdmf_impact(&after.model, &after.inputs, &after.mode.ground, after.state);
             double d_state[TDMF_STATE_COUNT];
@@ -419,12 +419,12 @@ static row start_of(const runner *at) {
 static line line_of_starts(random_source *source, const runner *given) {
     line line = line_random(source, given);
     line.variation.state[TDMF_FOOT_Y] = given->state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
-    line.change.inputs.ground.height = line.change.inputs.ground.slope = 0.0; /* the foot would not meet it */
+    line.seed.inputs.ground.height = line.seed.inputs.ground.slope = 0.0; /* the foot would not meet it */
     if (given->state[TDMF_FOOT_VY] == 0.0) {
         line.variation.state[TDMF_FOOT_VY] = 0.0;
     }
     if (tdmf_leg_thrust(&given->model, &given->inputs) == 0.0) {
-        line.change.parameters.leg.thrust = line.change.inputs.control.thrust = 0.0;
+        line.seed.parameters.leg.thrust = line.seed.inputs.control.thrust = 0.0;
     }
     return line;
 }
@@ -434,7 +434,7 @@ static void assert_start_varies(const line *line) {
     runner begun = *given;
     runner_start(&begun);
     const tdmf_start_variation varied =
-        tdmf_vary_start(&given->model, &given->inputs, given->state, begun.state, &begun.mode, &line->change,
+        tdmf_vary_start(&given->model, &given->inputs, given->state, begun.state, &begun.mode, &line->seed,
                         line->variation.state);
     const row exact = started(varied.variation.state, varied.variation.liftoff_angle, varied.impact_loss);
     assert_row_varies(line, start_of, &exact);
@@ -535,7 +535,7 @@ static row coefficients_of(const runner *at) {
 
 static row varied_coefficients(const runner *at, const line *line) {
     const tdmf_mode_equations equations = chart_of(at);
-    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &line->change, &line->variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &line->seed, &line->variation);
     const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->mode, &d);
     const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->mode, &d);
     return coefficients(at->mode.contact, &flight, &ground);
@@ -569,8 +569,8 @@ static void a_clamp_without_gains_has_no_derivative(void **state) {
         at.model.parameters.hip.kp = kp;
         at.model.parameters.hip.kd = kd;
         line line = line_random(&source, &at);
-        line.change.parameters.hip.kp = d_kp;
-        line.change.parameters.hip.kd = d_kd;
+        line.seed.parameters.hip.kp = d_kp;
+        line.seed.parameters.hip.kd = d_kd;
         const row varied = varied_coefficients(&at, &line);
         bool finite = true;
         for (int k = 0; k < varied.count; ++k) {

@@ -142,7 +142,7 @@ def test_what_makes_no_sense_is_refused(command):
         run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], max_strides=1)
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
         run_ensemble([reduced()], np.ones((1, 6)), max_strides=1)
-    with pytest.raises(RunError, match="the foot is not above the ground at the apex"):
+    with pytest.raises(RunError, match="there is no apex above the ground"):
         find_gait(guess=[0.3, 1.0], model="reduced")
     status, said, problem = command(
         "basin", "--model", "reduced", "--axes", "com_height", "--axes", "leg_angle"

@@ -145,7 +145,7 @@ typedef enum {
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
     TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events */
-    TDMF_FATE_NO_STRIDE  /* the reduced map has no stride from the last apex: see tdmf_reduced_outcome */
+    TDMF_FATE_NO_STRIDE  /* the reduced map has no stride from the last apex: see tdmf_return_outcome */
 } tdmf_fate;
 
 /* What became of a runner. */

@@ -42,7 +42,7 @@ typedef struct {
 TDMF_API void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
                                     const double state[TDMF_STATE_COUNT], double section[TDMF_SECTION_COUNT]);
 
-/* How the next apex and the stride change with something. */
+/* How the next apex and the stride change along a seed, per unit of it. */
 typedef struct {
     double apex[TDMF_SECTION_COUNT];        /* of the next apex */
     double period, length, work;            /* of the stride's quantities of these names */
@@ -52,26 +52,41 @@ typedef struct {
     tdmf_stride_measures measures;          /* and of these, where they were asked for */
 } tdmf_stride_variation;
 
-/* Directions of parameters and inputs along which a stride is differentiated, at the most. */
+/* Seeds of parameters and inputs along which a stride of the return map is differentiated, at the most. */
 enum { TDMF_RETURN_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
 
-/* What became of a stride. The derivatives are there if it closed and they were asked for. */
+/* Whether a stride closed, and else why not. Some of this only the reduced map meets. */
+typedef enum {
+    TDMF_RETURN_CLOSED,       /* it has a next apex */
+    TDMF_RETURN_REFUSED,      /* a value is out of range, a pointer NULL, or there are too many seeds */
+    TDMF_RETURN_NO_START,     /* the start is no apex: in flight, above the ground */
+    TDMF_RETURN_NO_TOUCHDOWN, /* reduced: the foot does not come down within the time allowed */
+    TDMF_RETURN_NO_STANCE,    /* reduced: the impact leaves the foot without load */
+    TDMF_RETURN_TOO_LONG,     /* the stride, reduced: the stance, takes longer than the time allowed */
+    TDMF_RETURN_NO_APEX,      /* reduced: the centre of mass does not rise at lift-off */
+    TDMF_RETURN_FELL,         /* the body or the leg is down */
+    TDMF_RETURN_UNSOLVED      /* the solver could not follow the runner: see `solver` */
+} tdmf_return_outcome;
+
+/* What became of a stride, by the return map or the reduced one. Where it has not closed, all but the
+ * outcomes is zero. The variations are there if derivatives were asked for: along the coordinates of the
+ * start, which are six or, in the reduced map, two, and after them along the seeds that were given. */
 typedef struct {
-    tdmf_stride_outcome outcome;     /* whether it closed, and else why not */
-    bool began_at_apex;              /* the start is one: in flight, above the ground, not refused */
-    double apex[TDMF_SECTION_COUNT]; /* the next */
-    tdmf_stride stride;              /* its quantities */
+    tdmf_return_outcome outcome;     /* whether it closed, and else why not */
+    tdmf_outcome solver;             /* how the solver's call ended; TDMF_ARRIVED where there was none */
+    double apex[TDMF_SECTION_COUNT]; /* the next; of the reduced map the first two */
+    tdmf_stride stride;              /* its quantities; of the reduced map the work is that of the stance */
     double liftoff_angle;            /* theta_LO of the stride, rad */
     double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
-    double foot_clearance;         /* m, of the foot above the ground at the apex where the stride begins */
+    double leg_loss;       /* J, reduced: left in the leg at lift-off less what it is given for touchdown */
+    double foot_clearance; /* m, of the foot above the ground at the apex where the stride begins */
     tdmf_stride_measures measures; /* of the stride, where they were asked for */
-    tdmf_stride_variation by_section[TDMF_SECTION_COUNT];      /* by each coordinate of the start */
-    tdmf_stride_variation by_parameter[TDMF_RETURN_MAP_SEEDS]; /* along each change that was given */
+    tdmf_stride_variation variations[TDMF_VARIATION_LIMIT];
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
- * coordinates and along `count` directions of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
+ * coordinates and along `count` seeds of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
  * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, and a tolerance out of
  * range. */
 TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
@@ -83,6 +98,9 @@ TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_mo
                                               const tdmf_inputs *inputs,
                                               const double section[TDMF_SECTION_COUNT], double until,
                                               bool derivatives, const tdmf_seed *seeds, int count);
+
+/* An outcome in words. */
+TDMF_API const char *tdmf_return_outcome_text(tdmf_return_outcome outcome);
 
 #ifdef __cplusplus
 }

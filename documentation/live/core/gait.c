@@ -50,14 +50,14 @@ static const char *reason(const tdmf_orbit *orbit) {
     case TDMF_ORBIT_NO_STRIDE:
         return "no stride closes in the time that it may take";
     default:
-        return tdmf_outcome_text(orbit->stride.outcome.outcome);
+        return tdmf_outcome_text(orbit->stride.solver);
     }
 }
 
 static bool find_eigenvalues(const tdmf_orbit *orbit) {
     for (int row = 0; row < TDMF_SECTION_COUNT; ++row) {
         for (int column = 0; column < TDMF_SECTION_COUNT; ++column) {
-            jacobian[TDMF_SECTION_COUNT * row + column] = orbit->stride.by_section[column].apex[row];
+            jacobian[TDMF_SECTION_COUNT * row + column] = orbit->stride.variations[column].apex[row];
         }
     }
     return tdmf_eigenvalues(TDMF_SECTION_COUNT, jacobian, eigenvalues);
@@ -86,7 +86,7 @@ bool live_find_gait(void) {
                  "gaits: above 0");
         return false;
     }
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &live.model, &live.inputs, live.section, NULL);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &live.model, &live.inputs, live.section, NULL, 0);
     if (orbit.outcome != TDMF_ORBIT_FOUND) {
         snprintf(live.message, sizeof live.message, "No gait was found: %s.", reason(&orbit));
         return false;
@@ -96,7 +96,7 @@ bool live_find_gait(void) {
                  "The gait's stride is on the edge of an event or of a law, where it has no derivatives.");
         return false;
     }
-    memcpy(live.section, orbit.section, sizeof live.section);
+    memcpy(live.section, orbit.apex, sizeof live.section);
     write_stride(&orbit.stride);
     return true;
 }

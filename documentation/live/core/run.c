@@ -49,15 +49,8 @@ void live_state_at_section(void) {
 /* Writes the section that has the height above the ground, the forward speed and the leg of the state. */
 LIVE_EXPORT(live_section_at_state)
 void live_section_at_state(void) {
-    const tdmf_point com = tdmf_center_of_mass(&live.model, start_state);
     const tdmf_ground_line line = tdmf_ground_line_of(live.inputs.ground.height, live.inputs.ground.slope);
-    const double section[TDMF_SECTION_COUNT] = {com.y - line.height - com.x * line.sine / line.cosine,
-                                                com.vx,
-                                                start_state[TDMF_LEG_LENGTH],
-                                                start_state[TDMF_LEG_ANGLE],
-                                                start_state[TDMF_LEG_LENGTH_RATE],
-                                                start_state[TDMF_LEG_ANGLE_RATE]};
-    memcpy(live.section, section, sizeof section);
+    tdmf_section_of_state(&live.model, &line, start_state, live.section);
 }
 
 /* Begins a run at time 0. Where it is refused, the run before stays as it is, and the message says why. */

@@ -235,15 +235,15 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
     log: EventLog = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))
     ran = settling and map.settle(solver, runner.model, runner.inputs, settling, section)
-    found = map.find(solver, runner.model, runner.inputs, section, change)
+    found = map.find(solver, runner.model, runner.inputs, section, change, change != ffi.NULL)
     if found.outcome != c.TDMF_ORBIT_FOUND:
         raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0
-    fixed_point = map.fixed_point(found)
+    fixed_point = list(found.apex)[: len(apex)]
     stride = map.measured_stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
     if not runner.reduced:
         found.stride.measures = stride.measures
-    gait = gait_of_stride(runner, np.array(list(fixed_point)), found.stride, log, along)
+    gait = gait_of_stride(runner, np.array(fixed_point), found.stride, log, along)
     return replace(gait, error=found.error, iterations=found.iterations)
 
 

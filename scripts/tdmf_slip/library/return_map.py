@@ -10,7 +10,7 @@ from ..errors import RunError
 from ..unit.unit import FRICTION
 from ..unit.variable import Given
 from .binding import ffi
-from .maps import map_of
+from .maps import map_of, why_no_return
 from .members import INPUTS, PARAMETERS, check_varied
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -55,10 +55,10 @@ def stride_from(
     stride = map.stride(
         runner.solver(), runner.model, runner.inputs, section, np.inf, True, direction(along), 1
     )
-    why_not = map.why_not(stride)
+    why_not = why_no_return(stride)
     if why_not is not None:
         raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {why_not}")
-    return np.array(list(stride.apex)), *derivatives(runner, stride)
+    return np.array(list(stride.apex)[: len(section)]), *derivatives(runner, stride)
 
 
 def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -83,8 +83,9 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     RunError
         The stride has none.
     """
-    jacobian = np.array([list(stride.by_section[k].apex) for k in range(len(runner.coordinates))]).T
-    by_parameter = np.array(list(stride.by_parameter[0].apex))
+    count = len(runner.coordinates)
+    columns = [list(stride.variations[k].apex)[:count] for k in range(count + 1)]
+    jacobian, by_parameter = np.array(columns[:count]).T, np.array(columns[count])
     if not (np.isfinite(jacobian).all() and np.isfinite(by_parameter).all()):
         raise RunError(
             f"at friction {runner.values[FRICTION]:g} a stride is on the edge of an event or of a law, where "

@@ -13,7 +13,7 @@ from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import ffi
 from .gait import Gait, gait_near, gait_of_stride
-from .maps import map_of
+from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES
 from .members import check_has_gaits
 from .return_map import Along, direction
@@ -156,7 +156,7 @@ def _stride(
         change,
         along is not None,
     )
-    why_not = map.why_not(stride)
+    why_not = why_no_return(stride)
     if why_not is not None:
         raise RunError(why_not)
     next_apex = np.array(list(stride.apex)[: len(apex)])

@@ -45,14 +45,14 @@ class Measures(Protocol):
 
 
 class Measured(Protocol):
-    """`tdmf_return` or `tdmf_stride_change` as far as it is measured; in the reduced map it is not."""
+    """`tdmf_return` or `tdmf_stride_variation` as far as it is measured; in the reduced map it is not."""
 
     foot_clearance: float
     measures: Measures
 
 
 class StrideChange(Measured, Protocol):
-    """`tdmf_stride_change` or `tdmf_reduced_change`: how next apex and stride change with something."""
+    """`tdmf_stride_variation`: how next apex and stride change with something."""
 
     apex: Sequence[float]
     period: float
@@ -72,25 +72,25 @@ class Stride(Protocol):
 
 
 class Return(Measured, Protocol):
-    """`tdmf_return` or `tdmf_reduced_return`: what became of a stride; how it ended, `maps` can tell."""
+    """`tdmf_return`: what became of a stride; how it ended, `maps` can tell."""
 
     apex: Sequence[float]
     stride: Stride
     liftoff_angle: float
-    by_section: Sequence[StrideChange]
-    by_parameter: Sequence[StrideChange]
+    outcome: int
+    solver: int
+    variations: Sequence[StrideChange]
+    """Along the coordinates of the start, and after them along the seeds."""
 
 
 class FoundGait(Protocol):
-    """`tdmf_orbit` or `tdmf_reduced_orbit`: a gait, or where the search for it ended."""
+    """`tdmf_orbit`: a gait, or where the search for it ended."""
 
     outcome: int
     iterations: int
     error: float
-    section: Sequence[float]
-    """Of a `tdmf_orbit`."""
     apex: Sequence[float]
-    """Of a `tdmf_reduced_orbit`."""
+    """Of the reduced map the first two coordinates."""
     stride: Return
 
 

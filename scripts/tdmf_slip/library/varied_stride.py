@@ -13,7 +13,7 @@ from ..contents import ByContents
 from ..errors import RunError
 from ..unit.unit import FRICTION
 from .binding import c, ffi
-from .maps import map_of
+from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of
 from .members import check_has_gaits
 from .quantities import check_quantities, quantity_of
@@ -90,7 +90,7 @@ def varied_stride(
     if not np.isfinite(by_all).all():
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
     values = np.array([quantity_of(name, told) for name in names])
-    return VariedStride(np.array(list(stride.apex)) - apex, values, by_all)
+    return VariedStride(np.array(list(stride.apex)[: len(apex)]) - apex, values, by_all)
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,7 +133,7 @@ def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]
     stride = _stride(runner, apex, (), False)
     told = _read(runner, apex, stride)
     return PlainStride(
-        left_over=np.array(list(stride.apex)) - apex,
+        left_over=np.array(list(stride.apex)[: len(apex)]) - apex,
         quantities=np.array([quantity_of(name, told) for name in names]),
         word=text_of(stride.stride.word),
     )
@@ -149,9 +149,10 @@ def _changes(
     most = c.TDMF_RETURN_MAP_SEEDS
     parts = [parameters[begin : begin + most] for begin in range(0, len(parameters), most)] or [()]
     strides = [_stride(runner, apex, part, True) for part in parts]
-    columns = [_column(runner, strides[0].by_section[k]) for k in range(len(apex))]
+    coordinates = len(apex)
+    columns = [_column(runner, strides[0].variations[k]) for k in range(coordinates)]
     for stride, part in zip(strides, parts, strict=True):
-        columns += [_column(runner, stride.by_parameter[k]) for k in range(len(part))]
+        columns += [_column(runner, stride.variations[coordinates + k]) for k in range(len(part))]
     return strides[0], np.array(columns).T
 
 
@@ -163,7 +164,8 @@ def _changed(runner: Runner) -> tuple[str, ...]:
 def _column(runner: Runner, change: StrideChange) -> list[float]:
     measures = {} if runner.reduced else measures_of(change)
     basic = {name: float(getattr(change, name)) for name in _CHANGED}
-    return [*change.apex, *({**basic, **measures}[name] for name in _changed(runner))]
+    apex = change.apex[0 : len(runner.coordinates)]
+    return [*apex, *({**basic, **measures}[name] for name in _changed(runner))]
 
 
 def _apex_changes(runner: Runner, count: int) -> dict[str, NDArray[np.float64]]:
@@ -189,7 +191,7 @@ def _stride(
         changes,
         len(parameters),
     )
-    why_not = map.why_not(stride)
+    why_not = why_no_return(stride)
     if why_not is not None:
         raise RunError(why_not)
     return stride

@@ -55,7 +55,7 @@ static double *coordinate(scene *scene, int k) {
     return k < PARAMETERS ? (double *)&scene->parameters + k : (double *)&scene->inputs + (k - PARAMETERS);
 }
 
-static tdmf_reduced_return stride_of(const scene *scene, const tdmf_seed *seed) {
+static tdmf_return stride_of(const scene *scene, const tdmf_seed *seed) {
     tdmf_model model;
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-18L;
@@ -73,10 +73,9 @@ static double error_by(const scene *at, int k) {
     memset(&unit, 0, sizeof unit);
     *coordinate(&unit, k) = 1.0L;
     const tdmf_seed seed = {unit.parameters, unit.inputs};
-    const tdmf_reduced_return here = stride_of(at, &seed), a = stride_of(&more, NULL),
-                              b = stride_of(&less, NULL);
-    const tdmf_reduced_variation *exact =
-        k < TDMF_REDUCED_COUNT ? &here.by_section[k] : &here.by_parameter[0];
+    const tdmf_return here = stride_of(at, &seed), a = stride_of(&more, NULL), b = stride_of(&less, NULL);
+    const tdmf_stride_variation *exact =
+        k < TDMF_REDUCED_COUNT ? &here.variations[k] : &here.variations[TDMF_REDUCED_COUNT];
     const double off[QUANTITIES] = {a.apex[0] - b.apex[0] - 2.0L * h * exact->apex[0],
                                     a.apex[1] - b.apex[1] - 2.0L * h * exact->apex[1],
                                     a.stride.period - b.stride.period - 2.0L * h * exact->period,
@@ -87,7 +86,7 @@ static double error_by(const scene *at, int k) {
         const double error = fabs(off[i]) / (2.0L * step);
         worst = error > worst || isnan(error) ? error : worst;
     }
-    return here.outcome + a.outcome + b.outcome == TDMF_REDUCED_CLOSED ? worst : INFINITY;
+    return here.outcome + a.outcome + b.outcome == TDMF_RETURN_CLOSED ? worst : INFINITY;
 }
 
 int check_reduced_map(void) {

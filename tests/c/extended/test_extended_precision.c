@@ -59,7 +59,7 @@ static double farthest(const scene *more, const scene *less, const tdmf_stride_v
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         off = fmax(off, fabs((a.apex[i] - b.apex[i]) / (2.0L * step) - exact->apex[i]));
     }
-    return a.outcome.closed && b.outcome.closed ? off : INFINITY;
+    return a.outcome == TDMF_RETURN_CLOSED && b.outcome == TDMF_RETURN_CLOSED ? off : INFINITY;
 }
 
 static double check_section(const scene *scene_at) {
@@ -69,7 +69,7 @@ static double check_section(const scene *scene_at) {
         scene more = *scene_at, less = *scene_at;
         more.apex[k] += step;
         less.apex[k] -= step;
-        worst = fmax(worst, farthest(&more, &less, &stride.by_section[k]));
+        worst = fmax(worst, farthest(&more, &less, &stride.variations[k]));
     }
     return worst;
 }
@@ -97,7 +97,7 @@ static double check_parameters(const scene *gait) {
         *member(&more.parameters, &more.inputs, k) += step * unit;
         *member(&less.parameters, &less.inputs, k) -= step * unit;
         const tdmf_return stride = stride_within(1e-18L, scene_at, true, &seed, 1);
-        worst = fmax(worst, farthest(&more, &less, &stride.by_parameter[0]));
+        worst = fmax(worst, farthest(&more, &less, &stride.variations[TDMF_SECTION_COUNT]));
     }
     return worst;
 }
@@ -156,7 +156,7 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
         const double h = wider * (k < TDMF_SECTION_COUNT ? step : step * *moved);
         *moved += places[i] * h;
         const tdmf_return stride = stride_of(&there);
-        if (!stride.outcome.closed || stride.stride.word_code != here.stride.word_code) {
+        if (stride.outcome != TDMF_RETURN_CLOSED || stride.stride.word_code != here.stride.word_code) {
             return false;
         }
         results_of(&stride, results);
@@ -178,10 +178,10 @@ static void differentiate(double tolerance, const scene *scene_at, double deriva
         }
         const tdmf_return stride = stride_within(tolerance, scene_at, true, &seeds[k], TDMF_RETURN_MAP_SEEDS);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-            derivatives_of(&stride.by_section[i], derivatives[i]);
+            derivatives_of(&stride.variations[i], derivatives[i]);
         }
         for (int i = 0; i < TDMF_RETURN_MAP_SEEDS; ++i) {
-            derivatives_of(&stride.by_parameter[i], derivatives[k + i]);
+            derivatives_of(&stride.variations[TDMF_SECTION_COUNT + i], derivatives[k + i]);
         }
     }
 }
