@@ -24,6 +24,9 @@ REPLACED = {
         most_strides most_change most_drop least_sum least_height most_change_in_layer most_growth_in_layer
         tdmf_least_sine least_normal least_room most_events PIECES_IN_A_CALL
         TDMF_NOTED_SERIES tdmf_notes_strides tdmf_runner_note_step note_found note_remainder crowd
+        tdmf_change tdmf_direction tdmf_direction_of tdmf_tangent tdmf_tangent_along tdmf_stride_change
+        tdmf_classic_change tdmf_reduced_change tdmf_reduced_return tdmf_reduced_orbit tdmf_reduced_outcome
+        TDMF_RETURN_CHANGES TDMF_REDUCED_CHANGES by_section by_parameter bundle
         unit_settings unit_work unit_view unit_variable unit_variables unit_reset unit_start unit_prepare
     """,
     ("c_core",): """
