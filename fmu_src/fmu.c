@@ -275,7 +275,7 @@ static tdmf_outcome advance_through_event(fmu *fmu, double until, const fmu_mark
     return outcome;
 }
 
-/* Up to when an event that is due at `time` is seen to be: a little after its guard's zero. */
+/* An event that is due at `time` is seen to be due up to here: a little after its guard's zero. */
 static double time_seen_due(const fmu *fmu, double time) {
     const double after = fmax(2.0 * fmu->event_lead, 1e-10 * fmu->model.scales.time);
     return fmax(time + after, nextafter(time, INFINITY));

@@ -106,7 +106,7 @@ void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]);
 /* Typical magnitudes of the states, from the parameters; importers make absolute tolerances of them. */
 void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]);
 
-/* To be called before an input may jump. */
+/* This is to be called before an input may jump. */
 void fmu_observe(fmu *fmu);
 
 /* Model Exchange: leg.extension has no rate, and may change between events all the same. An update accounts

@@ -12,8 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Beyond whatever is added up along a run of states below fmu_largest_state, and far enough from overflow
- * for differences and products. */
+/* This is beyond whatever is added up along a run of states below fmu_largest_state, and far enough from
+ * overflow for differences and products. */
 static const double largest_sum = 1e200;
 
 /* What a counter of 64 bits starts from at the most: no run comes near its end from there. */
@@ -293,7 +293,7 @@ static void pass_variables(transfer *bytes, fmu *fmu, unsigned storages) {
     }
 }
 
-/* Of an input that changes at events only it is 0. */
+/* The rate of an input that changes at events only is 0. */
 static void pass_rate(transfer *bytes, fmu *fmu, const fmu_variable *input) {
     const double largest = input->variability == VARIABILITY_CONTINUOUS ? DBL_MAX : 0.0;
     double rate = fmu_get_number_rate(fmu, input);

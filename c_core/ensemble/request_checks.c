@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Beyond it sums of products would not be finite. */
+/* Beyond this, sums of products would not be finite. */
 static const double largest = 1e100;
 
 static bool is_moderate(double value) {
@@ -22,7 +22,7 @@ static bool has(const int *settings, int count, int setting) {
     return false;
 }
 
-/* Of no elements an array may be absent. */
+/* An array of no elements may be absent. */
 static bool is_array(const void *elements, int64_t count) {
     return count == 0 || (count > 0 && elements != NULL);
 }

@@ -211,7 +211,7 @@ void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
     }
 }
 
-/* Of the ground force at an event. */
+/* Records the ground force at an event. */
 static void observe(tdmf_runner *runner) {
     tdmf_motion *motion = &runner->motion;
     if (tdmf_records_strides(runner->ensemble)) {

@@ -100,13 +100,13 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guar
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);
 
-/* At the apex at which a stride has closed. False where the run has ended. */
+/* Is called at the apex at which a stride has closed. Returns false where the run has ended. */
 bool tdmf_runner_close_stride(tdmf_runner *runner);
 
 /* Ends a run that closes no more stride: it fell or takes too long, or the solver cannot follow it. */
 void tdmf_runner_give_up(tdmf_runner *runner, tdmf_fate fate);
 
-/* Of the reduced map: how a stride that does not close ends it. */
+/* Ends a run of the reduced map by a stride that does not close. */
 void tdmf_runner_give_up_reduced(tdmf_runner *runner, tdmf_return_outcome outcome);
 
 #endif

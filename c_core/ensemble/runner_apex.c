@@ -75,8 +75,8 @@ static void set(tdmf_runner *runner) {
 
 /* ---- from an apex on ---------------------------------------------------------------------------------- */
 
-/* From an apex of the reduced map into contact; an apex of the return map is flown on from. False where the
- * run has ended. */
+/* Goes from an apex of the reduced map into contact; from an apex of the return map the runner flies on.
+ * Returns false where the run has ended. */
 static bool leave_apex(tdmf_runner *runner) {
     if (runner->map != TDMF_REDUCED_MAP) {
         return true;
@@ -107,7 +107,7 @@ static bool resolve(tdmf_runner *runner) {
 
 typedef double deviate_of_stride(uint64_t seed, uint64_t runner, uint32_t stride);
 
-/* Of this stride and of those before; numbers of strides before the first wrap. */
+/* Sums the deviates of this stride and of those before; numbers of strides before the first wrap. */
 static double weighted_deviates(const tdmf_runner *runner, deviate_of_stride *deviate, const double *weights,
                                 int count) {
     const uint64_t seed = runner->its_case->rules.seed;
@@ -162,7 +162,7 @@ static void record_beginning(tdmf_runner *runner) {
     }
 }
 
-/* From an apex with the settings of the stride that begins. False where the run has ended. */
+/* Goes on from an apex with the settings of the stride that begins. Returns false where the run has ended. */
 static bool begin_stride(tdmf_runner *runner) {
     const bool is_rough = runner->its_case->rules.roughness != 0.0;
     if (is_rough) {
@@ -182,7 +182,7 @@ static bool begin_stride(tdmf_runner *runner) {
     return !(is_rough || is_set(runner)) || resolve(runner);
 }
 
-/* From the apex at which a stride has closed. False where the run has ended. */
+/* Goes on from the apex at which a stride has closed. Returns false where the run has ended. */
 static bool begin_next_stride(tdmf_runner *runner) {
     if ((is_set(runner) || runner->its_case->rules.roughness != 0.0) && !is_above_ground(runner)) {
         return false;
@@ -198,7 +198,7 @@ static bool begin_next_stride(tdmf_runner *runner) {
 
 /* ---- where a run begins ------------------------------------------------------------------------------- */
 
-/* At the apex that a runner starts from. False where it is none. */
+/* Puts the motion at the apex that a runner starts from. Returns false where it is none. */
 static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT]) {
     const tdmf_model *model = runner->model;
     tdmf_motion *motion = &runner->motion;
@@ -289,7 +289,7 @@ static void record_apex(tdmf_runner *runner) {
     end->word_code = record->stride.word_code;
 }
 
-/* Of the stride that has closed between these ends. */
+/* Records the stride that has closed between these ends. */
 static void record_stride(const tdmf_runner *runner, const tdmf_ensemble_end *before,
                           tdmf_ensemble_stride *record) {
     const tdmf_ensemble_end *end = runner->end;

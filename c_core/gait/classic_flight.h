@@ -28,15 +28,15 @@ typedef struct {
 /* The ground through the foot. */
 tdmf_ground_line tdmf_classic_ground(const tdmf_classic *slip);
 
-/* From an apex to touchdown: TDMF_CLASSIC_FLIES where it gets there, TDMF_CLASSIC_NO_START where it cannot
- * begin, TDMF_CLASSIC_FALLS where the mass comes down before the foot. */
+/* Flies from an apex to touchdown. Returns TDMF_CLASSIC_FLIES where it gets there, TDMF_CLASSIC_NO_START
+ * where it cannot begin, TDMF_CLASSIC_FALLS where the mass comes down before the foot. */
 tdmf_classic_outcome tdmf_classic_land(const tdmf_classic *slip, double energy, double height,
                                        tdmf_classic_standing *standing);
 
 /* Friction that the impact of an infinitesimal foot mass needs to stick (5). */
 double tdmf_classic_impact_friction(const tdmf_classic *slip, tdmf_classic_point touchdown);
 
-/* From take-off to the next apex. */
+/* Flies from take-off to the next apex. */
 void tdmf_classic_fly(const tdmf_classic *slip, const tdmf_classic_standing *standing,
                       tdmf_classic_step *step);
 

@@ -17,7 +17,7 @@ enum { ORDER = 20, STEP_LIMIT = 100000, ITERATION_LIMIT = 60 };
 
 static const double tolerance = 1e-15;
 
-/* Beyond which a guard counts as crossed, of its scale. */
+/* A guard counts as crossed beyond this, in its scale. */
 static const double beyond = -1e-14;
 
 typedef struct {
@@ -219,7 +219,7 @@ static stance_end run_stance(const tdmf_classic *slip, double until, stance *run
     return HITS_GROUND;
 }
 
-/* From an apex to touchdown; see tdmf_classic_land. */
+/* Flies from an apex to touchdown; see tdmf_classic_land. */
 static tdmf_classic_outcome touch_down(const tdmf_classic *slip, double energy, double height, stance *run) {
     const tdmf_classic_outcome landed = tdmf_classic_land(slip, energy, height, &run->standing);
     if (landed == TDMF_CLASSIC_FLIES) {

@@ -47,7 +47,8 @@ static complex_number scaled(double factor, complex_number z) {
     return of_parts(factor * z.re, factor * z.im);
 }
 
-/* With the real part that is not negative. The smaller part follows from the larger, without cancellation. */
+/* Gives the root whose real part is not negative. The smaller part follows from the larger, without
+ * cancellation. */
 static complex_number square_root(complex_number z) {
     const double larger = sqrt(0.5 * (modulus(z) + fabs(z.re)));
     if (!(larger > 0.0)) {
@@ -72,7 +73,7 @@ static rotation rotation_of(complex_number a, complex_number b) {
     return norm > 0.0 ? made : none;
 }
 
-/* In the columns from `from` to before `to`. */
+/* Turns two rows in the columns from `from` to before `to`. */
 static void turn_rows(matrix_rows h, int i, int k, int from, int to, rotation r) {
     for (int j = from; j < to; ++j) {
         const complex_number a = h[i][j], b = h[k][j];

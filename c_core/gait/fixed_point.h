@@ -35,7 +35,7 @@ typedef struct {
     int slot;                         /* of its evaluation */
 } tdmf_fixed_point;
 
-/* From a guess, down to rounding. Steps that make the error larger are shortened. */
+/* Searches from a guess, down to rounding. Steps that make the error larger are shortened. */
 tdmf_fixed_point tdmf_find_fixed_point(const tdmf_map *map, const double *guess);
 
 #endif

@@ -28,7 +28,7 @@ static void open_variations(stride_variations *along, const tdmf_seed *seeds, in
     }
 }
 
-/* From the apex through the impact. */
+/* Takes the variations from the apex through the impact. */
 static void touch_down(stride_variations *along, const tdmf_model *model, const tdmf_inputs *inputs,
                        tdmf_point apex, const tdmf_motion *motion, const tdmf_event_state *before) {
     tdmf_event_state after = {.mode = motion->mode,
@@ -48,7 +48,7 @@ static void touch_down(stride_variations *along, const tdmf_model *model, const 
     }
 }
 
-/* From lift-off, the state given, to the next apex. */
+/* Takes a variation from lift-off, the state given, to the next apex. */
 static tdmf_stride_variation fly(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT],
                                  const tdmf_seed *seed, const tdmf_variation *variation) {
@@ -83,7 +83,7 @@ typedef struct {
     stride_variations along;
 } run;
 
-/* Less what the external force has given: over a flight it is kept. */
+/* The energy less what the external force has given is kept over a flight. */
 static double energy_of(const run *run, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     return tdmf_mechanical_energy(run->model, run->inputs, mode, state).total -
            state[TDMF_ENERGY_EXTERNAL_WORK];
@@ -96,7 +96,7 @@ static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard
     tdmf_log_event(log, &event);
 }
 
-/* From the apex into contact. */
+/* Goes from the apex into contact. */
 static tdmf_return_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until,
                                    tdmf_event_log *log) {
     const tdmf_return_outcome begun = tdmf_reduced_begin(run->model, run->inputs, apex, &run->motion);

@@ -11,15 +11,16 @@
 tdmf_return_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
                                        const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion);
 
-/* At an apex, with other settings: places leg and ground as these have them. */
+/* Sets leg and ground at an apex anew, as other settings have them. */
 void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
 
-/* From an apex through the impact into contact. TDMF_RETURN_CLOSED where the foot is loaded then. `before`
- * becomes the runner before the impact; it may be NULL. */
+/* Goes from an apex through the impact into contact. Returns TDMF_RETURN_CLOSED where the foot is loaded
+ * then. `before` becomes the runner before the impact; it may be NULL. */
 tdmf_return_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
                                             tdmf_motion *motion, tdmf_event_state *before);
 
-/* From lift-off to the next apex, which closes the stride. TDMF_RETURN_CLOSED where there is one. */
+/* Flies from lift-off to the next apex, which closes the stride. Returns TDMF_RETURN_CLOSED where there is
+ * one. */
 tdmf_return_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
 
 #endif

@@ -50,7 +50,7 @@ void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *grou
     memcpy(section, coordinates, sizeof coordinates);
 }
 
-/* Of the map above, which has made `state`, along a direction on the section and in masses and ground. */
+/* Varies the map above, which has made `state`, along a seed on the section and in masses and ground. */
 static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *ground,
                                const double state[TDMF_STATE_COUNT],
                                const double d_section[TDMF_SECTION_COUNT], const tdmf_local_seed *d,

@@ -43,7 +43,7 @@ typedef struct {
     int order;
 } guard_series;
 
-/* For a step whose size and powers are set. */
+/* Begins the search of a step whose size and powers are set. */
 static inline void begin_search(event_search *search, int order, mask live, real beyond_margin) {
     search->order = order;
     search->live = live;

@@ -71,7 +71,7 @@ static inline real flight_work(const flight_constants *c, const flight_coordinat
         work -= law->rate_gain * integral_to(f->rate_square, elapsed, order - 1);
     }
     if (any(mask_not(law->torque_rate == 0.0))) {
-        /* By parts: the integral of t w. */
+        /* The integral of t w is taken by parts. */
         const real t = elapsed->power[1];
         work += law->torque_rate * (t * (start->leg.angle + turned) - integral_to(f->angle, elapsed, order));
     }

@@ -17,11 +17,11 @@ typedef struct {
     real growth_rate; /* kappa/f_n */
 } friction_layer;
 
-/* In v_s: e^-60 is 1e-26. */
+/* The width is in v_s: e^-60 is 1e-26. */
 static const double layer_width = 60.0;
 
-/* In a step, of the speed in v_s, and of its time in 1/kappa: an exponential's series of the least order that
- * steps have is as good as their tolerance up to there. */
+/* A step changes the speed, in v_s, by no more than this, and lasts no longer, in 1/kappa: up to there an
+ * exponential's series of the least order that steps have is as good as their tolerance. */
 static const double max_change_in_layer = 3.0, max_growth_in_layer = 3.0;
 
 /* The size of a step that its series may be trusted for, or less. */

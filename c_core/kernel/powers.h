@@ -7,7 +7,8 @@
 
 #include <float.h>
 
-/* By halves, because each product waits for its factors; one more than asked for where `order` is even. */
+/* Powers are made by halves, because each product waits for its factors; there is one more than asked for
+ * where `order` is even. */
 static inline void set_powers(real power[SERIES_TERMS], real t, int order) {
     power[0] = broadcast(1.0);
     power[1] = t;

@@ -51,12 +51,12 @@ KERNEL real square_of(int k, real half_inner, const real *a) {
     return k == 0 ? a[0] * a[0] : 2.0 * (half_inner + a[0] * a[k]);
 }
 
-/* Of q, where q b = p, up to k - 1. */
+/* Gives coefficient k of q, where q b = p; the coefficients up to k - 1 are known. */
 KERNEL real quotient_of(int k, real inner, real p, const real *q, const real *b, real inverse_b) {
     return k == 0 ? p * inverse_b : (p - inner - q[0] * b[k]) * inverse_b;
 }
 
-/* Of q, where q q = p; coefficient 0 stands already. */
+/* Gives coefficient k of q, where q q = p; coefficient 0 is known. */
 KERNEL real root_of(int k, real half_inner, real p, const real *q, real inverse_q) {
     return k == 0 ? q[0] : (0.5 * p - half_inner) * inverse_q;
 }
@@ -72,7 +72,7 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
     return sum;
 }
 
-/* Of sin(a) and cos(a), by themselves up to k - 1 and the rate of a. */
+/* Writes coefficient k of sin(a) and cos(a), which follows from those up to k - 1 and the rate of a. */
 static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
     real sum_with_cosine = broadcast(0.0), sum_with_sine = broadcast(0.0);
     if (k == 0) {
@@ -87,7 +87,7 @@ static inline void turn_by(int k, const real *a, const real *rate, real *sine, r
     cosine[k] = -sum_with_sine * series_reciprocal[k];
 }
 
-/* Of exp(a), by itself up to k - 1. */
+/* Gives coefficient k of exp(a), which follows from those up to k - 1. */
 static inline real exp_of(int k, const real *a, const real *exponential) {
     return k == 0 ? real_exp(a[0]) : product_with_rate(a, exponential, k) * series_reciprocal[k];
 }

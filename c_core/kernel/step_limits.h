@@ -34,7 +34,7 @@ static inline mask takes_too_many_steps(const step_count *steps, real time_scale
     return (steps->in_span >= (double)TDMF_STIFFNESS_LIMIT) & mask_not(span_is_over(steps, time_scale));
 }
 
-/* By the longest step that a law allows. */
+/* The longest step that a law allows tells whether its runner is too stiff. */
 static inline mask opens_too_stiff(real longest, real ahead) {
     return (double)TDMF_STIFFNESS_LIMIT * longest < ahead;
 }

@@ -58,7 +58,7 @@ static inline tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_
     return tdmf_evaluate_leg(model, inputs, mode, state, &leg);
 }
 
-/* Of the ground on the foot, and its change. */
+/* The vertical component of a force of the ground on the foot, and its variation. */
 static inline double tdmf_vertical_force(const tdmf_ground_line *line, tdmf_ground_force force) {
     return tdmf_vector_on(line, force.tangential, force.normal).y;
 }

@@ -37,7 +37,7 @@ double tdmf_vary_armed_graze_to_flight(const tdmf_evaluation *at, const tdmf_eva
 
 /* ---- what becomes of the foot ------------------------------------------------------------------------- */
 
-/* Of an upright leg, on whose foot no torque has a lever: where it carries nothing, what it is about to carry
+/* No torque has a lever on the foot of an upright leg: where it carries nothing, what it is about to carry
  * decides. */
 static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_ground, double normal_force) {
     if (fabs(normal_force) <= TDMF_GUARD_MARGIN * off_ground->model->scales.force) {

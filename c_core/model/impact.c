@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* To which side the foot slips, and whether friction holds it. */
+/* An impact is told apart by the side to which the foot slips, and by whether friction holds it. */
 typedef struct {
     double sign;
     bool sticks;

@@ -37,7 +37,7 @@ static inline double tdmf_margin_factor(int false_crossings) {
  * of a foot from a ground that waits to be in force. */
 #define TDMF_AT_GROUND 1e-12
 
-/* Of a centre of mass that rises. */
+/* The apex has a margin of its own, for a centre of mass that rises. */
 #define TDMF_APEX_MARGIN (1e-3 * TDMF_GUARD_MARGIN)
 
 /* A start in flight with a vertical velocity of the centre of mass up to this is an apex. */

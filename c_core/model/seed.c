@@ -1,4 +1,4 @@
-/* Directions of differentiation. */
+/* Seeds, along which variations are taken. */
 #include "seed.h"
 
 tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,

@@ -1,5 +1,4 @@
-/* A direction in all that a runner's motion depends on: changes per unit of it, in the shapes of what
- * changes. */
+/* A seed in all that a runner's motion depends on at an instant: it has the shapes of what it varies. */
 #ifndef TDMF_MODEL_SEED_H
 #define TDMF_MODEL_SEED_H
 
@@ -14,14 +13,14 @@ typedef struct {
     const double *state;
 } tdmf_local_seed;
 
-/* Changes of the parameters and of all constants that are derived from them. */
+/* Varies the parameters and all constants that are derived from them. */
 tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed);
 
 /* Either may be NULL: it does not change. The variation's state is not copied. */
 tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,
                                    const tdmf_variation *variation);
 
-/* Along the motion, while the inputs are held. The derivatives are not copied. */
+/* Gives the seed along the motion, while the inputs are constant. The derivatives are not copied. */
 tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]);
 
 #endif

@@ -34,7 +34,7 @@ static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
     return accepted;
 }
 
-/* Up to which a distance from the ground counts as none. */
+/* A distance from the ground counts as none up to this. */
 static double ground_tolerance(const tdmf_model *model, const tdmf_ground_line *ground, double x) {
     return TDMF_AT_GROUND * model->scales.length + tdmf_rounding_of_height(ground, x);
 }
@@ -164,7 +164,7 @@ tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, doub
     return refusal;
 }
 
-/* Of a leg that thrusts from the start on. */
+/* Varies the work of a leg that thrusts from the start on. */
 static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
                             const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
                             const tdmf_local_seed *d, double d_length) {

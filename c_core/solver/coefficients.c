@@ -44,7 +44,7 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
     return coefficients;
 }
 
-/* Of the law of stance, or in graze of the torque from outside. */
+/* Varies the law of stance, or in graze the torque from outside. */
 static tdmf_hip_law vary_law_on_ground(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                        const tdmf_local_seed *d) {
     const tdmf_inputs *inputs = &equations->inputs, *zero = &tdmf_zero_input_rates;

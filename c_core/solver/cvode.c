@@ -191,7 +191,7 @@ static bool take_events(workspace *space, problem *problem) {
     return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS;
 }
 
-/* Up to which the work of the leg has been integrated. */
+/* Sets the rest length up to which the work of the leg has been integrated. */
 static void update_rest_length(const problem *problem) {
     tdmf_motion *motion = problem->motion;
     const double elapsed = tdmf_time_between(problem->start, motion->record.now);

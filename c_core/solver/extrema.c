@@ -1,4 +1,4 @@
-/* Turns that are no events. */
+/* Finds extrema that are no events. */
 #include "extrema.h"
 
 #include "first_root.h"
@@ -47,7 +47,7 @@ static bool keep_sign(partial_sums sums) {
     return sums.minimum > 0.0 || sums.maximum < 0.0;
 }
 
-/* Of a series and of its derivative, times the size of the step. */
+/* Partial sums of a series and of its derivative are taken times the size of the step. */
 typedef struct {
     partial_sums value, rate;
 } series_sums;
@@ -111,7 +111,7 @@ static void write_vertical_force(const tdmf_step *step, double series[SERIES_TER
     }
 }
 
-/* On level ground both are one. */
+/* On level ground both forces are one. */
 tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode *mode) {
     tdmf_force_peaks peaks;
     peaks.normal = largest_peak(step, step->series.ground.normal_force, end, &mode->ground_force_rising);
@@ -180,7 +180,7 @@ static void add_factor(changing_factors *changing, const factor *f, double end) 
     changing->of[changing->count++].is_monotone = is_monotone;
 }
 
-/* By what it makes of the momentum. */
+/* The torque follows from what it makes of the momentum. */
 static factor torque_in_flight(const tdmf_step *step, double zero) {
     const flight_series *flight = &step->series.flight;
     factor f = derivative_of(step, flight->momentum, step->order, zero);

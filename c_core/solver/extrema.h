@@ -22,9 +22,8 @@ tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode
 /* Whether the leg lengthens at some time in the step up to `end`. On the ground only. */
 bool tdmf_leg_lengthens(const tdmf_step *step, double end);
 
-/* Of the hip's work since the start of the step, what is done up to `end` at positive power; all of it is
- * `total`.
- */
+/* Gives the part of the hip's work since the start of the step that is done up to `end` at positive power;
+ * all of it is `total`. */
 double tdmf_positive_work(const tdmf_step *step, double end, double total);
 
 /* Parts of a step. */

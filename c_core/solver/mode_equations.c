@@ -1,4 +1,4 @@
-/* From state to coordinates and back. */
+/* Turns states into the coordinates of a mode and back. */
 #include "mode_equations.h"
 
 #include "friction.h"
@@ -158,7 +158,8 @@ static tdmf_leg_direction write_standing_leg(const tdmf_mode_equations *equation
     return tdmf_leg_direction_of(state);
 }
 
-/* By parts: the force by the body's way, less what the force has gained along it. */
+/* The work is integrated by parts: it is the force by the body's way, less what the force has gained along
+ * it. */
 static double external_work(const tdmf_mode_equations *equations, double elapsed,
                             const tdmf_mode_coordinates *at, const double state[TDMF_STATE_COUNT],
                             tdmf_leg_direction direction) {

@@ -300,7 +300,8 @@ static bool are_finite(const tdmf_mode_coordinates *c) {
     return is_finite(sum);
 }
 
-/* By the law of a mode that is opened. Slip and graze may be over before it matters. */
+/* The law of a mode that is opened tells whether it is too stiff. Slip and graze may be over before it
+ * matters. */
 static bool mode_is_too_stiff(const integration *integration) {
     const tdmf_contact_mode contact = integration->equations.contact;
     const bool lasts = contact == TDMF_CONTACT_FLIGHT || contact == TDMF_CONTACT_STICK;

@@ -1,4 +1,4 @@
-/* In place of cvode.c where SUNDIALS is missing. */
+/* This file stands in for cvode.c where SUNDIALS is missing. */
 #include "tdmf_slip/cvode.h"
 
 bool tdmf_cvode_is_available(void) {

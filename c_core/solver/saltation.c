@@ -44,7 +44,7 @@ static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at
     return event->vary_guard(at, &d_at);
 }
 
-/* By how much the event shifts in time. */
+/* Gives the time by which the event shifts. */
 static double time_shift(const tdmf_event_kind *event, const tdmf_model *model, const tdmf_inputs *inputs,
                          const tdmf_event_state *before, const tdmf_local_seed *d) {
     const tdmf_evaluation at = tdmf_evaluate(model, inputs, &before->mode, before->state);
@@ -102,7 +102,7 @@ static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const
     }
 }
 
-/* Of the path along the ground up to the foot's place. */
+/* Varies the path along the ground up to the foot. */
 static double vary_path(const tdmf_event_state *at, const tdmf_local_seed *d) {
     return tdmf_vary_path_to(&at->mode.ground, at->state[TDMF_FOOT_X], &d->mode.ground,
                              d->state[TDMF_FOOT_X]);

@@ -112,7 +112,7 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
                  step->tolerance);
 }
 
-/* By the weights of the largest friction in the step. */
+/* Weighs the cone by the largest friction in the step. */
 static void weigh_cone(ground_constants *c, const tdmf_mode_equations *equations, double size) {
     const double friction = equations->static_friction, rate = equations->static_friction_rate;
     if (rate != 0.0) {

@@ -43,7 +43,7 @@ ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
     return com;
 }
 
-/* Of the centre of mass: its weight, less what pushes it up. */
+/* The gravity of the centre of mass is its weight less what pushes it up. */
 static void set_forcing(const tdmf_mode_equations *equations, flight_constants *constants) {
     const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     constants->mode.gravity = -acceleration.y;

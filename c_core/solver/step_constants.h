@@ -15,7 +15,7 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
 ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor);
 
-/* Of a foot that slips, where friction falls with speed. */
+/* Gives the layer of a foot that slips, where friction falls with speed. */
 friction_layer tdmf_step_friction_layer(const tdmf_mode_equations *equations);
 
 flight_coordinates tdmf_step_flight_coordinates(const tdmf_mode_coordinates *at);

@@ -84,8 +84,8 @@ static void record_height(tdmf_measured *measured, const tdmf_measured_step *alo
 
 typedef void record_extremum(tdmf_measured *measured, const tdmf_measured_step *along, double t);
 
-/* At each zero of a rate, a series in time, and at the end of a step that is no event; its start was an end.
- */
+/* Records at each zero of a rate, a series in time, and at the end of a step that is no event; its start was
+ * an end. */
 static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
                            int order, record_extremum *record) {
     const tdmf_step *step = along->step;
@@ -154,7 +154,7 @@ static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *alon
 
 /* ---- integrals along a step --------------------------------------------------------------------------- */
 
-/* By the law in flight. */
+/* Expands the torque of the law in flight. */
 static void expand_torque_in_flight(const tdmf_step *step, double torque[SERIES_TERMS]) {
     const signed_law law = tdmf_signed_law(&step->equations->law, 1.0);
     expand_torque(&law, step->series.flight.angle, step->series.flight.angle_rate, step->order - 1, torque);

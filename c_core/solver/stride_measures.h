@@ -27,19 +27,20 @@ typedef struct {
 /* How far the foot's height may be trusted to be known along a step in flight; else infinity. */
 double tdmf_measures_trust(const tdmf_step *step);
 
-/* At the apex where a stride begins. */
+/* Begins to measure at the apex where a stride begins. */
 void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const tdmf_motion *motion,
                         const tdmf_seed *seeds, const tdmf_variation *variations, int count);
 
-/* Along a step that has been looked through for its end. */
+/* Measures along a step that has been searched for its end. */
 void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along);
 
-/* At an event, with what each variation is there. */
+/* Measures at an event, with what each variation is there. */
 void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
                         const tdmf_event_state *before, const tdmf_event_state *after, const tdmf_seed *seeds,
                         const tdmf_met_event *met, int count);
 
-/* At the apex where the stride closes; the variation of that number meets it later by `shift`. */
+/* Ends the measures at the apex where the stride closes; the variation of that number meets it later by
+ * `shift`. */
 void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion);
 void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_model *model,
                             const tdmf_inputs *inputs, const tdmf_motion *motion,

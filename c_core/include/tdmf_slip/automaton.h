@@ -15,7 +15,8 @@
 extern "C" {
 #endif
 
-/* In units of the guarded quantity's scale: far above rounding, far below any solver's tolerance. */
+/* The margin is in units of the guarded quantity's scale: far above rounding, far below any solver's
+ * tolerance. */
 #define TDMF_GUARD_MARGIN 1e-13
 
 /* What the transitions taken have changed. */

@@ -19,7 +19,7 @@ typedef struct {
     double total;     /* J */
 } tdmf_energy;
 
-/* Of body, foot and spring; inputs and mode tell the spring's rest length. */
+/* Sums the energies of body, foot and spring; inputs and mode determine the spring's rest length. */
 TDMF_API tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const tdmf_inputs *inputs,
                                             const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 

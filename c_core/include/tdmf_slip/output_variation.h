@@ -15,9 +15,7 @@
 extern "C" {
 #endif
 
-/* Changes of everything that follows continuously from state, inputs and parameters, per unit of the
- * direction.
- */
+/* How everything that follows continuously from state, inputs and parameters varies, per unit of the seed. */
 typedef struct {
     double derivatives[TDMF_STATE_COUNT]; /* of the right-hand side */
     tdmf_point body, com;                 /* of body and centre of mass */

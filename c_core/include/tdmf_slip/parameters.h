@@ -1,4 +1,4 @@
-/* What is given: the runner's parameters, the two inputs, and the model made of them. */
+/* A runner is given by its parameters and inputs; the model is made of the parameters. */
 #ifndef TDMF_SLIP_PARAMETERS_H
 #define TDMF_SLIP_PARAMETERS_H
 

@@ -104,7 +104,7 @@ static void enter(tdmf_run *run, tdmf_contact_mode entered, const tdmf_mode *off
     leave_ground(run, entered, off_ground->phase);
 }
 
-/* Under the stance law of a drive. */
+/* Gives the acceleration that the leg's angle would have under the stance law of a drive. */
 static double angle_acceleration_in_drive(const tdmf_run *run) {
     tdmf_mode driven = *run->mode;
     tdmf_run trial = *run;

@@ -22,7 +22,8 @@ void tdmf_load_foot(tdmf_run *run);
 /* A foot in contact is loaded no more: flight or graze. */
 void tdmf_unload_foot(tdmf_run *run);
 
-/* Of a foot at rest: stick if friction can hold it, else slip the way the excess force drives it. */
+/* Gives the mode of a loaded foot at rest: stick if friction can hold it, else slip the way the excess force
+ * drives it. */
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run);
 
 /* Whether an event, an impact or not, has latched theta_LO: a contact or an impact is left. */
