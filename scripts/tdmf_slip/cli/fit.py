@@ -7,11 +7,9 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_place
-from ..fitting.calibration import MOST_DATA_SETS
 from ..fitting.fitted import MOST_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
-from ..library.rough_ground import LAST_SEED
 from ..terminal.text import table
 from ..unit.unit import load_fmu
 from .options import (
@@ -62,22 +60,6 @@ from .runner import runner_of
     "--linear", is_flag=True, help="Intervals by slopes alone instead of the profile likelihood: quicker."
 )
 @click.option(
-    "--calibrate",
-    type=Number(0, MOST_DATA_SETS, whole=True),
-    default=0,
-    show_default=True,
-    metavar="N",
-    help="Data sets made by the fitted runner, 40 as a rule, by which intervals of weak data are made wider.",
-)
-@click.option(
-    "--seed",
-    type=Number(0, LAST_SEED, whole=True),
-    default=1,
-    show_default=True,
-    metavar="K",
-    help="Of the errors of --calibrate.",
-)
-@click.option(
     "--starts",
     type=Number(1, MOST_STARTS, whole=True),
     default=STARTS,
@@ -109,8 +91,6 @@ def fit_command(
     robust: bool,
     scale_errors: bool,
     linear: bool,
-    calibrate: int,
-    seed: int,
     starts: int,
     without_each: bool,
     friction: float | None,
@@ -151,8 +131,6 @@ def fit_command(
         robust=robust,
         scale_errors=scale_errors,
         profile=not linear,
-        calibrate=calibrate,
-        seed=seed,
         starts=starts,
         progress=True,
         fmu=fmu,

@@ -7,18 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from .calibration import Calibration
 from .identifiability import Identified, identified
 from .measurements import Measurements
 from .problem import FIRST_STEP, MOST_STRIDES, Problem, bounds_of
 from .profile import End, Profile
 from .request import Request
 from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Residual
-from .search import Bounds, Ended, is_stationary, weights_of
+from .search import Ended, is_stationary, weights_of
 from .unknowns import Parameter
 
-_Interval = tuple[float, float, str, float]
-"""Both ends of a profiled one in the parameter's unit, what it ends at, and the rise there."""
 FAR_OFF = 1e4
 """Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""
 
@@ -109,48 +106,38 @@ class Conclusion:
             notes=(*self._notes(), *trouble),
         )
 
-    def _intervals(self, known: Identified) -> tuple[list[_Interval | None], list[str]]:
+    def _intervals(self, known: Identified) -> tuple[list[tuple[float, float, str] | None], list[str]]:
         """Ends of those that are by the profile likelihood, in the parameters' units; and what came of it."""
         problem, names = self.problem, self.request.profiled
-        found: list[_Interval | None] = [None] * len(problem.parameters)
+        found: list[tuple[float, float, str] | None] = [None] * len(problem.parameters)
         wanted = [k for k, of in enumerate(problem.parameters) if of.name in names and known.told[k]]
         if not wanted or not self.converged:
             return found, []
-        bounds = bounds_of(problem, self.request.ranges)
-        factors, noted = self._calibrated(wanted, bounds)
         problem.grant()
-        profile = Profile(problem, self.found, bounds, self.request.robust, known.covariance / FIRST_STEP**2)
-        linear = []
-        for k, factor in zip(wanted, factors, strict=True):
+        profile = Profile(
+            problem,
+            self.found,
+            bounds_of(problem, self.request.ranges),
+            self.request.robust,
+            known.covariance / FIRST_STEP**2,
+            self.quantile**2,
+        )
+        linear, noted = [], []
+        for k in wanted:
             try:
-                ends = profile.interval(k, rise := self.quantile**2 * float(factor))
+                ends = profile.interval(k)
             except RunError:
                 linear.append(problem.parameters[k].label)
                 continue
             if problem.is_spent:
                 linear += [problem.parameters[other].label for other in wanted if other >= k]
                 break
-            found[k] = (*self._in_units(k, ends), rise)
+            found[k] = self._in_units(k, ends)
             if any(end.why == "gaits" for end in ends):
                 noted.append(f"the interval of {problem.parameters[k].label} ends where no gaits are found")
         if linear:
             noted.append(f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}")
         return found, noted
-
-    def _calibrated(self, wanted: list[int], bounds: Bounds) -> tuple[NDArray[np.float64], list[str]]:
-        """By how much the rise at the ends of these intervals is more than that of chi square."""
-        request = self.request
-        if not request.calibrate:
-            return np.ones(len(wanted)), []
-        made = Calibration(self.problem, self.found, bounds, request.robust)
-        factors = made.factors(wanted, request.calibrate, request.seed)
-        told = ", ".join(
-            f"{factor * self.quantile**2:.3g} for {self.problem.parameters[k].label}"
-            for k, factor in zip(wanted, factors, strict=True)
-        )
-        return factors, [
-            f"at the intervals' ends chi square has risen by {told}, by {request.calibrate} data sets"
-        ]
 
     def _in_units(self, number: int, ends: tuple[End, End]) -> tuple[float, float, str]:
         step, begin = self.problem.steps[number], self.problem.begin[number]
@@ -241,13 +228,14 @@ def _estimate(
     value: float,
     spread: float,
     quantile: float,
-    interval: _Interval | None,
+    interval: tuple[float, float, str] | None,
 ) -> Estimate:
     """With its interval, or the linear one."""
-    is_profiled = interval is not None
-    linear = value - quantile * spread, value + quantile * spread, "", quantile**2
-    low, high, ends_at, rise = interval or linear
-    return Estimate(parameter.label, parameter.name, value, spread, low, high, is_profiled, ends_at, rise)
+    if interval is None:
+        low, high, ends_at = value - quantile * spread, value + quantile * spread, ""
+    else:
+        low, high, ends_at = interval
+    return Estimate(parameter.label, parameter.name, value, spread, low, high, interval is not None, ends_at)
 
 
 def _residuals(measurements: Measurements, over_errors: NDArray[np.float64]) -> tuple[Residual, ...]:

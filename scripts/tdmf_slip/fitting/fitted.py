@@ -12,14 +12,12 @@ from ..analysis.search import periodic_gait, runner_by
 from ..checks import checked_whole
 from ..errors import InputError, RunError
 from ..library.gait import Gait, gait_near
-from ..library.rough_ground import LAST_SEED
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .across import cross
-from .calibration import MOST_DATA_SETS
 from .concluded import Conclusion, is_met
 from .kinks import past_kinks
 from .measurements import Measurements, measurements_of
@@ -49,8 +47,6 @@ def fit(
     robust: bool = False,
     scale_errors: bool = False,
     profile: bool | Sequence[str] = True,
-    calibrate: int = 0,
-    seed: int = 1,
     starts: int = STARTS,
     progress: bool = False,
     fmu: Fmu | None = None,
@@ -94,12 +90,6 @@ def fit(
     profile : bool or sequence of str, default True
         Whether intervals are by the profile likelihood; or of which parameters, by name. Others have linear
         ones, which are those of the normal distribution.
-    calibrate : int, default 0
-        So many data sets are made by the fitted runner and normal errors, 40 as a rule, and fitted anew: by
-        their mean likelihood ratio, where it is more than one, the rise at an interval's end is more than
-        3.84. For data that tell a parameter weakly, whose intervals are too narrow otherwise.
-    seed : int, default 1
-        Of the errors of these data sets.
     starts : int, default 1
         How many fits are made at the most, from gaits all over what varies, of which the best counts.
     progress : bool, default False
@@ -152,11 +142,7 @@ def fit(
             name: (loaded.variables[name].minimum, loaded.variables[name].maximum)
             for name in (*shared, *each)
         },
-        calibrate=checked_whole("calibrate", calibrate, 0, MOST_DATA_SETS),
-        seed=checked_whole("seed", seed, 0, LAST_SEED),
     )
-    if scale_errors and calibrate:
-        raise InputError("calibrate: data sets are made with errors that are known; allowed: no scale_errors")
     if scale_errors and request.degrees_of_freedom < 1:
         raise InputError(
             "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "

@@ -56,6 +56,7 @@ class Profile:
         bounds: Bounds,
         robust: bool,
         covariance: NDArray[np.float64],
+        rise: float,
     ) -> None:
         """Whose, around which values.
 
@@ -71,32 +72,21 @@ class Profile:
             As in `search.searched`.
         covariance : ndarray of float
             Of the unknowns, by the linear fit.
+        rise : float
+            Of the loss, at an interval's end.
         """
         self.problem, self.best, self.bounds, self.robust = problem, best, bounds, robust
-        self.covariance, self.root = covariance, np.nan
+        self.covariance, self.root = covariance, float(np.sqrt(rise))
         self._apexes = problem.apexes()
 
-    def interval(self, number: int, rise: float) -> tuple[End, End]:
+    def interval(self, number: int) -> tuple[End, End]:
         """Both ends of the interval of a parameter.
-
-        Parameters
-        ----------
-        number : int
-            Of the parameter.
-        rise : float
-            Of the loss, at the ends.
-
-        Returns
-        -------
-        pair of End
-            The lower and the upper one.
 
         Raises
         ------
         BetterFitError
             The fit was none.
         """
-        self.root = float(np.sqrt(rise))
         low, high = (self._end(number, side) for side in (-1.0, 1.0))
         self.problem.restart(self.best.at, self._apexes)
         return low, high

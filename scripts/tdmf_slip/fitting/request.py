@@ -30,10 +30,6 @@ class Request(ByContents):
     """Fits, at the most, of which the best counts."""
     ranges: Mapping[str, tuple[float, float]]
     """Of the parameters, by name."""
-    calibrate: int = 0
-    """Data sets by which the rise at an interval's end is told; without any it is that of chi square."""
-    seed: int = 1
-    """Of their errors."""
 
     @property
     def degrees_of_freedom(self) -> int:

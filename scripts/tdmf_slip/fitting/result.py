@@ -50,8 +50,6 @@ class Estimate:
     """The interval is by the profile likelihood, else linear."""
     ends_at: str
     """What the interval ends at where it is not the likelihood: `range`, `gaits`, or both; else empty."""
-    rise: float
-    """Of chi square at the interval's ends: 3.84, or as much more as data sets of `fit`'s `calibrate` say."""
 
 
 @dataclass(frozen=True)
@@ -173,7 +171,6 @@ class Fit(ByContents, Drawable):
                     "standard_error": e.standard_error,
                     "profiled": e.is_profiled,
                     "ends_at": e.ends_at or None,
-                    "rise": e.rise,
                 }
                 for e in self.estimates
             },

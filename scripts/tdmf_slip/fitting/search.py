@@ -1,12 +1,13 @@
 """The search for the least sum of squares, or of a loss that a datum far off changes little."""
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
+from .problem import Problem
 
 MOST_STEPS = 60
 """Tries of the search."""
@@ -21,18 +22,6 @@ STATIONARY, ROUNDING = 1e-2, 1e-4
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Least and greatest values of the unknowns."""
-
-
-class Residuals(Protocol):
-    """What is made least."""
-
-    def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Infinite where there are none."""
-        ...
-
-    def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the residuals."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +45,7 @@ class Ended(ByContents):
 
 
 def searched(
-    problem: Residuals,
+    problem: Problem,
     begin: NDArray[np.float64],
     bounds: Bounds,
     robust: bool,
@@ -67,8 +56,8 @@ def searched(
 
     Parameters
     ----------
-    problem : Residuals
-        Whose.
+    problem : Problem
+        Whose residuals.
     begin : ndarray of float
         Unknowns to begin with.
     bounds : pair of ndarray of float
