@@ -120,5 +120,5 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     assert len(apices) == 7
     assert settings[0][viable.ANGLE] > gait.runner.values[viable.ANGLE]
     assert all(law.grade_at(apex) == "viable" for apex in apices)
-    run = tdmf_slip.stride_map(apices[0], viable.RUNNER, strides=6, law=law, tolerance=1e-13)
+    run = tdmf_slip.stride_map(viable.RUNNER, apices[0], strides=6, law=law, tolerance=1e-13)
     assert np.abs((np.array(apices[1:]) - run["next_apex"].values[0]) / gait.runner.scales).max() < 1e-8

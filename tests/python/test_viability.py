@@ -185,7 +185,7 @@ def test_robustness_is_the_share_of_actions_that_are_viable(found):
 def test_the_controller_keeps_runners_up_for_long(found):
     points, _ = random_points(found.grid, np.argwhere(found.inner_states), 300, 3)
     law = found.controller({ANGLE: 0.5})
-    run = tdmf_slip.stride_map(points, found.runner, strides=100, law=law)
+    run = tdmf_slip.stride_map(found.runner, points, strides=100, law=law)
     assert (run["fate"] == 0).all()
     chosen = run[ANGLE].values[:, 0]
     cells = found.grid.cell_of(points)
@@ -194,7 +194,7 @@ def test_the_controller_keeps_runners_up_for_long(found):
     nearest = np.where(viable, np.abs(values - 0.5), np.inf).min(axis=1)
     assert np.allclose(np.abs(chosen - 0.5), nearest, rtol=0, atol=1e-12)
     assert len(np.unique(chosen)) > 5
-    without = tdmf_slip.stride_map(points, found.runner, strides=100, settings={ANGLE: 0.5})
+    without = tdmf_slip.stride_map(found.runner, points, strides=100, inputs={ANGLE: 0.5})
     assert (without["fate"].values[:, -1] != 0).mean() > 0.2
 
 
@@ -225,7 +225,7 @@ def test_a_drop_goes_as_far_as_cells_above_are_viable(found):
 
 def test_a_drop_of_the_ground_adds_to_the_height_of_an_apex(found):
     ground = {"ground.height": [0.0, -0.7]}
-    run = tdmf_slip.stride_map([1.4, 1.0], found.runner, strides=2, settings=ground)
+    run = tdmf_slip.stride_map(found.runner, [1.4, 1.0], strides=2, inputs=ground)
     first, second = run["next_apex"].values[0]
     dropped = next_apices(found.runner, first[None] + [[0.7, 0.0]], {"ground.height": np.zeros(1)})[1][0]
     assert np.allclose(second, dropped, rtol=0, atol=1e-8)

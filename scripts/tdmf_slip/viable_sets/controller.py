@@ -38,7 +38,7 @@ class ViableController(ByContents):
     ... )
     >>> law = found.controller()
     >>> apices = [1.2, 1.0, 1.0, 0.7, 0, 0]
-    >>> run = tdmf_slip.stride_map(apices, runner, strides=20, law=law)
+    >>> run = tdmf_slip.stride_map(runner, apices, strides=20, law=law)
     >>> bool((run["fate"] == 0).all())
     True
     """
