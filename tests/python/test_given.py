@@ -317,3 +317,22 @@ def test_a_missing_or_broken_library_is_told_by_the_command(tmp_path, content):
     assert done.returncode == 2 and done.stdout == ""
     (sentence,) = done.stderr.splitlines()
     assert str(path) in sentence and "install the package with pip" in sentence
+
+
+def test_a_runner_is_given_in_any_of_the_ways(tmp_path):
+    """A preset's name, a file, what is in it, a Runner of it, and its gait are one runner and one gait."""
+    file = tmp_path / "runner.toml"
+    file.write_text('"ground.friction" = 0.43\n"leg.damping" = 0.21\n')
+    values = tdmf_slip.read_parameters(file)
+    gait = tdmf_slip.find_gait(values)
+    for given in (file, str(file), pandas.Series(values), tdmf_slip.Runner.of(values), gait):
+        assert tdmf_slip.find_gait(given).apex == pytest.approx(gait.apex, abs=1e-10)
+        assert tdmf_slip.Runner.of(given) == gait.runner
+    assert tdmf_slip.Runner.of("human") == tdmf_slip.Runner.of(tdmf_slip.read_parameters("human"))
+    assert tdmf_slip.simulate("human", strides=1).final == (
+        tdmf_slip.simulate(tdmf_slip.read_parameters("human"), strides=1).final
+    )
+    run = tdmf_slip.simulate(gait, strides=1)
+    assert run.stride["period"] == pytest.approx(gait.period, rel=1e-6)
+    with pytest.raises(InputError, match="neither a preset"):
+        tdmf_slip.find_gait("nobody")

@@ -1,6 +1,5 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from ..checks import is_one_of, shown
@@ -10,7 +9,6 @@ from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import MODELS, Apex
 from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import Given
 from .continuation import gaits_over
 from .spread import search_from_spread
 
@@ -57,7 +55,7 @@ def model_of(runner: Runner) -> dict[str, str]:
 
 
 def periodic_gait(
-    runner: Runner | Mapping[str, Given] | None = None,
+    runner: object = None,
     guess: Apex | None = None,
     *,
     along: Along | None = None,

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
+from pathlib import Path
 
 import numpy as np
 
@@ -52,7 +53,7 @@ class TargetNotMetError(RunError):
 
 
 def find_gait(
-    runner: Runner | Mapping[str, Given] | None = None,
+    runner: Gait | Runner | Mapping[str, Given] | str | Path | None = None,
     *,
     target: Mapping[str, float] | None = None,
     vary: Sequence[str] = (),
@@ -75,8 +76,9 @@ def find_gait(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
-        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own.
+    runner : Gait, Runner, mapping of str to float, str or Path, optional
+        Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own; the
+        name of a preset or the path of a parameter file; or a gait, whose apex then is the guess.
         Varied parameters begin with the values that they have here.
     target : mapping of str to float, optional
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
@@ -124,6 +126,8 @@ def find_gait(
     >>> round(gait.stride["speed"], 10)
     1.0
     """
+    if isinstance(runner, Gait) and guess is None and model is None:
+        guess = runner.apex
     if target is None and not len(row_of(vary, "vary", NAMES)):
         return periodic_gait(runner, guess, model=model, fmu=fmu)
     wanted = _checked_target(target)

@@ -12,8 +12,8 @@ from ..checks import is_number, is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import mapping_of
+from ..unit.parameters import start_values_of
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex
@@ -46,15 +46,13 @@ class Runner(ByContents):
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 
     @classmethod
-    def of(cls, given: "Runner | Mapping[str, Given] | None" = None, fmu: Fmu | None = None) -> "Runner":
-        """The unit's own start values, and over them those given; a runner is given back as it is.
-
-        What concerns runs of the unit only, as `solver.method` does, is left out.
+    def of(cls, given: object = None, fmu: Fmu | None = None) -> "Runner":
+        """The unit's own start values, and over them those given, without those that concern runs only.
 
         Parameters
         ----------
-        given : Runner or mapping of str to float, optional
-            Start values by the unit's names and in its units.
+        given : Runner, Gait, mapping of str to float, str or Path, optional
+            Start values by the unit's names, a preset's name, a parameter file; of a gait its runner.
         fmu : Fmu, optional
             Whose start values and ranges hold; by default that of `fmu_path`.
 
@@ -66,11 +64,13 @@ class Runner(ByContents):
         Raises
         ------
         InputError
-            Neither a runner nor a mapping, or a name or value that the unit refuses.
+            None of these, or a name or value that the unit refuses.
         """
         if isinstance(given, cls):
             return given
-        by_name = mapping_of(given, "runner", "a Runner, or start values by name")
+        if isinstance(getattr(given, "runner", None), cls):
+            return given.runner  # type: ignore[attr-defined, no-any-return] # a gait, which knows this module
+        by_name = start_values_of(given)
         fmu = load_fmu(fmu)
         checked = fmu.start_values(by_name, "start values")
         names = [n for n, v in fmu.variables.items() if v.settable and v.type == "Real"]

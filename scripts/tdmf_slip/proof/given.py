@@ -64,7 +64,7 @@ def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
         floats = {
             name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
         }
-        found = periodic_gait(floats, fmu=fmu)  # type: ignore[arg-type] # what is no variable is refused there
+        found = periodic_gait(floats, fmu=fmu)
     if found.runner.reduced:
         raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
     if found.following:

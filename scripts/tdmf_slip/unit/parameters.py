@@ -11,7 +11,10 @@ from typing import Any
 
 from ..checks import check_kind, shown
 from ..errors import InputError, reason
+from ..given import mapping_of
 
+RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
+"""What may be given for a runner, in words."""
 MOST_PARTS = 16
 """Of a key, with dots between them; variables have three at the most."""
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*"""
@@ -70,6 +73,34 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
         raise InputError(f"parameters {path}: is nested too deeply; allowed: names with values") from None
     except (OSError, ValueError) as problem:
         raise InputError(f"parameters {path}: {reason(problem)}") from None
+
+
+def start_values_of(runner: object) -> Mapping[str, Any]:
+    """What a runner, given in whatever way, says of start values.
+
+    Parameters
+    ----------
+    runner : object
+        None, a mapping of the unit's names, a Series, a preset's name, a parameter file's path, or a Runner
+        or Gait, which has start values of its own.
+
+    Returns
+    -------
+    mapping of str to float, bool or str
+        By the unit's names.
+
+    Raises
+    ------
+    InputError
+        It is none of these.
+    """
+    if isinstance(runner, str | os.PathLike):
+        return read_parameters(Path(runner) if isinstance(runner, os.PathLike) else runner)
+    for name in ("start_values", "values"):  # of a Gait, and of a Runner
+        own = getattr(runner, name, None)
+        if isinstance(own, Mapping):
+            return own
+    return mapping_of(runner, "runner", RUNNER)
 
 
 def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:

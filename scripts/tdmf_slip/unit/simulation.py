@@ -12,9 +12,10 @@ from ..terminal.progress import progress_bar
 from .events import MODE, PHASE, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
+from .parameters import start_values_of
 from .run import Run
 from .unit import Fmu, load_fmu
-from .variable import Given, Value
+from .variable import Value
 
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
@@ -39,7 +40,7 @@ ONLY_IN: Mapping[str, str] = {
 
 
 def simulate(
-    start_values: Mapping[str, Given] | None = None,
+    runner: object = None,
     *,
     stop_time: float | None = None,
     strides: int | None = None,
@@ -56,8 +57,9 @@ def simulate(
 
     Parameters
     ----------
-    start_values : mapping of str to float, bool or str, optional
-        By variable name, a number in the variable's unit or a text like `40 deg`.
+    runner : Runner, Gait, mapping of str to float, bool or str, str or Path, optional
+        Whose run: start values by variable name, a number in the variable's unit or a text like `40 deg`; the
+        name of a preset or the path of a parameter file; a gait begins at its apex.
     stop_time : float, optional
         Seconds; the run begins at 0.
     strides : int, optional
@@ -101,7 +103,7 @@ def simulate(
     +0- 3 False
     """
     fmu = load_fmu(fmu)
-    starts = fmu.start_values(start_values, "start values")
+    starts = fmu.start_values(start_values_of(runner), "start values")
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
     recorded = _recorded(fmu, variables)
