@@ -75,7 +75,18 @@ def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> s
 
 
 def why_no_return(stride: Return) -> str | None:
-    """What ended a stride, in words to follow in a message; None where it closed."""
+    """What ended a stride, in words to follow in a message; None where it closed.
+
+    Parameters
+    ----------
+    stride : Return
+        That did not close.
+
+    Returns
+    -------
+    str
+        In words.
+    """
     if stride.outcome == c.TDMF_RETURN_CLOSED:
         return None
     if stride.outcome == c.TDMF_RETURN_UNSOLVED:
