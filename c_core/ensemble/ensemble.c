@@ -11,9 +11,13 @@
 
 struct tdmf_starts {
     int64_t next, count;
+    const int *stop;
 };
 
 int64_t tdmf_next_start(tdmf_starts *starts) {
+    if (tdmf_is_raised(starts->stop)) {
+        return -1;
+    }
     const int64_t number = tdmf_take_number(&starts->next);
     return number < starts->count ? number : -1;
 }
@@ -67,7 +71,7 @@ const char *tdmf_instructions_name(tdmf_instructions instructions) {
 static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
                            tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     tdmf_solver solver = tdmf_solver_default();
-    const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
+    const tdmf_ensemble_work none = {0, 0, 0, 0, 0, 0};
     (void)order;
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
@@ -126,7 +130,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         .ensemble = ensemble,
         .integration = runs[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
                                                                              : ensemble->instructions],
-        .starts = {0, ensemble->count},
+        .starts = {0, ensemble->count, ensemble->stop},
         .order = tdmf_step_order(ensemble->relative_tolerance),
         .ends = ends,
         .works = calloc((size_t)threads, sizeof *all.works),
@@ -136,11 +140,12 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
     }
     tdmf_run_in_threads(run_share, &all, threads);
     if (work) {
-        const tdmf_ensemble_work none = {0, 0, 0, 0, 0};
+        const tdmf_ensemble_work none = {0, 0, 0, 0, 0, 0};
         *work = none;
         for (int i = 0; i < threads; ++i) {
             add_work(work, &all.works[i]);
         }
+        work->begun = all.starts.next < ensemble->count ? all.starts.next : ensemble->count;
     }
     free(all.works);
     return true;

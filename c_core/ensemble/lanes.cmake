@@ -5,6 +5,7 @@ find_package(Threads REQUIRED)
 
 set(ensemble_sources ensemble/affine_law.c ensemble/ensemble.c ensemble/normal_deviates.c ensemble/philox.c
     ensemble/processor.c ensemble/request_checks.c ensemble/runner.c ensemble/runner_apex.c ensemble/settings.c
+    ensemble/settled.c
     ensemble/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 

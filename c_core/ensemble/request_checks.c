@@ -133,9 +133,23 @@ static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *en
            are_weights(rules->friction_weights, rules->friction_weight_count);
 }
 
+static bool are_balls(const tdmf_ball *balls, int count) {
+    for (int gait = 0; balls && gait < count; ++gait) {
+        for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+            for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
+                if (!is_moderate(balls[gait].matrix[i][j])) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
 static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
     const tdmf_ensemble_rules *rules = &its_case->rules;
     return its_case->model != NULL && is_array(rules->gaits, rules->gait_count) &&
+           are_balls(rules->balls, rules->gait_count) &&
            (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
 }
 

@@ -6,8 +6,10 @@
 #include "longest_stride.h"
 #include "reduced_stride.h"
 #include "settings.h"
+#include "settled.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/orbit.h"
+#include "threads.h"
 
 #include <math.h>
 #include <string.h>
@@ -226,6 +228,15 @@ static void meet(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t ind
     }
 }
 
+/* On this gait, if it is one. */
+static bool settles(tdmf_runner *runner, int gait) {
+    runner->end->gait = gait;
+    if (gait >= 0) {
+        runner->end->fate = TDMF_FATE_SETTLED;
+    }
+    return gait >= 0;
+}
+
 static bool begin(tdmf_runner *runner) {
     static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
     const double *section = runner->ensemble->starts[runner->index];
@@ -244,7 +255,8 @@ static bool begin(tdmf_runner *runner) {
     }
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     open_stride(runner);
-    return runner->its_case->rules.max_strides > 0 && begin_stride(runner);
+    return runner->its_case->rules.max_strides > 0 && !settles(runner, tdmf_gait_of_ball(runner, section)) &&
+           begin_stride(runner);
 }
 
 /* Where it stood at the end of an earlier call. */
@@ -254,6 +266,7 @@ static bool go_on(tdmf_runner *runner) {
         return false;
     }
     checkpoint->stands = false;
+    runner->end->fate = TDMF_FATE_UNDECIDED;
     runner->motion = checkpoint->motion;
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     runner->inputs.ground.height = checkpoint->ground_height;
@@ -302,24 +315,6 @@ static void record_stride(const tdmf_runner *runner, const tdmf_ensemble_end *be
     record->impact_loss = end->impact_loss - before->impact_loss;
 }
 
-/* The gait that an apex is near, or -1. */
-static int gait_near(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
-    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
-    double scales[TDMF_SECTION_COUNT];
-    const int coordinates = runner->map == TDMF_REDUCED_MAP ? TDMF_REDUCED_COUNT : TDMF_SECTION_COUNT;
-    tdmf_section_scales(runner->model, scales);
-    for (int gait = 0; gait < rules->gait_count; ++gait) {
-        bool is_near = true;
-        for (int i = 0; i < coordinates; ++i) {
-            is_near = is_near && fabs(apex[i] - rules->gaits[gait][i]) <= rules->distance * scales[i];
-        }
-        if (is_near) {
-            return gait;
-        }
-    }
-    return -1;
-}
-
 static void stand(const tdmf_runner *runner) {
     tdmf_ensemble_checkpoint *checkpoints = runner->ensemble->checkpoints;
     if (checkpoints) {
@@ -338,9 +333,12 @@ bool tdmf_runner_close_stride(tdmf_runner *runner) {
     }
     open_stride(runner);
     ++end->strides;
-    end->gait = gait_near(runner, end->apex);
-    if (end->gait >= 0) {
-        end->fate = TDMF_FATE_SETTLED;
+    if (settles(runner, tdmf_gait_reached(runner, end->apex))) {
+        return false;
+    }
+    if (tdmf_is_raised(runner->ensemble->stop)) {
+        tdmf_runner_give_up(runner, TDMF_FATE_STOPPED);
+        stand(runner);
         return false;
     }
     if (end->strides >= runner->its_case->rules.max_strides) {

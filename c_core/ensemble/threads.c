@@ -1,7 +1,6 @@
 /* POSIX threads, or those of Windows. */
 #include "threads.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 typedef struct {
@@ -34,6 +33,10 @@ static void join(thread thread) {
 int64_t tdmf_take_number(int64_t *counter) {
     return InterlockedExchangeAdd64(counter, 1);
 }
+
+bool tdmf_is_raised(const int *flag) {
+    return flag != NULL && *(const volatile int *)flag != 0;
+}
 #else
 #include <pthread.h>
 
@@ -55,6 +58,10 @@ static void join(thread thread) {
 
 int64_t tdmf_take_number(int64_t *counter) {
     return __atomic_fetch_add(counter, 1, __ATOMIC_RELAXED);
+}
+
+bool tdmf_is_raised(const int *flag) {
+    return flag != NULL && __atomic_load_n(flag, __ATOMIC_RELAXED) != 0;
 }
 #endif
 

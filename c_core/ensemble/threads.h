@@ -2,6 +2,7 @@
 #ifndef TDMF_ENSEMBLE_THREADS_H
 #define TDMF_ENSEMBLE_THREADS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef void tdmf_work(void *shared, int number);
@@ -12,5 +13,8 @@ void tdmf_run_in_threads(tdmf_work *work, void *shared, int count);
 
 /* Adds one to a counter that threads share, and returns what it was. */
 int64_t tdmf_take_number(int64_t *counter);
+
+/* Whether a flag, or NULL for none, is no longer 0, which another thread may have set meanwhile. */
+bool tdmf_is_raised(const int *flag);
 
 #endif

@@ -1,5 +1,11 @@
 """What goes wrong, as one clear message each."""
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
 
 class TdmfSlipError(Exception):
     """Base of this package's errors; the command prints it without a traceback."""
@@ -19,6 +25,16 @@ class RunError(TdmfSlipError):
 
 class GaitNotFoundError(RunError):
     """No periodic gait was found; the message says what happened on the way."""
+
+
+class StoppedError(KeyboardInterrupt):
+    """An interrupt from the keyboard ended a run of many: what was complete is kept."""
+
+    def __init__(self, ends: "NDArray[np.void]") -> None:
+        """With what became of each."""
+        super().__init__()
+        self.ends = ends
+        """As `run_ensemble` gives them, of those that had begun: `stopped` is who was not complete."""
 
 
 def reason(problem: Exception) -> str:

@@ -349,6 +349,13 @@ static void runners_below_zero(population *c) {
 static void gaits_without_array(population *c) {
     c->its_case.rules.gait_count = INT_MAX;
 }
+static void balls_without_numbers(population *c) {
+    static const double apex[1][TDMF_SECTION_COUNT];
+    static const tdmf_ball ball = {{{0.0}, {0.0, NAN}}};
+    c->its_case.rules.gaits = apex;
+    c->its_case.rules.gait_count = 1;
+    c->its_case.rules.balls = &ball;
+}
 static void gaits_below_zero(population *c) {
     c->its_case.rules.gait_count = -1;
 }
@@ -413,6 +420,7 @@ static void ensembles_refuse_counts_without_arrays(void **state) {
                            runners_below_zero,
                            gaits_without_array,
                            gaits_below_zero,
+                           balls_without_numbers,
                            notes_below_zero,
                            notes_from_below_zero,
                            goes_on_from_nowhere,

@@ -39,7 +39,7 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
         run = tdmf_slip.simulate(Runner.of({}, unit).state_at(apex), strides=60, tolerance=1e-9)
         assert run.fallen == (slice_["fate"].values[row, column] == 1)
         if run.fallen:
-            assert run.stride["count"] == slice_["strides"].values[row, column]
+            assert run.stride["count"] == slice_["strides_until_known"].values[row, column]
         else:
             assert run.stride["word"] == slice_.attrs["word"]
 
@@ -49,7 +49,9 @@ def test_fates_do_not_depend_on_who_computes_them(runner, slice_, unit, monkeypa
     two = basin.basin(runner, AXES, RANGES, threads=2, fmu=unit)
     xarray.testing.assert_equal(two, slice_)
     part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), threads=1, fmu=unit)
-    np.testing.assert_array_equal(part["strides"].values, slice_["strides"].values[3:5, 1:])
+    np.testing.assert_array_equal(
+        part["strides_until_known"].values, slice_["strides_until_known"].values[3:5, 1:]
+    )
 
 
 def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
@@ -148,10 +150,13 @@ def map_of(slice_, size, fate, strides):
     coordinates = {name: ((name,), values, slice_[name].attrs) for name, values in along.items()}
     fates = np.full((size, size), fate, dtype="i4")
     data = xarray.Dataset(
-        {"fate": (AXES, fates, slice_["fate"].attrs), "strides": (AXES, np.full_like(fates, strides))},
+        {
+            "fate": (AXES, fates, slice_["fate"].attrs),
+            "strides_until_known": (AXES, np.full_like(fates, strides)),
+        },
         coords=coordinates,
     )
-    data["strides"][0, 0] = 100
+    data["strides_until_known"][0, 0] = 100
     data.attrs = slice_.attrs
     return data
 

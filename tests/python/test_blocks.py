@@ -18,11 +18,10 @@ import numpy as np
 import pytest
 import xarray
 from tdmf_slip import InputError, RunError, Runner
-from tdmf_slip.analysis import basin, fates, grid
+from tdmf_slip.analysis import basin, grid
 from tdmf_slip.blocks import cluster as clusters
 from tdmf_slip.blocks import running as blocks
 from tdmf_slip.blocks.running import run_blocks
-from tdmf_slip.library import ensemble
 from tdmf_slip.terminal import interrupts
 from tdmf_slip.unit import batch
 
@@ -353,27 +352,6 @@ def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
         with pytest.raises(KeyboardInterrupt):
             next(results)
         assert handed == list(range(10))  # an interrupt is heard between blocks
-
-
-def test_an_interrupt_is_heard_between_calls_of_the_library(unit, monkeypatch):
-    honest, calls = ensemble.run_ensemble, []
-
-    def interrupting(*given, **named):
-        calls.append(len(given[1]))
-        signal.raise_signal(signal.SIGINT)
-        return honest(*given, **named)
-
-    monkeypatch.setattr(fates, "STARTS_IN_A_CALL", 4)
-    runner = Runner.of({}, unit)
-    apex = basin.stable_gait(runner, unit).apex
-    starts = np.tile(apex, (10, 1))
-    in_parts = fates.fates(runner, apex, starts)
-    assert (in_parts["fate"] == 0).all() and len(in_parts) == 10
-    assert len(fates.fates(runner, apex, starts[:0])) == 0
-    monkeypatch.setattr(ensemble, "run_ensemble", interrupting)
-    with pytest.raises(KeyboardInterrupt):
-        fates.fates(runner, apex, starts)
-    assert calls == [4]
 
 
 def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():

@@ -53,13 +53,21 @@ typedef struct {
 TDMF_API void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_SECTION_COUNT],
                                    uint64_t runner, uint32_t stride, double *values);
 
-/* When a runner counts as settled: its apex is this near that of a gait, over the section's scales; and how
- * many strides it has to get there. The distance has to be so small that the gait attracts everything within
- * it. Without gaits every runner makes the most strides, or falls. */
+/* A ball of attraction: apices x, the gait's being g, with a Euclidean norm of matrix (x - g) of 1 or less.
+ */
+typedef struct {
+    double matrix[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT]; /* per m, m/s and so on; of the reduced map the
+                                                              first two rows and columns */
+} tdmf_ball;
+
+/* When a runner counts as settled: its apex is this near that of a gait, over the section's scales, or in the
+ * gait's ball; and how many strides it has to get there. Distance and balls have to be so small that the gait
+ * attracts everything within. Without gaits every runner makes the most strides, or falls. */
 typedef struct {
     const double (*gaits)[TDMF_SECTION_COUNT]; /* their apices */
     int gait_count;                            /* how many */
     double distance;                           /* a pure number */
+    const tdmf_ball *balls;                    /* one for each gait, the start's apex may be in it; or NULL */
     int max_strides;                           /* then the runner is undecided */
     double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
                          0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
@@ -135,7 +143,9 @@ typedef struct {
     tdmf_ensemble_stride *strides;              /* what is noted, as strides begin and close; or NULL */
     int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
     tdmf_ensemble_checkpoint *checkpoints; /* of each runner, written where it stands; or NULL */
-    bool goes_on; /* from checkpoints and ends of an earlier call, with a larger number of most strides */
+    bool goes_on;    /* from checkpoints and ends of an earlier call, with a larger number of most strides */
+    const int *stop; /* NULL, or what another thread may set to another value than 0 meanwhile: then no runner
+                        begins any more, and those under way end with their strides */
 } tdmf_ensemble;
 
 /* How a runner ends. */
@@ -145,7 +155,8 @@ typedef enum {
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
     TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events */
-    TDMF_FATE_NO_STRIDE  /* the reduced map has no stride from the last apex: see tdmf_return_outcome */
+    TDMF_FATE_NO_STRIDE, /* the reduced map has no stride from the last apex: see tdmf_return_outcome */
+    TDMF_FATE_STOPPED    /* the run was stopped before */
 } tdmf_fate;
 
 /* What became of a runner. */
@@ -167,6 +178,8 @@ typedef struct {
     int64_t steps;           /* of runners */
     int64_t lane_steps;      /* lanes stepped; the steps in them over their number is how full they were */
     int64_t evaluations;     /* coefficients of series, as in tdmf_solver */
+    int64_t begun; /* runners, from the first on: of the others, where the run was stopped, no end is
+                      written */
 } tdmf_ensemble_work;
 
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
@@ -175,8 +188,9 @@ typedef struct {
  * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
  * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
  * is drawn are set, weights or a spread are not finite or the spread is below 0 or above it in the reduced
- * map, a number of a law is beyond 1e100 or its limits are no range, a number of elements is below 0 or their
- * array NULL, a checkpoint to go on from has a contact or phase that there is not, or there is no memory. */
+ * map, a number of a law or a ball is beyond 1e100 or its limits are no range, a number of elements is below
+ * 0 or their array NULL, a checkpoint to go on from has a contact or phase that there is not, or there is no
+ * memory. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 

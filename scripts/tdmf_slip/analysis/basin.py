@@ -4,7 +4,6 @@ import json
 import math
 import reprlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import check_size
-from ..contents import ByContents
 from ..errors import InputError
 from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
@@ -27,73 +25,25 @@ from ..library.section import COORDINATES, check_axes
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
-from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE, fates
+from .ball import Ball, attributes_of, ball_of
+from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE
 from .held_gait import stable_gait as stable_gait
 from .search import model_of
+from .slice_block import Slice, fates_of_slice
 
 MOST_STARTS = MOST_ALONG**2
 """A map of as many is 2 GB."""
 NOT_YET = -1
+STRIDES = "strides_until_known"
+"""Name of the variable."""
 LEG_LENGTH = COORDINATES.index("leg_length")
 """It and the coordinates before are positive, and measured by what they are."""
 STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
     **dict.fromkeys(range(len(ensemble.FATES)), (0, MOST_STRIDES)),
-    ensemble.FATES.index("settled"): (1, MOST_STRIDES),
     ensemble.FATES.index("no_start"): (0, 0),
     NOT_YET: (0, 0),
 }
 """The least and the most that a fate may come after."""
-
-
-@dataclass(frozen=True, eq=False)
-class Slice(ByContents):
-    """Starts that differ from a gait's apex in two coordinates: a block of work."""
-
-    runner: Runner
-    """Whose starts."""
-    apex: tuple[float, ...]
-    """The gait's, shape (n,)."""
-    axes: tuple[str, str]
-    """Names of the two coordinates."""
-    rows: tuple[float, ...]
-    """Values of the first."""
-    columns: tuple[float, ...]
-    """Values of the second."""
-    numbers: tuple[int, ...] = ()
-    """Of the rows in the whole slice."""
-    law: AffineLaw | None = None
-    """By which runners are set."""
-
-    def starts(self) -> NDArray[np.float64]:
-        """One to a row, the columns running fastest."""
-        sections = np.tile(self.apex, (len(self.rows), len(self.columns), 1))
-        sections[..., COORDINATES.index(self.axes[0])] = np.asarray(self.rows)[:, None]
-        sections[..., COORDINATES.index(self.axes[1])] = np.asarray(self.columns)[None, :]
-        return sections.reshape(-1, len(self.apex))
-
-
-def fates_of_slice(part: Slice) -> NDArray[np.void]:
-    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`.
-
-    Parameters
-    ----------
-    part : Slice
-        The block.
-
-    Returns
-    -------
-    structured ndarray, shape (rows, columns)
-        As `run_ensemble` gives it.
-    """
-    starts, columns = part.starts(), len(part.columns)
-    if part.law is None or not part.law.is_noisy:
-        return fates(part.runner, part.apex, starts, law=part.law).reshape(-1, columns)
-    return np.array(
-        [
-            fates(part.runner, part.apex, row, law=part.law, first_number=number * columns)
-            for number, row in zip(part.numbers, np.split(starts, len(part.rows)), strict=True)
-        ]
-    )
 
 
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:
@@ -135,6 +85,7 @@ def basin(
     ranges: tuple[ArrayLike, ArrayLike],
     *,
     law: AffineLaw | None = None,
+    ball: Ball | str = "tested",
     path: Path | str | None = None,
     scheduler: str | None = None,
     threads: int | None = None,
@@ -157,6 +108,11 @@ def basin(
     law : AffineLaw, optional
         By which settings are made anew at each apex; the gait is then the one near the law's apex, which the
         law keeps as it is and has to make stable.
+    ball : {"tested", "none"} or Ball, default "tested"
+        A start has settled as soon as it comes into a ball of attraction. By default the norm is tested to
+        fall from 10,000 points of it, and it is made only where it saves more than it costs; with `none` a
+        start is followed until it is within 0.01 of the gait, over the scales; a ball that is proved, as
+        `proved_ball` gives it, is small, so that starts are followed for longer, at a finer tolerance.
     path : Path or str, optional
         Of a NetCDF file.
     scheduler : str, optional
@@ -171,14 +127,17 @@ def basin(
     Returns
     -------
     xarray.Dataset
-        `fate`, by the flag values of its attribute, and `strides` until then, over the two coordinates. How
-        much of the slice settles, its attributes say: `settled_share` and, in the coordinates' units,
-        `settled_area`.
+        `fate`, by the flag values of its attribute, and `strides_until_known`, that were closed until then,
+        over the two coordinates. How much of the slice settles, its attributes say: `settled_share` and, in
+        the coordinates' units, `settled_area`; and by which ball: `ball` ("tested", "proved" or "none"),
+        `ball_radius` (every apex so near in each coordinate, over the scales, is inside), `ball_rate` (what
+        the norm falls to in a stride at the most) and `ball_points`.
 
     Raises
     ------
     InputError
-        An unknown axis, the file holds another slice, the gait is unstable, or the law does not keep it.
+        An unknown axis or ball, the file holds another slice, the gait is unstable, or the law does not keep
+        it.
     RunError
         There is no gait.
 
@@ -195,7 +154,9 @@ def basin(
     path = None if path is None else check_place(path, (".nc",), "path")
     axes, values = _checked_slice(axes, ranges, runner.coordinates, fmu)
     gait = stable_gait(runner, fmu, law)
+    around = ball_of(gait, ball, len(values[0]) * len(values[1]), law)
     data = _blank(gait, axes, values, fmu)
+    data.attrs |= attributes_of(around)
     if law is not None:
         data.attrs["law"] = json.dumps(law.as_json())
     if path is not None:
@@ -204,7 +165,16 @@ def basin(
     at_once = max(1, STARTS_AT_ONCE // len(values[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
-        Slice(runner, tuple(gait.apex), axes, tuple(values[0][block]), tuple(values[1]), tuple(block), law)
+        Slice(
+            runner,
+            tuple(gait.apex),
+            axes,
+            tuple(values[0][block]),
+            tuple(values[1]),
+            tuple(block),
+            law,
+            around,
+        )
         for block in rows
     ]
     with (
@@ -213,8 +183,8 @@ def basin(
     ):
         bar.update(len(values[0]) - len(missing))
         for number, ends in results:
-            for name in ("fate", "strides"):
-                data[name].values[rows[number]] = ends[name]
+            data["fate"].values[rows[number]] = ends["fate"]
+            data[STRIDES].values[rows[number]] = ends["strides"]
             bar.update(len(rows[number]))
             if path is not None:
                 write_dataset(path, data)
@@ -246,7 +216,7 @@ def _checked_slice(
 
 def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
     data = resumed(path, blank, "slice")
-    fates, strides = data["fate"].values, data["strides"].values
+    fates, strides = data["fate"].values, data[STRIDES].values
     allowed = np.select(
         [fates == fate for fate in STRIDES_OF_FATES],
         [(strides >= least) & (strides <= most) for least, most in STRIDES_OF_FATES.values()],
@@ -271,7 +241,7 @@ def _blank(
     data = xarray.Dataset(
         {
             "fate": (axes, np.full(shape, NOT_YET, dtype="i4")),
-            "strides": (axes, np.zeros(shape, dtype="i4")),
+            STRIDES: (axes, np.zeros(shape, dtype="i4")),
         },
         coords={axis: ((axis,), values) for axis, values in zip(axes, ranges, strict=True)},
     )
@@ -279,7 +249,7 @@ def _blank(
         "flag_values": np.arange(len(ensemble.FATES)),
         "flag_meanings": " ".join(ensemble.FATES),
     }
-    data["strides"].attrs = {"units": "1", "long_name": "strides closed until then"}
+    data[STRIDES].attrs = {"units": "1", "long_name": "strides closed until the fate was known"}
     for axis, value in zip(gait.runner.coordinates, gait.apex, strict=True):
         data.attrs[f"gait_{axis}"] = float(value)
     for axis in axes:

@@ -11,9 +11,9 @@ from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..unit.variable import Given
+from .ball import TOLERANCE as TOLERANCE
+from .ball import Ball
 
-TOLERANCE = 1e-5
-"""Relative tolerance of a step for maps and volumes."""
 ACCURACY = 5e-4
 """By which the apex after a stride then errs at the most, over the scales, from anywhere in `volume.BOX`;
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
@@ -22,8 +22,6 @@ MOST_ALONG = 16384
 """Starts along each axis of a map."""
 STARTS_AT_ONCE = 4096
 """In a block."""
-STARTS_IN_A_CALL = 512
-"""Of the library, which hears of no interrupt until it returns."""
 
 
 def fates(
@@ -34,6 +32,7 @@ def fates(
     tolerance: float = TOLERANCE,
     law: AffineLaw | None = None,
     first_number: int = 0,
+    ball: Ball | None = None,
 ) -> NDArray[np.void]:
     """What becomes of runners that start somewhere, by one thread.
 
@@ -51,6 +50,8 @@ def fates(
         By which settings are made anew at each apex.
     first_number : int, default 0
         Of the first runner; by their numbers the law's noise is drawn.
+    ball : Ball, optional
+        Of the gait: a start that comes into it has settled. If the ball asks for it, the tolerance is finer.
 
     Returns
     -------
@@ -64,18 +65,13 @@ def fates(
     """
     starts = np.asarray(starts)
     check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MOST_RUNNERS)
-    case = ensemble.Case(Runner.of(runner), (apex,), law=law)
-    calls = range(0, max(1, len(starts)), STARTS_IN_A_CALL)
-    return np.concatenate(
-        [
-            ensemble.run_ensemble(
-                [case],
-                starts[first : first + STARTS_IN_A_CALL],
-                max_strides=MOST_STRIDES,
-                first_number=first_number + first,
-                tolerance=tolerance,
-                threads=1,
-            )[0]
-            for first in calls
-        ]
-    )
+    case = ensemble.Case(Runner.of(runner), (apex,), law=law, balls=() if ball is None else (ball.matrix,))
+    return ensemble.run_ensemble(
+        [case],
+        starts,
+        max_strides=MOST_STRIDES,
+        first_number=first_number,
+        near=ensemble.NEAR if ball is None else ball.near,
+        tolerance=tolerance if ball is None else min(tolerance, ball.tolerance),
+        threads=1,
+    )[0]

@@ -16,6 +16,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
+from .ball import Ball, ball_of
 from .fates import STARTS_AT_ONCE, fates
 from .held_gait import check_attracts
 
@@ -99,6 +100,8 @@ class Drawing(ByContents):
     """Starts in it."""
     law: AffineLaw | None = None
     """By which runners are set."""
+    ball: Ball | None = None
+    """In which a start has settled."""
 
     def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""
@@ -125,6 +128,7 @@ def count_fates(drawing: Drawing) -> NDArray[np.int64]:
         drawing.apex,
         drawing.starts(),
         law=drawing.law,
+        ball=drawing.ball,
         first_number=drawing.number * STARTS_AT_ONCE,
     )
     counted: NDArray[np.int64] = np.bincount(ends["fate"], minlength=len(ensemble.FATES))
@@ -137,6 +141,7 @@ def volume(
     *,
     seed: int = 0,
     law: AffineLaw | None = None,
+    ball: Ball | str = "tested",
     scheduler: str | None = None,
     threads: int | None = None,
     progress: bool = False,
@@ -153,6 +158,8 @@ def volume(
         Of the drawing.
     law : AffineLaw, optional
         By which settings are made anew at each apex; it keeps the gait as it is.
+    ball : {"tested", "none"} or Ball, default "tested"
+        As in `basin`.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     threads : int, optional
@@ -168,14 +175,17 @@ def volume(
     Raises
     ------
     InputError
-        No gait, no samples, no seed, or a law that does not keep the gait.
+        No gait, no samples, no seed, another ball, or a law that does not keep the gait.
     """
     check_attracts(gait, law)
     samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
+    around = ball_of(gait, ball, samples, law)
     runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
-    drawings = [Drawing(runner, tuple(gait.apex), seed, n, count, law) for n, count in enumerate(counts)]
+    drawings = [
+        Drawing(runner, tuple(gait.apex), seed, n, count, law, around) for n, count in enumerate(counts)
+    ]
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
         progress_bar("volume", samples, "starts", progress) as bar,

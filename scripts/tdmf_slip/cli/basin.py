@@ -7,6 +7,7 @@ from typing import Any
 import click
 import numpy as np
 
+from ..analysis.ball import CHOICES, Ball
 from ..analysis.fates import MOST_ALONG
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
@@ -69,6 +70,14 @@ AXES = ("com_height", "com_speed")
     show_default=True,
     help="Random starts in all six coordinates, for the region's volume; 0 for none.",
 )
+@click.option(
+    "--ball",
+    type=click.Choice((*CHOICES, "proved")),
+    default="tested",
+    show_default=True,
+    help="A ball around the gait in which a start has settled: tested by strides from points of it, where "
+    "that saves more than it costs; proved, small and slow; or none: each is followed until near the gait.",
+)
 @SCHEDULER_OPTION
 @THREADS_OPTION
 @SET_OPTION
@@ -82,6 +91,7 @@ def basin_command(
     output: Path | None,
     plot: Path | None,
     samples: int,
+    ball: str,
     scheduler: str | None,
     threads: int | None,
     settings: tuple[str, ...],
@@ -110,12 +120,18 @@ def basin_command(
         for axis, span in zip(axes, ranges, strict=True)
     ]
     gait = stable_gait(runner, fmu)
+    around: Ball | str = ball
+    if ball == "proved":
+        from ..proof.proved_ball import proved_ball  # FLINT is slow to load, and an extra
+
+        around = proved_ball(gait)
     ends = [pair or range_around(gait, axis) for axis, pair in zip(axes, given, strict=True)]
     rows, across = (np.linspace(*pair, count) for pair in ends)
     data = basin(
         runner,
         axes,
         (rows, across),
+        ball=around,
         path=output,
         scheduler=scheduler,
         threads=threads,
@@ -129,13 +145,14 @@ def basin_command(
         "word": gait.word,
         "starts": data["fate"].size,
         **fates,
-        "strides": int(data["strides"].sum()),
+        "strides": int(data["strides_until_known"].sum()),
         "settled_share": data.attrs["settled_share"],
         "settled_area": data.attrs["settled_area"],
+        **{name: value for name, value in data.attrs.items() if name.startswith("ball")},
         "robustness": robustness(gait).as_json(),
     }
     if samples:
-        found = volume(gait, samples, scheduler=scheduler, threads=threads, progress=True)
+        found = volume(gait, samples, ball=around, scheduler=scheduler, threads=threads, progress=True)
         result["volume"] = found.as_json()
     print(json_text(result) if as_json_object else _basin_text(result, axes, fmu))
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,9 @@ from .rough_ground import RoughGround
 from .runner import Runner
 from .section import COORDINATES, Apex
 from .structs import Struct
+
+LARGEST = 1e100
+"""Of a ball's numbers: beyond, the library refuses them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +40,9 @@ class Case(ByContents):
     law: AffineLaw | None = None
     """By which settings are made anew at each apex, the start's too; by default none are."""
 
+    balls: Sequence[NDArray[np.float64]] = field(default=())
+    """One for each gait, shape (n, n): a runner has settled, too, where |ball (apex - gait)| <= 1."""
+
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""
         object.__setattr__(self, "runner", Runner.of(self.runner))
@@ -43,6 +50,8 @@ class Case(ByContents):
         if not is_table(self.gaits):
             check_row(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
         check_law(self.law, self.runner)
+        if len(self.balls) not in (0, len(self.gaits)):
+            raise InputError(f"balls: {len(self.balls)}; allowed: none, or one for each of the gaits")
 
 
 def check_alike(cases: Sequence[Case]) -> None:
@@ -102,11 +111,28 @@ def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struc
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
         its.rules.distance, its.rules.max_strides = near, max_strides
         kept += [c_gaits, case.runner, *case.ground.write(its.rules)]
+        if len(case.balls):
+            c_balls = _c_balls(case.balls, len(coordinates))
+            its.rules.balls = c_balls
+            kept.append(c_balls)
         if case.law is not None:
             c_law, arrays = case.law.c_law()
             its.rules.law = c_law
             kept += [c_law, arrays]
     return made, kept
+
+
+def _c_balls(balls: Sequence[NDArray[np.float64]], coordinates: int) -> Any:
+    made: Any = ffi.new("tdmf_ball[]", len(balls))
+    for ball, c_ball in zip(balls, made, strict=True):
+        matrix = np.asarray(ball, dtype=float)
+        if matrix.shape != (coordinates, coordinates) or not np.all(np.abs(matrix) <= LARGEST):
+            raise InputError(
+                f"balls: of shape {matrix.shape}; allowed: {coordinates} by {coordinates}, up to {LARGEST:g}"
+            )
+        for i, row in enumerate(matrix.tolist()):
+            c_ball.matrix[i][0:coordinates] = row
+    return made
 
 
 def sections_of(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:

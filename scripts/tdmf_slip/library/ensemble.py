@@ -21,6 +21,7 @@ from ..unit.variable import Given
 from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of
+from .engine import run
 from .rough_ground import LAST_RUNNER
 from .runner import Runner, text_of
 from .structs import Ensemble
@@ -37,10 +38,12 @@ MOST_RUNNERS = 10_000_000
 """In a call: start and end of one take 300 bytes. More go in several calls, with their first numbers."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
-FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride")
+FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride", "stopped")
 """By the library's numbers. Unsolved is what the solver did not get through: it may fall or not. The reduced
-map alone has apices without a stride: nothing of it is then known but that it is over."""
+map alone has apices without a stride: nothing of it is then known but that it is over. An interrupt has ended
+what is stopped."""
 SETTLED = FATES.index("settled")
+STOPPED = FATES.index("stopped")
 
 
 @dataclass(frozen=True)
@@ -120,6 +123,9 @@ def run_ensemble(
     ------
     InputError
         An array of another shape, or a value that is not allowed.
+    StoppedError
+        An interrupt from the keyboard came: a `KeyboardInterrupt` with the `ends` of all that had begun, the
+        first ones; those that are not complete have the fate `stopped`.
 
     Examples
     --------
@@ -201,32 +207,6 @@ def ensemble_of(
     for name, value in settings.items():
         setattr(ensemble, name, value)
     return ensemble
-
-
-def run(ensemble: Ensemble, ends: NDArray[np.void]) -> Any:
-    """Run a request whose values are checked.
-
-    Parameters
-    ----------
-    ensemble : Ensemble
-        The library's `tdmf_ensemble *`.
-    ends : structured ndarray, shape (runners,)
-        Of the type `END`: what became of each runner is written there.
-
-    Returns
-    -------
-    Struct
-        The library's `tdmf_ensemble_work *`.
-
-    Raises
-    ------
-    MemoryError
-        There is no memory.
-    """
-    work = ffi.new("tdmf_ensemble_work *")
-    if not c.tdmf_run_ensemble(ensemble, ffi.cast("tdmf_ensemble_end *", ffi.from_buffer(ends)), work):
-        raise MemoryError("the ensemble engine found no memory")
-    return work
 
 
 def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.intc]:

@@ -11,7 +11,8 @@ from ..contents import ByContents
 from .affine_law import AffineLaw
 from .binding import ffi
 from .crowd import Crowd
-from .ensemble import END, dtype_of, ensemble_of, run
+from .engine import run
+from .ensemble import END, dtype_of, ensemble_of
 from .gait import LEDGER
 from .measures import STRIDE_QUANTITIES
 from .rough_ground import RoughGround

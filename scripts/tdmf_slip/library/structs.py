@@ -142,6 +142,7 @@ class Ensemble(Protocol):
     stride_count: int
     checkpoints: object
     goes_on: bool
+    stop: object
 
 
 class Classic(Protocol):

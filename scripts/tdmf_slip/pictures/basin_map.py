@@ -32,7 +32,7 @@ NAMES = {
 SCALES = ("l₀", "l₀√(k/m)", "l₀", "", "l₀√(k/m)", "√(k/m)")
 """Of the section's coordinates."""
 COUNTED = {
-    "settled": ("GnBu_r", "strides until the runner settles"),
+    "settled": ("GnBu_r", "strides until the runner is known to settle"),
     "fell": ("OrRd_r", "strides until the runner falls"),
 }
 """Colours of fates that are told by the number of strides."""
@@ -40,6 +40,7 @@ OTHERS = {
     "undecided": ("#8e44ad", "undecided"),
     "no_start": ("#5b6770", "no start: the foot is not above the ground"),
     "unsolved": ("#000000", "unsolved: no solver could follow"),
+    "stopped": ("#d3d7da", "stopped by an interrupt"),
     "no_stride": ("#e0a526", "no stride: there is no next apex, or it is too low for the leg"),
 }
 """Colours of the others."""
@@ -79,7 +80,7 @@ def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
     """
     vertical, horizontal = map(str, data["fate"].dims)
     edges = _edges(data[horizontal].values), _edges(data[vertical].values)
-    fate, strides = data["fate"].values, data["strides"].values
+    fate, strides = data["fate"].values, data["strides_until_known"].values
     axes.set_xlim(min(edges[0]), max(edges[0]))
     axes.set_ylim(min(edges[1]), max(edges[1]))
     style.label(axes, _label(data, horizontal), _label(data, vertical))

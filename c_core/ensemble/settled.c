@@ -1,0 +1,54 @@
+/* Near a gait, or in its ball of attraction. */
+#include "settled.h"
+
+#include "tdmf_slip/orbit.h"
+
+#include <math.h>
+
+static int coordinates_of(const tdmf_runner *runner) {
+    return runner->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
+}
+
+static bool is_in_ball(const tdmf_ball *ball, const double *gait, const double *apex, int coordinates) {
+    double square = 0.0;
+    for (int i = 0; i < coordinates; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < coordinates; ++j) {
+            sum += ball->matrix[i][j] * (apex[j] - gait[j]);
+        }
+        square += sum * sum;
+    }
+    return square <= 1.0;
+}
+
+static bool is_near(const double *gait, const double *apex, const double *scales, double distance,
+                    int coordinates) {
+    for (int i = 0; i < coordinates; ++i) {
+        if (!(fabs(apex[i] - gait[i]) <= distance * scales[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int tdmf_gait_of_ball(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    for (int gait = 0; rules->balls && gait < rules->gait_count; ++gait) {
+        if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, coordinates_of(runner))) {
+            return gait;
+        }
+    }
+    return -1;
+}
+
+int tdmf_gait_reached(const tdmf_runner *runner, const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    double scales[TDMF_SECTION_COUNT];
+    tdmf_section_scales(runner->model, scales);
+    for (int gait = 0; gait < rules->gait_count; ++gait) {
+        if (is_near(rules->gaits[gait], apex, scales, rules->distance, coordinates_of(runner))) {
+            return gait;
+        }
+    }
+    return tdmf_gait_of_ball(runner, apex);
+}

@@ -1,0 +1,269 @@
+"""Balls of attraction: a start that comes into one settles on the gait, so that it need not be followed.
+
+Near the gait a stride is its Jacobian J. Let l be the left eigenvector of the largest eigenvalue and Q the
+projection that takes its part away. Then the form
+
+    P = l l' + Q' (sum over k of (J^k)' J^k / g^(2k)) Q / r^2
+
+falls each stride, by that eigenvalue squared in its first part and by g^2 in its second (Lyapunov). With
+several g and widths r, how far from the gait the norm sqrt(x' P x) still falls, over two strides, is tried
+from points of the surface and of shells inside; x is over the section's scales.
+"""
+
+import itertools
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..checks import shown
+from ..contents import ByContents
+from ..errors import InputError
+from ..library import ensemble
+from ..library.affine_law import AffineLaw
+from ..library.gait import Gait
+from ..library.runner import Runner
+from .held_gait import jacobian_under
+
+POINTS = 10_000
+"""That a ball is tested on."""
+SHELLS = tuple(0.1 * k for k in range(1, 10))
+"""Their radii over the ball's; each gets a twentieth of the points, the surface what is left."""
+FIRST_POINTS = 500
+"""Of these, for a radius to be worth the test."""
+RADII = tuple(0.6 * 2.0 ** (-k / 6) for k in range(30))
+"""That are tried, in the form's norm, which measures the slowest part: from 0.6 of the section's scales."""
+WIDTHS = ((0.3, 1.5), (0.3, 2.5), (0.7, 1.5))
+"""That are tried: how far g is from the second largest eigenvalue to 1, over the way, and r."""
+MARGIN = 0.75
+"""Of the way from the largest eigenvalue to 1: what the norm may fall to in a stride from any point."""
+STRIDES = 2
+"""After which the norm is looked at: the first may raise it for a start whose height is far off."""
+LEAST_TERM = 1e-10
+"""Of the sum."""
+TOLERANCE = 1e-5
+"""Relative tolerance of a step, as of maps and volumes."""
+CHOICES = ("tested", "none")
+"""Of who does not give a ball: with none, a start is followed until it is near the gait."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ball(ByContents):
+    """Apices around a gait's from which every run settles on it."""
+
+    known: str
+    """How: `tested` at points, or `proved`."""
+    radius: float
+    """Every apex no farther from the gait's in any coordinate, in units of the scales, is inside."""
+    rate: float
+    """What the norm falls to in a stride at the most; of a tested ball, at its points, in the mean of two."""
+    points: int
+    """That it was tested on; 0 of a proved one."""
+    matrix: NDArray[np.float64]
+    """Shape (n, n): an apex is inside where ``|matrix (apex - gait)| <= 1``."""
+    tolerance: float = TOLERANCE
+    """Relative tolerance of a step by which runs come into the ball."""
+    near: float = ensemble.NEAR
+    """Distance from the gait, over the scales, at which a run counts as settled without the ball."""
+
+    def attributes(self) -> dict[str, str | float | int]:
+        """What a result says of it."""
+        return {
+            "ball": self.known,
+            "ball_radius": self.radius,
+            "ball_rate": self.rate,
+            "ball_points": self.points,
+        }
+
+
+def pays(gait: Gait, starts: int) -> bool:
+    """Whether a tested ball is likely to save more strides than its test takes.
+
+    Parameters
+    ----------
+    gait : Gait
+        Stable.
+    starts : int
+        How many will be followed.
+
+    Returns
+    -------
+    bool
+        By the strides from a tenth of the scales to where a run counts as settled, at the largest eigenvalue,
+        for half of the starts.
+    """
+    slowest = min(max(gait.lambda_max, 1e-3), 1.0 - 1e-9)
+    saved = math.log(0.1 / ensemble.NEAR) / -math.log(slowest)
+    return 0.5 * starts * saved > STRIDES * (POINTS + FIRST_POINTS * len(WIDTHS) * 10)
+
+
+def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
+    """The largest of some balls in which the norm falls from every point that is tried.
+
+    Parameters
+    ----------
+    gait : Gait
+        Of one stride, stable by itself or under the law.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex.
+
+    Returns
+    -------
+    Ball or None
+        None where the gait attracts too slowly or too little for one, or the law is noisy.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> from tdmf_slip.analysis.ball import tested_ball
+    >>> ball = tested_ball(tdmf_slip.find_gait({"ground.friction": 0.6}))
+    >>> print(ball.known, ball.points, ball.radius > 0.1, ball.rate < 1)
+    tested 10000 True True
+    """
+    if gait.strides > 1 or (law is not None and law.is_noisy):
+        return None
+    scales = np.asarray(gait.runner.scales)[: len(gait.apex)]
+    jacobian = gait.jacobian if law is None else jacobian_under(gait, law)
+    largest = float(np.max(np.abs(np.linalg.eigvals(jacobian))))
+    if not largest < 1.0:
+        return None
+    most = largest + MARGIN * (1.0 - largest)
+    strides = [
+        _Stride(gait, law, root / scales) for root in _roots_of_forms(jacobian * scales / scales[:, None])
+    ]
+    points = _points(len(scales))
+    some = points[:: POINTS // FIRST_POINTS]
+    for radius in RADII:
+        for stride in strides:
+            if stride.rate(radius * some) > most:
+                continue
+            rate = stride.rate(radius * points)
+            if rate <= most:
+                matrix = stride.matrix / radius
+                return Ball("tested", cube_in(matrix * scales), rate, POINTS, matrix)
+    return None
+
+
+class _Stride:
+    """How the norm falls from points around a gait."""
+
+    def __init__(self, gait: Gait, law: AffineLaw | None, matrix: NDArray[np.float64]) -> None:
+        self.case = ensemble.Case(Runner(gait.runner.values, reduced=gait.runner.reduced), law=law)
+        self.apex, self.matrix = np.asarray(gait.apex, dtype=float), matrix
+
+    def rate(self, points: NDArray[np.float64]) -> float:
+        """The largest ratio of norms, by stride; infinite where one does not close."""
+        starts = self.apex + np.linalg.solve(self.matrix, points.T).T
+        ends, _ = ensemble.run_ensemble(
+            [self.case], starts, max_strides=STRIDES, tolerance=TOLERANCE, threads=1
+        )
+        if (ends["strides"] != STRIDES).any():
+            return math.inf
+        after = (ends["apex"][:, : len(self.apex)] - self.apex) @ self.matrix.T
+        ratio = np.max(np.linalg.norm(after, axis=1) / np.linalg.norm(points, axis=1))
+        return float(ratio ** (1.0 / STRIDES))
+
+
+def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Of each form R with R'R the form; none where the Jacobian has no such eigenvector."""
+    values, right = np.linalg.eig(jacobian)
+    order = np.argsort(-np.abs(values))
+    slow, size = order[0], len(values)
+    paired = bool(values[slow].imag)
+    second = float(np.abs(values[order[1 + paired]]))
+    try:
+        left = np.linalg.inv(right)[slow]
+        rest = np.eye(size) - (1 + paired) * np.outer(right[:, slow], left).real
+        both = np.stack([left.real, left.imag])
+        forms = [
+            both.T @ both
+            + rest.T @ _lyapunov(jacobian @ rest, second + share * (1.0 - second)) @ rest / width**2
+            for share, width in WIDTHS
+        ]
+        return [np.linalg.cholesky(form).T for form in forms]
+    except np.linalg.LinAlgError:
+        return []
+
+
+def _lyapunov(jacobian: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+    """The sum over k of (J^k)' J^k / rate^(2k)."""
+    power, form = np.eye(len(jacobian)), np.zeros_like(jacobian)
+    while np.abs(power).max() > LEAST_TERM:
+        form += power.T @ power
+        power = jacobian @ power / rate
+    return form
+
+
+def _points(coordinates: int) -> NDArray[np.float64]:
+    """Of the unit ball's surface and of shells inside; the same each time."""
+    drawn = np.random.default_rng(0).normal(size=(POINTS, coordinates))
+    radii = np.tile((*SHELLS, *[1.0] * (20 - len(SHELLS))), POINTS // 20)
+    points: NDArray[np.float64] = drawn * (radii / np.linalg.norm(drawn, axis=1))[:, None]
+    return points
+
+
+def cube_in(matrix: NDArray[np.float64]) -> float:
+    """The largest cube in a ball.
+
+    Parameters
+    ----------
+    matrix : ndarray of float, shape (n, n)
+        The ball's, over the scales.
+
+    Returns
+    -------
+    float
+        Half the width of the cube with all corners in the ball.
+    """
+    corners = np.array(list(itertools.product((-1.0, 1.0), repeat=len(matrix))))
+    return 1.0 / float(np.max(np.linalg.norm(corners @ matrix.T, axis=1)))
+
+
+def ball_of(gait: Gait, choice: Ball | str, starts: int, law: AffineLaw | None = None) -> Ball | None:
+    """The ball that is asked for; a tested one only where it saves more than it costs.
+
+    Parameters
+    ----------
+    gait : Gait
+        Stable, by itself or under the law.
+    choice : Ball or str
+        One of the gait's, or of `CHOICES`.
+    starts : int
+        How many will be followed.
+    law : AffineLaw, optional
+        By which settings are made anew at each apex.
+
+    Returns
+    -------
+    Ball or None
+        None: runs are followed until they are near the gait.
+
+    Raises
+    ------
+    InputError
+        Another choice, or a ball of other coordinates.
+    """
+    if isinstance(choice, Ball):
+        if choice.matrix.shape != (len(gait.apex),) * 2:
+            raise InputError(f"ball: of {len(choice.matrix)} coordinates; allowed: of {len(gait.apex)}")
+        return choice
+    if choice not in CHOICES:
+        raise InputError(f"ball {shown(choice)}: allowed: {', '.join(CHOICES)}, or a Ball")
+    return tested_ball(gait, law) if choice == "tested" and pays(gait, starts) else None
+
+
+def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
+    """What a result says of its ball, or of having none.
+
+    Parameters
+    ----------
+    ball : Ball or None
+        Which.
+
+    Returns
+    -------
+    dict of str to value
+        `ball`, and of one `ball_radius`, `ball_rate` and `ball_points`.
+    """
+    return {"ball": "none"} if ball is None else ball.attributes()

@@ -1,0 +1,163 @@
+/* When a run of the ensemble is over before a fall or the last stride: its apex is in a gait's ball, or it is
+ * stopped. */
+#include "compare.h"
+#include "reference_gaits.h"
+#include "runner.h"
+
+#include "tdmf_slip/ensemble.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { RUNNERS = 24, MOST_STRIDES = 60 };
+
+typedef struct {
+    tdmf_model model;
+    double gait[1][TDMF_SECTION_COUNT], starts[RUNNERS][TDMF_SECTION_COUNT];
+    tdmf_ball ball;
+    tdmf_ensemble_case its_case;
+    tdmf_ensemble ensemble;
+    tdmf_ensemble_stride strides[RUNNERS][MOST_STRIDES];
+    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
+    tdmf_ensemble_end ends[RUNNERS];
+} crowd;
+
+/* Starts over the gait's apex, the first in the ball: half axes 0.2 in height and so much less in speed. */
+static void gather(crowd *crowd) {
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    memset(crowd, 0, sizeof *crowd);
+    assert_null(tdmf_model_create(&crowd->model, &parameters).variable);
+    memcpy(crowd->gait[0], &reference_gaits[2].apex, sizeof crowd->gait[0]);
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        crowd->ball.matrix[i][i] = 2.0;
+    }
+    crowd->ball.matrix[TDMF_SECTION_COM_HEIGHT][TDMF_SECTION_COM_HEIGHT] = 5.0;
+    crowd->ball.matrix[TDMF_SECTION_COM_SPEED][TDMF_SECTION_COM_HEIGHT] = 1.0;
+    crowd->ball.matrix[TDMF_SECTION_COM_SPEED][TDMF_SECTION_COM_SPEED] = 8.0;
+    for (int i = 0; i < RUNNERS; ++i) {
+        memcpy(crowd->starts[i], crowd->gait[0], sizeof crowd->gait[0]);
+        crowd->starts[i][TDMF_SECTION_COM_HEIGHT] += 0.1 * i - 0.005 * (i == 0);
+    }
+    const tdmf_ensemble_case its_case = {&crowd->model,
+                                         tdmf_default_inputs(),
+                                         {.gaits = (const double(*)[TDMF_SECTION_COUNT])crowd->gait,
+                                          .gait_count = 1,
+                                          .balls = &crowd->ball,
+                                          .max_strides = MOST_STRIDES}};
+    crowd->its_case = its_case;
+    const tdmf_ensemble ensemble = {.cases = &crowd->its_case,
+                                    .case_count = 1,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])crowd->starts,
+                                    .count = RUNNERS,
+                                    .relative_tolerance = 1e-8,
+                                    .threads = 2,
+                                    .strides = &crowd->strides[0][0],
+                                    .stride_count = MOST_STRIDES,
+                                    .checkpoints = crowd->checkpoints};
+    crowd->ensemble = ensemble;
+}
+
+static double norm(const crowd *crowd, const double apex[TDMF_SECTION_COUNT], int coordinates) {
+    double square = 0.0;
+    for (int i = 0; i < coordinates; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < coordinates; ++j) {
+            sum += crowd->ball.matrix[i][j] * (apex[j] - crowd->gait[0][j]);
+        }
+        square += sum * sum;
+    }
+    return sqrt(square);
+}
+
+/* The apex at the end is the first in the ball: no stride before closed in it. */
+static int settled_at_the_first(const crowd *crowd, int coordinates) {
+    int settled = 0;
+    for (int i = 0; i < RUNNERS; ++i) {
+        const tdmf_ensemble_end *end = &crowd->ends[i];
+        const bool inside = end->strides == 0 && norm(crowd, crowd->starts[i], coordinates) <= 1.0;
+        if (end->fate != TDMF_FATE_SETTLED) {
+            continue;
+        }
+        ++settled;
+        assert_int_equal(end->gait, 0);
+        assert_true(norm(crowd, end->apex, coordinates) <= 1.0);
+        assert_true(inside || norm(crowd, crowd->starts[i], coordinates) > 1.0);
+        for (int stride = 0; stride + 1 < end->strides; ++stride) {
+            assert_true(norm(crowd, crowd->strides[i][stride].apex, coordinates) > 1.0);
+        }
+    }
+    return settled;
+}
+
+static void a_runner_in_the_ball_has_settled(void **state) {
+    static crowd crowd;
+    int sets = 0;
+    (void)state;
+    for (int set = 0; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        gather(&crowd);
+        crowd.ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(crowd.ensemble.instructions)) {
+            assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+            assert_int_equal(crowd.ends[0].fate, TDMF_FATE_SETTLED);
+            assert_int_equal(crowd.ends[0].strides, 0);
+            assert_true(crowd.ends[2].strides > 0);
+            assert_in_range(settled_at_the_first(&crowd, TDMF_SECTION_COUNT), 4, RUNNERS);
+            ++sets;
+        }
+    }
+    assert_true(sets >= 2);
+}
+
+/* Whose matrix has two rows and columns: what the others say does not count. */
+static void a_ball_of_the_reduced_map_is_of_height_and_speed(void **state) {
+    static crowd crowd;
+    (void)state;
+    gather(&crowd);
+    crowd.ensemble.map = TDMF_REDUCED_MAP;
+    crowd.ball.matrix[TDMF_SECTION_LEG_ANGLE][TDMF_SECTION_LEG_ANGLE] = 1e9;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    assert_in_range(settled_at_the_first(&crowd, TDMF_REDUCED_COUNT), 4, RUNNERS);
+}
+
+/* What had not begun has not run; what stands goes on to the same end as if nothing had been. */
+static void a_stopped_run_goes_on_to_the_same_ends(void **state) {
+    static crowd crowd, whole;
+    static const int stop = 1;
+    tdmf_ensemble_work work;
+    (void)state;
+    gather(&whole);
+    whole.its_case.rules.gait_count = 0;
+    crowd = whole;
+    whole.ensemble.cases = &whole.its_case;
+    whole.ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])whole.starts;
+    crowd.ensemble.cases = &crowd.its_case;
+    crowd.ensemble.starts = (const double(*)[TDMF_SECTION_COUNT])crowd.starts;
+    crowd.ensemble.checkpoints = crowd.checkpoints;
+    crowd.ensemble.strides = NULL;
+    whole.ensemble.strides = NULL;
+    whole.ensemble.checkpoints = whole.checkpoints;
+    assert_true(tdmf_run_ensemble(&whole.ensemble, whole.ends, NULL));
+    crowd.ensemble.stop = &stop;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, &work));
+    assert_int_equal(work.begun, 0);
+    assert_int_equal(work.strides, 0);
+    crowd.ensemble.stop = NULL;
+    crowd.its_case.rules.max_strides = 5;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    crowd.its_case.rules.max_strides = MOST_STRIDES;
+    crowd.ensemble.goes_on = true;
+    assert_true(tdmf_run_ensemble(&crowd.ensemble, crowd.ends, NULL));
+    for (int i = 0; i < RUNNERS; ++i) {
+        assert_int_equal(crowd.ends[i].fate, whole.ends[i].fate);
+        assert_int_equal(crowd.ends[i].strides, whole.ends[i].strides);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_runner_in_the_ball_has_settled),
+        cmocka_unit_test(a_ball_of_the_reduced_map_is_of_height_and_speed),
+        cmocka_unit_test(a_stopped_run_goes_on_to_the_same_ends),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

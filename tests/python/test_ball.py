@@ -1,0 +1,172 @@
+"""Balls of attraction: what comes into one settles, as points of another drawing say, and fates are equal."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip.analysis import ball as ball_module
+from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
+from tdmf_slip.analysis.basin import basin
+from tdmf_slip.analysis.fates import MOST_STRIDES, fates
+from tdmf_slip.analysis.volume import volume
+from tdmf_slip.library.affine_law import AffineLaw
+from tdmf_slip.library.ensemble import SETTLED, Case, run_ensemble
+from tdmf_slip.proof.proved_ball import proved_ball
+
+FRICTIONS = (0.2, 0.6, 10.0)
+
+
+@pytest.fixture(scope="module", params=FRICTIONS)
+def gait(request):
+    return find_gait({"ground.friction": request.param})
+
+
+@pytest.fixture(scope="module")
+def ball(gait):
+    return ball_module.tested_ball(gait)
+
+
+def points_in(ball, count, surface=False):
+    """Of a ball, from the gait's apex on; drawn by another seed than the test's."""
+    source = np.random.default_rng(20260801)
+    size = len(ball.matrix)
+    directions = source.normal(size=(count, size))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    radii = 1.0 if surface else source.uniform(0.0, 1.0, size=(count, 1)) ** (1.0 / size)
+    return np.linalg.solve(ball.matrix, (radii * directions).T).T
+
+
+def norms(ball, differences):
+    return np.linalg.norm(differences @ ball.matrix.T, axis=1)
+
+
+def test_every_point_of_a_tested_ball_settles(gait, ball):
+    """A sample of its own, each followed by 1e-8 to a hundredth of where a map calls it settled."""
+    starts = gait.apex + points_in(ball, 4000)
+    ends, _ = run_ensemble(
+        [Case(gait.runner, (gait.apex,))], starts, max_strides=MOST_STRIDES, near=1e-4, tolerance=1e-8
+    )
+    assert (ends["fate"] == SETTLED).all()
+
+
+def test_the_norm_falls_from_points_that_were_not_tested(gait, ball):
+    away = points_in(ball, 4000, surface=True)
+    ends, _ = run_ensemble([gait.runner], gait.apex + away, max_strides=2, tolerance=1e-9)
+    assert (ends["strides"] == 2).all()
+    fallen = np.sqrt(norms(ball, ends["apex"] - gait.apex) / norms(ball, away))
+    assert fallen.max() < 0.5 * (1.0 + ball.rate) < 1.0
+    assert ball.rate > gait.lambda_max - 0.01  # near the gait no norm falls faster from everywhere
+
+
+def test_the_radius_is_that_of_a_cube_inside(gait, ball):
+    scales = np.asarray(gait.runner.scales)
+    corners = np.array(np.meshgrid(*[(-1.0, 1.0)] * 6)).reshape(6, -1).T * ball.radius * scales
+    assert norms(ball, corners).max() == pytest.approx(1.0, rel=1e-12)
+    assert ball.radius > 0.05  # five times where a start counts as settled without it
+
+
+def test_a_larger_ball_of_the_norm_is_none(gait, ball):
+    """From some point of one half as wide again the norm does not fall as it has to, or a runner falls."""
+    wider = dataclasses.replace(ball, matrix=ball.matrix / 1.5)
+    away = points_in(wider, 10_000, surface=True)
+    ends, _ = run_ensemble([gait.runner], gait.apex + away, max_strides=2, tolerance=1e-8)
+    fallen = np.sqrt(norms(ball, ends["apex"] - gait.apex) / norms(ball, away))
+    assert (ends["strides"] < 2).any() or fallen.max() > gait.lambda_max + 0.75 * (1.0 - gait.lambda_max)
+
+
+@pytest.mark.parametrize("reduced", [False, True])
+def test_fates_are_equal_with_a_ball_and_without(gait, reduced):
+    runner = Runner(gait.runner.values, reduced=reduced)
+    gait = find_gait(runner)
+    ball = ball_module.tested_ball(gait)
+    starts = np.tile(gait.apex, (64, 64, 1))
+    starts[..., 0] = np.linspace(1.0, 4.0, 64)[:, None]
+    starts[..., 1] = np.linspace(0.0, 2.5, 64)[None, :]
+    starts = starts.reshape(-1, starts.shape[-1])
+    followed, known = fates(runner, gait.apex, starts), fates(runner, gait.apex, starts, ball=ball)
+    np.testing.assert_array_equal(known["fate"], followed["fate"])
+    fell = followed["fate"] != SETTLED
+    assert fell.sum() > (40 if gait.friction > 0.2 and not reduced else -1)  # there all settle
+    np.testing.assert_array_equal(known["strides"][fell], followed["strides"][fell])
+    assert (known["strides"] <= followed["strides"]).all()
+    assert 2.0 * known["strides"][~fell].sum() < followed["strides"][~fell].sum()
+
+
+def test_a_ball_is_of_the_runner_under_its_law(gait):
+    """Under the best of some gains every point of the ball settles; without the law it has another one."""
+    gains = np.zeros((1, 6))
+    without = ball_module.tested_ball(gait)
+    best = min(
+        np.linspace(-0.4, 0.4, 17),
+        key=lambda gain: rate_under(gait, with_gain(gait, gains, gain)),
+    )
+    law = with_gain(gait, gains, best)
+    ball = ball_module.tested_ball(gait, law)
+    assert ball is not None and without is not None and ball != without
+    starts = gait.apex + points_in(ball, 2000)
+    case = Case(gait.runner, (gait.apex,), law=law)
+    assert (run_ensemble([case], starts, max_strides=100, near=1e-4)[0]["fate"] == SETTLED).all()
+    noisy = dataclasses.replace(law, noise=[0.01] * 6)
+    assert ball_module.tested_ball(gait, noisy) is None
+
+
+def with_gain(gait, gains, gain):
+    gains = gains.copy()
+    gains[0, 1] = gain
+    angle = gait.runner.values["hip.touchdown_angle"]
+    return AffineLaw(("hip.touchdown_angle",), gait.apex, [angle], gains, [angle - 0.2], [angle + 0.2])
+
+
+def rate_under(gait, law):
+    return np.abs(np.linalg.eigvals(ball_module.jacobian_under(gait, law))).max()
+
+
+def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait):
+    assert not pays(gait, 400) and pays(gait, 128 * 128)
+    assert ball_of(gait, "tested", 400) is None
+    with pytest.raises(InputError, match="of 2 coordinates; allowed: of 6"):
+        ball_of(gait, dataclasses.replace(ball_module.tested_ball(gait), matrix=np.eye(2)), 10)
+    assert attributes_of(None) == {"ball": "none"}
+    with pytest.raises(InputError, match="tested, none, or a Ball"):
+        ball_of(gait, "large", 10)
+
+
+def test_a_map_says_by_which_ball_it_knows(unit):
+    axes, ranges = ("com_height", "com_speed"), (np.linspace(1.2, 1.6, 128), np.linspace(0.9, 1.2, 128))
+    by_ball = basin({}, axes, ranges, threads=1, fmu=unit)
+    followed = basin({}, axes, ranges, ball="none", threads=1, fmu=unit)
+    assert by_ball.attrs["ball"] == "tested" and by_ball.attrs["ball_points"] == 10_000
+    assert 0.05 < by_ball.attrs["ball_radius"] < 1.0 and 0.8 < by_ball.attrs["ball_rate"] < 1.0
+    assert followed.attrs["ball"] == "none" and "ball_radius" not in followed.attrs
+    np.testing.assert_array_equal(by_ball["fate"], followed["fate"])
+    assert (by_ball["strides_until_known"] == 0).any()  # starts in the ball
+    assert not (followed["strides_until_known"] == 0).any()
+
+
+def test_a_volume_is_equal_with_a_ball_and_without(gait):
+    counted = volume(gait, 20_000, threads=1), volume(gait, 20_000, ball="none", threads=1)
+    assert counted[0] == counted[1]
+
+
+def test_a_proved_ball_is_inside_the_one_that_is_proved():
+    gait = find_gait({"ground.friction": 0.6})
+    proof = tdmf_slip.prove_attraction(gait)
+    ball = proved_ball(gait)
+    assert ball.known == "proved" and 0.1 * proof.radius < ball.radius <= proof.radius
+    away = np.array(np.linalg.inv(np.array(proof.basis)) @ points_in(ball, 2000, surface=True).T).T
+    assert (np.abs(away) / proof.weights).max() < proof.norm_radius
+    slice_ = basin({}, ("com_height", "com_speed"), ([1.3, 1.5, 0.9], [0.2, 1.05]), ball=ball, threads=1)
+    followed = basin({}, ("com_height", "com_speed"), ([1.3, 1.5, 0.9], [0.2, 1.05]), ball="none", threads=1)
+    np.testing.assert_array_equal(slice_["fate"], followed["fate"])
+    settled = followed["fate"].values == SETTLED
+    assert settled.sum() >= 3
+    more = (slice_["strides_until_known"] - followed["strides_until_known"]).values[settled]
+    assert (more > 40).all()  # log(0.01 / 4e-8) / -log(0.86) is 80
+    assert slice_.attrs["ball_radius"] == pytest.approx(ball.radius)
+
+
+def test_a_proved_ball_that_is_not_to_be_had_is_refused():
+    with pytest.raises(InputError, match="reduced map"):
+        proved_ball(find_gait({"ground.friction": 0.6}, model="reduced"))

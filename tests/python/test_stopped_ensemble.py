@@ -1,0 +1,60 @@
+"""An interrupt from the keyboard ends a run of many runners at once, and keeps what is complete."""
+
+import signal
+import threading
+
+import numpy as np
+import pytest
+from tdmf_slip import find_gait
+from tdmf_slip.errors import StoppedError
+from tdmf_slip.library import engine, ensemble
+
+BETWEEN = 0.02
+"""Seconds between looks whether the engine runs."""
+LOOKS = 5
+"""That see it run before the interrupt comes."""
+
+
+@pytest.fixture
+def interrupt_of_the_engine():
+    """SIGINT, as from the keyboard, once the engine's thread has been seen at work; nothing else is timed."""
+    seen = []
+
+    def look(_number, _frame):
+        if any(thread.name == engine.ENGINE for thread in threading.enumerate()):
+            seen.append(True)
+        if len(seen) == LOOKS:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+            signal.raise_signal(signal.SIGINT)
+
+    before = signal.signal(signal.SIGALRM, look)
+    signal.setitimer(signal.ITIMER_REAL, BETWEEN, BETWEEN)
+    yield
+    signal.setitimer(signal.ITIMER_REAL, 0.0)
+    signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.usefixtures("interrupt_of_the_engine")
+@pytest.mark.parametrize("instructions", [None, "one by one"])
+def test_an_interrupt_ends_runs_that_have_no_end(instructions):
+    """Half of the runners fall at once, the others run for ever; of a hundred thousand few have begun."""
+    gait = find_gait({"ground.friction": 0.6})
+    starts = np.tile(gait.apex, (100_000, 1))
+    starts[::2, 3] = -1.2
+    starts[::2, 0] = 0.6
+    with pytest.raises(StoppedError) as stopped:
+        ensemble.run_ensemble(
+            [gait.runner], starts, max_strides=2**31 - 1, threads=2, instructions=instructions
+        )
+    assert isinstance(stopped.value, KeyboardInterrupt)
+    ends = stopped.value.ends
+    fell, not_complete = ends["fate"] == ensemble.FATES.index("fell"), ends["fate"] == ensemble.STOPPED
+    assert (fell | not_complete).all()
+    assert fell[::2].any() and not fell[1::2].any() and len(ends) < len(starts)
+    whole, _ = ensemble.run_ensemble(
+        [gait.runner], starts[: len(ends)][fell], max_strides=10, threads=1, instructions=instructions
+    )
+    for name in ("fate", "strides", "word_code"):
+        np.testing.assert_array_equal(ends[fell][name], whole[name])
+    assert not_complete.any()
+    assert not any(thread.name == engine.ENGINE for thread in threading.enumerate())
