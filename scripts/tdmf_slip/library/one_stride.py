@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .crowd import Crowd
-from .ensemble import END, TOLERANCE, ensemble_of, run
+from .engine import run
+from .ensemble import END, TOLERANCE, ensemble_of
 from .noted_strides import given_settings
 from .rough_ground import RoughGround
 from .runner import Runner
