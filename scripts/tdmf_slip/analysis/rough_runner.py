@@ -16,7 +16,8 @@ from ..errors import RunError
 from ..library.affine_law import AffineLaw
 from ..library.binding import ffi
 from ..library.cases import Case, c_cases
-from ..library.ensemble import END, FATES, ensemble_of, run
+from ..library.engine import run
+from ..library.ensemble import END, FATES, ensemble_of
 from ..library.gait import Gait
 from ..library.noted_strides import given_settings
 from ..library.rough_ground import RoughGround
