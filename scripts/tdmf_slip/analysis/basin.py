@@ -14,8 +14,9 @@ from ..blocks.running import run_blocks
 from ..checks import check_size
 from ..errors import InputError
 from ..files.datasets import xarray
-from ..files.netcdf import write_dataset
+from ..files.netcdf import CLASSIC, write_dataset
 from ..files.resume import resumed
+from ..files.rows import RowFile
 from ..files.whole import check_place
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
@@ -41,7 +42,7 @@ LEG_LENGTH = COORDINATES.index("leg_length")
 STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
     **dict.fromkeys(range(len(ensemble.FATES)), (0, MOST_STRIDES)),
     ensemble.FATES.index("no_start"): (0, 0),
-    NOT_YET: (0, 0),
+    NOT_YET: (0, MOST_STRIDES),
 }
 """The least and the most that a fate may come after."""
 
@@ -95,7 +96,7 @@ def basin(
     """The fate of a runner from each point of a slice through the gait's apex.
 
     The other coordinates are the gait's; the reduced map has none. With a path the result is written there as
-    NetCDF, block by block, and a file of the same slice is gone on with.
+    NetCDF, row by row, and a file of the same slice is gone on with.
 
     Parameters
     ----------
@@ -177,6 +178,7 @@ def basin(
         )
         for block in rows
     ]
+    file = None if path is None else RowFile(path, data)
     with (
         progress_bar("basin", len(values[0]), "rows", progress) as bar,
         run_blocks(fates_of_slice, parts, scheduler=scheduler, threads=threads) as results,
@@ -186,13 +188,13 @@ def basin(
             data["fate"].values[rows[number]] = ends["fate"]
             data[STRIDES].values[rows[number]] = ends["strides"]
             bar.update(len(rows[number]))
-            if path is not None:
-                write_dataset(path, data)
+            if file is not None:
+                file.write((STRIDES, "fate"), rows[number])
     share = float(np.mean(data["fate"].values == ensemble.SETTLED))
     area = share * float(np.prod([np.ptp(along) for along in values]))
     data.attrs |= {"settled_share": share, "settled_area": area}
     if path is not None:
-        write_dataset(path, data)
+        write_dataset(path, data, CLASSIC)
     return data
 
 

@@ -5,6 +5,7 @@ why a write failed nor names that are no UTF-8.
 """
 
 from pathlib import Path
+from typing import Literal
 
 from .datasets import Dataset, NetCDF4DataStore, xarray
 from .whole import destination, whole
@@ -15,30 +16,37 @@ FIRST_SIZE = 2**16
 """Bytes of such a one at first; it grows."""
 
 
-def new_netcdf() -> Dataset:
+Format = Literal["NETCDF4", "NETCDF3_64BIT_DATA"]
+CLASSIC: Format = "NETCDF3_64BIT_DATA"
+"""The format in which a variable has one place in the file, so that rows are written where they belong."""
+
+
+def new_netcdf(form: Format = "NETCDF4") -> Dataset:
     """One in memory, whose `close` gives its bytes."""
-    return Dataset(IN_MEMORY, "w", memory=FIRST_SIZE)
+    return Dataset(IN_MEMORY, "w", memory=FIRST_SIZE, format=form)
 
 
-def netcdf_of(data: xarray.Dataset) -> bytes:
+def netcdf_of(data: xarray.Dataset, form: Format = "NETCDF4") -> bytes:
     """A dataset as the content of a NetCDF file.
 
     Parameters
     ----------
     data : xarray.Dataset
         All of it.
+    form : {"NETCDF4", "NETCDF3_64BIT_DATA"}, default "NETCDF4"
+        The format, or `CLASSIC`.
 
     Returns
     -------
     bytes
         Of the file.
     """
-    dataset = new_netcdf()
+    dataset = new_netcdf(form)
     data.dump_to_store(NetCDF4DataStore(dataset))
     return bytes(dataset.close())
 
 
-def write_dataset(path: Path, data: xarray.Dataset) -> None:
+def write_dataset(path: Path, data: xarray.Dataset, form: Format = "NETCDF4") -> None:
     """A dataset as NetCDF.
 
     Parameters
@@ -47,6 +55,8 @@ def write_dataset(path: Path, data: xarray.Dataset) -> None:
         Of the file; whole at the end, or as it was.
     data : xarray.Dataset
         All of it.
+    form : {"NETCDF4", "NETCDF3_64BIT_DATA"}, default "NETCDF4"
+        The format, or `CLASSIC`.
 
     Raises
     ------
@@ -54,7 +64,7 @@ def write_dataset(path: Path, data: xarray.Dataset) -> None:
         Nothing can be written there.
     """
     with whole(path) as beside:
-        beside.write_bytes(netcdf_of(data))
+        beside.write_bytes(netcdf_of(data, form))
 
 
 def read_dataset(path: Path) -> xarray.Dataset:
